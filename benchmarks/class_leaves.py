@@ -10,10 +10,12 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from pipeline.diagnosis import calibrate, candidates, engine
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.search import Search
+from pipeline.diagnosis.choice import candidates
+from pipeline.diagnosis.choice.search import Search
+from pipeline.diagnosis.fit import calibrate
+from pipeline.diagnosis.fit.linear import Linear
+from pipeline.diagnosis.numerics.noise import white
+from pipeline.diagnosis.study import engine
 from pipeline.proof.teach.lesson import recorded
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.interface import Asked, OutOfReach

@@ -14,8 +14,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from pipeline.diagnosis import engine, judged, outcome, search
-from pipeline.diagnosis.judge import judge
+from pipeline.diagnosis.choice import judged, outcome, search
+from pipeline.diagnosis.numerics.judge import judge
+from pipeline.diagnosis.study import engine
 from pipeline.proof.teach.lesson import PROTOCOLS, recorded
 from pipeline.proof.verdicts import JUDGES
 from pipeline.rig.authors import authors, names

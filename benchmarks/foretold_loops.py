@@ -19,8 +19,8 @@ from kept_cases import kept_cases
 from scipy.stats import binomtest
 from settled_ties import Case, NotOnRig, asked, cases, recordings
 
-from pipeline.diagnosis.expected import STROKES
-from pipeline.diagnosis.legs import Rig
+from pipeline.diagnosis.proposal.expected import STROKES
+from pipeline.diagnosis.proposal.legs import Rig
 from pipeline.rig.authors.interface import OutOfReach
 
 BINS = 30  # of the twist, over which both ways are compared

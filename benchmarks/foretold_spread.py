@@ -21,8 +21,8 @@ from scipy.stats import binomtest
 from settled_ties import RIG, Case, NotOnRig, asked, cases, recordings
 
 from pipeline.diagnosis import verdict
-from pipeline.diagnosis.expected import DOWN, DWELL, STROKES, UP
-from pipeline.diagnosis.legs import Leg, Rig
+from pipeline.diagnosis.proposal.expected import DOWN, DWELL, STROKES, UP
+from pipeline.diagnosis.proposal.legs import Leg, Rig
 from pipeline.rig.authors.interface import OutOfReach
 
 INSTRUMENTS = {

@@ -15,7 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SAMPLE, CPU_S, TIMEOUT_S = 45, 90, 1800  # a mutant without an end is killed by its processor time: machines are busy
 WIRE = "tests/wire/test_wire_frames.py tests/wire/test_wire_recording.py tests/wire/test_wire_numbers.py"
-DECISION = "tests/diagnosis/test_judged.py tests/diagnosis/test_disguise.py"
+DECISION = "tests/diagnosis/choice/test_judged.py tests/diagnosis/choice/test_disguise.py"
 TARGETS = {
     "strokes": ({"run/strokes.py", "run/stands.py", "run/turning.py", "run/motion.py"}, "tests/run/test_strokes.py"),
     "dataset": (
@@ -27,7 +27,7 @@ TARGETS = {
         {"wire/mending.py", "wire/in_order.py", "wire/recording.py"},
         "tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
     ),
-    "decision": ({"diagnosis/judged.py", "diagnosis/disguise.py"}, DECISION),
+    "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/disguise.py"}, DECISION),
 }
 TYPES = "ReplaceBinaryOperator_BitOr_"  # `int | None` in a signature: no fault that a program could have
 

@@ -18,13 +18,13 @@ import pandas as pd
 from kept_cases import kept_cases
 from scipy.stats import binomtest
 
-from pipeline.diagnosis.foretold import foretold, rivals
+from pipeline.diagnosis.choice.outcome import Study
 from pipeline.diagnosis.in_memory import diagnosed
-from pipeline.diagnosis.judge import judge
-from pipeline.diagnosis.legs import CANDIDATES, Rig
-from pipeline.diagnosis.legs import Leg as Part
-from pipeline.diagnosis.outcome import Study
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.numerics.judge import judge
+from pipeline.diagnosis.proposal.foretold import foretold, rivals
+from pipeline.diagnosis.proposal.legs import CANDIDATES, Rig
+from pipeline.diagnosis.proposal.legs import Leg as Part
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.proof import carry_on
 from pipeline.proof.case import performed
 from pipeline.proof.conceal_batch import drawn

@@ -15,13 +15,13 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from pipeline.diagnosis import engine, own_rate
-from pipeline.diagnosis.flexible import foretold
-from pipeline.diagnosis.heldout import first_held_out
-from pipeline.diagnosis.outcome import rms
-from pipeline.diagnosis.problem import State
-from pipeline.diagnosis.recorded_run import RecordedRun
-from pipeline.diagnosis.working_samples import wild
+from pipeline.diagnosis.choice.outcome import rms
+from pipeline.diagnosis.fit.flexible import foretold
+from pipeline.diagnosis.fit.problem import State
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.recording.working_samples import wild
+from pipeline.diagnosis.study import engine, own_rate
+from pipeline.diagnosis.study.heldout import first_held_out
 from pipeline.ground.kinematics import Array
 from pipeline.run.samples import read_strokes
 

@@ -11,12 +11,12 @@ from pydantic import ValidationError
 from .adoption import before_after
 from .adoption.block import KEY, ORIGIN, adopted, bare
 from .adoption.number_sizes import sizes
-from .diagnosis.adopt import acts_from, adoptions, checked
-from .diagnosis.content import Verdict
-from .diagnosis.own_rate import at_own_rate
-from .diagnosis.problem import Problem
-from .diagnosis.recorded_run import RecordedRun
-from .diagnosis.simulation import of_run, read_diagnosis, state_of
+from .diagnosis.document.content import Verdict
+from .diagnosis.fit.adopt import acts_from, adoptions, checked
+from .diagnosis.fit.problem import Problem
+from .diagnosis.prediction.simulation import of_run, read_diagnosis, state_of
+from .diagnosis.recording.recorded_run import RecordedRun
+from .diagnosis.study.own_rate import at_own_rate
 from .diagnosis.words import coefficients
 from .diagnosis.words.adoption import WEIGHED_ANEW, adopted_predictions
 from .diagnosis.words.quantity import listing

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from .diagnosis.arguments import parsed
-from .diagnosis.content import Verdict
-from .diagnosis.foretold import foretold
+from .diagnosis.document.content import Verdict
 from .diagnosis.in_memory import diagnosed, optional
-from .diagnosis.judge import judge
-from .diagnosis.recorded_run import RecordedRun
+from .diagnosis.numerics.judge import judge
+from .diagnosis.proposal.foretold import foretold
+from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.written import draw, write_block, write_seconds, write_words
 from .ground.errors import BadInput, program
 from .ground.files import write_text
@@ -26,7 +26,7 @@ from .string.history import read_recorded
 from .string.jumps_beside import Beside, Reader, are_beside, jumps_into
 from .string.rests import Rests
 
-MODULES = tuple(f"{__package__}.diagnosis.{name}" for name in ("in_memory", "figures"))  # of each of many runs
+MODULES = tuple(f"{__package__}.diagnosis.{name}" for name in ("in_memory", "drawing.figures"))  # of each of many runs
 ZEROS = "the zero of this string's runs"
 OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
 

@@ -9,16 +9,16 @@ from typing import cast
 import numpy as np
 import pandas as pd
 
-from .diagnosis.content import Verdict
-from .diagnosis.home import homed
-from .diagnosis.later_run import before_of, predicted_after, said_of, simulated_before
-from .diagnosis.own_rate import at_own_rate
-from .diagnosis.planned_motion import Plan, expected_error, recorded_beside, tied_with
-from .diagnosis.prediction_band import adopted_diagnosis
-from .diagnosis.recorded_run import RecordedRun
+from .diagnosis.document.content import Verdict
+from .diagnosis.prediction.home import homed
+from .diagnosis.prediction.later_run import before_of, predicted_after, said_of, simulated_before
+from .diagnosis.prediction.planned_motion import Plan, expected_error, recorded_beside, tied_with
+from .diagnosis.prediction.prediction_band import adopted_diagnosis
+from .diagnosis.prediction.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis
+from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
-from .diagnosis.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis
+from .diagnosis.study.own_rate import at_own_rate
 from .diagnosis.words import loop_table
 from .diagnosis.words.corner_table import corners
 from .diagnosis.words.dimensions import name_of

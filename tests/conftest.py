@@ -29,7 +29,9 @@ FIRST = (
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Put the files of those folders first; a file's tests stay together and in order."""
-    items.sort(key=lambda item: FIRST.index(item.path.parent.name) if item.path.parent.name in FIRST else len(FIRST))
+    folders = [item.path.relative_to(Path(__file__).parent).parts[0] for item in items]
+    places = {folder: FIRST.index(folder) if folder in FIRST else len(FIRST) for folder in folders}
+    items.sort(key=lambda item: places[item.path.relative_to(Path(__file__).parent).parts[0]])
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

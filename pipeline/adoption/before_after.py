@@ -3,12 +3,12 @@
 import math
 from pathlib import Path
 
-from ..diagnosis.adopt import fitted, is_number
-from ..diagnosis.content import Simulated, Verdict
-from ..diagnosis.later_run import names_before
-from ..diagnosis.problem import Problem
-from ..diagnosis.simulation import off, tared
-from ..diagnosis.words import unseen
+from ..diagnosis.document.content import Simulated, Verdict
+from ..diagnosis.fit.adopt import fitted, is_number
+from ..diagnosis.fit.problem import Problem
+from ..diagnosis.prediction.later_run import names_before
+from ..diagnosis.prediction.simulation import off, tared
+from ..diagnosis.study import heldout
 from ..diagnosis.words.advice import contrary
 from ..diagnosis.words.dimensions import LEAVES, name_of
 from ..diagnosis.words.error_table import aligned
@@ -132,7 +132,7 @@ def on_unseen(content: Verdict, unit: str, run: str) -> list[str]:
         sentences.append(
             f"{after}; alone, what goes on over time or strokes begins anew in it, and the error is larger."
         )
-    if explained > unseen.WORSE * calibrated:
+    if explained > heldout.WORSE * calibrated:
         sentences.append("So the verdict says: adopt nothing. Take it out again unless you know better.")
     return sentences
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import yaml
 
-from ..diagnosis.adopt import block
-from ..diagnosis.content import Adoption
+from ..diagnosis.document.content import Adoption
+from ..diagnosis.fit.adopt import block
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import parse_yaml
 from ..run.description import Included, parse_run

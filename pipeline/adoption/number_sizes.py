@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..diagnosis.outcome import rms
-from ..diagnosis.problem import Act, Problem, State
+from ..diagnosis.choice.outcome import rms
+from ..diagnosis.fit.problem import Act, Problem, State
 from ..diagnosis.words.coefficients import Size
 from ..ground.kinematics import Array
 

@@ -5,14 +5,14 @@ from pathlib import Path
 
 from ..ground.kinematics import Array
 from ..run.description import Run
-from . import extents, loops
-from .content import Part
-from .library import mechanisms
-from .mechanism_entries import parameters_of
-from .outcome import Study, rms
-from .problem import Act, Problem
-from .simulation import of_run, state_of
-from .system_units import Units
+from .choice.outcome import Study, rms
+from .document.content import Part
+from .facts import extents, loops
+from .facts.mechanism_entries import parameters_of
+from .fit.problem import Act, Problem
+from .mechanisms.library import mechanisms
+from .prediction.simulation import of_run, state_of
+from .recording.system_units import Units
 from .words.effects import sentence
 from .words.vocabulary import Vocabulary
 

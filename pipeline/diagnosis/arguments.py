@@ -7,7 +7,7 @@ from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
-from . import library
+from .mechanisms import library
 
 
 def parsed(description: str) -> argparse.Namespace:

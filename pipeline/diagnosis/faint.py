@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 
 from ..ground.errors import BadInput
-from .flexible import foretold
-from .heldout import first_held_out
-from .outcome import Study, rms
-from .problem import Problem, State
+from .choice.outcome import Study, rms
+from .fit.flexible import foretold
+from .fit.problem import Problem, State
+from .study.heldout import first_held_out
 from .words.quantity import size
 
 LEAST_MOTION = 20.0  # times the noise that the reading must move: less shows no physics

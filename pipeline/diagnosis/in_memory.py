@@ -9,17 +9,21 @@ from typing import Any, TypeVar, cast
 
 from ..ground.errors import BadInput
 from ..run.description import Run
-from . import apart, engine, expected, faint, heldout, own_rate, verdict, without_last
+from . import faint, verdict
 from .adopted_effects import adopted_effects
-from .content import Adoption, Verdict
-from .covered import pauses, reversals
-from .judge import Judge
-from .noise import resolution
-from .not_kept import not_kept
-from .outcome import Study, rms
-from .recorded_run import RecordedRun
-from .simulation import at_its_best_zero, of_run
-from .spikes_found import spikes_found
+from .choice.outcome import Study, rms
+from .document.content import Adoption, Verdict
+from .document.tidy import tidy
+from .facts.not_kept import not_kept
+from .numerics.judge import Judge
+from .numerics.noise import resolution
+from .prediction import without_last
+from .prediction.simulation import at_its_best_zero, of_run
+from .proposal import apart, expected
+from .recording.covered import pauses, reversals
+from .recording.recorded_run import RecordedRun
+from .recording.spikes_found import spikes_found
+from .study import engine, heldout, own_rate
 
 Result = TypeVar("Result")
 Say = Callable[[str], None]
@@ -53,24 +57,24 @@ def diagnosed(
         content["without_last_strokes"] = without_last.written(problem, held)
     if experiment and content["next_run"]:
         readings = optional("how far its readings part", name, lambda: apart.apart(study, runs[0], experiment))
-        content["next_run"] |= {"apart": verdict.tidy(readings)} if readings else {}
+        content["next_run"] |= {"apart": tidy(readings)} if readings else {}
     earlier = [cast(Adoption, adoption.model_dump(exclude_none=True)) for run in runs for adoption in run.adopted]
     if earlier:
         content["adopted"] = [adoption for place, adoption in enumerate(earlier) if adoption not in earlier[:place]]
     content["evidence"] |= of_run_yaml(study, runs)
-    content["evidence"]["covered"] |= verdict.tidy(pauses(recorded) | reversals(recorded))
+    content["evidence"]["covered"] |= tidy(pauses(recorded) | reversals(recorded))
     if lonely := spikes_found(recorded):
         content["evidence"]["spikes"] = lonely
     ending = study.problem.system.channel.rpartition("_")[2]
     if step := steps_of(recorded):
-        content["evidence"][f"resolution_{ending}"] = verdict.tidy(step)
+        content["evidence"][f"resolution_{ending}"] = tidy(step)
     if adopted := optional("what was adopted", name, lambda: adopted_effects(study, runs[0], ending)):
-        content["evidence"]["adopted_effects"] = verdict.tidy(adopted)
+        content["evidence"]["adopted_effects"] = tidy(adopted)
     if others := optional("why others are not kept", name, lambda: not_kept(study, ending)):
-        content["evidence"]["not_kept"] = verdict.tidy(others)
+        content["evidence"]["not_kept"] = tidy(others)
     named = (study, runs[0], content["mechanisms"], ending, missed(study, content, ending))
     if foretold := optional("what to expect of other strokes", name, lambda: expected.of_explanations(*named)):
-        content["evidence"]["expected"] = verdict.tidy(foretold)
+        content["evidence"]["expected"] = tidy(foretold)
     return content, study
 
 

@@ -7,12 +7,12 @@ from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..run.description import Run
-from .made_of import recordings_of
-from .planned_motion import Plan
-from .prediction_band import adopted_diagnosis
-from .problem import Problem
-from .residual import residual
-from .simulation import read_diagnosis
+from .fit.problem import Problem
+from .prediction.planned_motion import Plan
+from .prediction.prediction_band import adopted_diagnosis
+from .prediction.residual import residual
+from .prediction.simulation import read_diagnosis
+from .recording.made_of import recordings_of
 from .words.residual import RESIDUAL, columns_of, of_residual
 
 

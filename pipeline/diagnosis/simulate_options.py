@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.parser import Parser
-from .home import HOME
+from .prediction.home import HOME
 from .words.prediction import AFTER_RECORDING
 from .words.residual import RESIDUAL
 

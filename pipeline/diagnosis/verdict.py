@@ -7,42 +7,34 @@ import numpy as np
 from ..ground.fingerprint import fingerprint
 from ..ground.kinematics import Array
 from ..run.description import Run
-from . import band, chance, generic, locate, nextrun
-from .adopt import entries
-from .bounds import at_bound
-from .content import Verdict
-from .detectable import detectable
-from .engine import fine_floor
-from .evidence import evidence
-from .heldout import Errors, worse_than_nominal
-from .interface import physics
-from .intervals import intervals
-from .library import mechanisms
-from .linear import Linear
-from .mechanism_entries import as_entry, listed
-from .noise import white
-from .outcome import Study, rms
-from .problem import Problem, State
-from .rivals import rivals
-from .uncertainty import doubts
+from .choice import chance
+from .choice.outcome import Study, rms
+from .document.bounds import at_bound
+from .document.content import Verdict
+from .document.tidy import DIGITS, tidy
+from .facts.detectable import detectable
+from .facts.evidence import evidence
+from .facts.mechanism_entries import as_entry, listed
+from .facts.zero_effects import without_zero_effects
+from .fit import generic, locate
+from .fit.adopt import entries
+from .fit.intervals import intervals
+from .fit.linear import Linear
+from .fit.problem import Problem, State
+from .fit.uncertainty import doubts
+from .mechanisms.interface import physics
+from .mechanisms.library import mechanisms
+from .numerics import band
+from .numerics.noise import white
+from .proposal import nextrun
+from .study.engine import fine_floor
+from .study.heldout import Errors, worse_than_nominal
+from .study.rivals import rivals
 from .words.spoken import spoken
-from .zero_effects import without_zero_effects
 
 HELD_OUT: tuple[Literal["nominal", "calibrated", "explained", "without_physics"], ...] = (
     "nominal", "calibrated", "explained", "without_physics",
 )  # fmt: skip
-DIGITS = 5  # more of them would be rounding, which processors do each in their own way
-
-
-def tidy(value: Any) -> Any:
-    """A JSON value with its numbers rounded to five digits, so that it reads well and repeats exactly."""
-    if isinstance(value, dict):
-        return {key: tidy(entry) for key, entry in value.items()}
-    if isinstance(value, list | tuple):
-        return [tidy(entry) for entry in value]
-    if isinstance(value, float | np.floating):
-        return float(f"{value:.{DIGITS}g}") + 0.0 if np.isfinite(value) else None
-    return int(value) if isinstance(value, np.integer) else value
 
 
 def mismatch_signal(study: Study) -> tuple[Array, list[str]]:

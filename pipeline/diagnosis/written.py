@@ -5,10 +5,10 @@ from pathlib import Path
 
 from ..ground.files import write_text
 from ..systems import System
-from . import earlier
-from .adopt import adoptions, block
-from .content import Verdict
-from .outcome import Study
+from .choice.outcome import Study
+from .document.content import Verdict
+from .fit.adopt import adoptions, block
+from .words import earlier
 from .words.details import details_text
 from .words.verdict import verdict_text
 
@@ -29,7 +29,7 @@ def write_words(content: Verdict, system: System, folders: list[Path], out: Path
 def draw(study: Study, content: Verdict, path: Path, mark: str = "") -> None:
     """Draw the page of figures; what draws takes 40 MB, and is imported when the search has let go of more."""
     study.search.linear.let_go()
-    from . import figures
+    from .drawing import figures
 
     figures.page(study, content, path, mark)
 

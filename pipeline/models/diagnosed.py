@@ -17,9 +17,13 @@ import numpy as np
 import pandas as pd
 from pydantic import Field, field_validator
 
-from ..diagnosis import calibrate, cross_validation, engine, faint, kept, library, outcome
-from ..diagnosis.problem import State
-from ..diagnosis.search import LARGEST, TRIED, apart
+from ..diagnosis import faint
+from ..diagnosis.choice import cross_validation, kept, outcome
+from ..diagnosis.choice.search import LARGEST, TRIED, apart
+from ..diagnosis.fit import calibrate
+from ..diagnosis.fit.problem import State
+from ..diagnosis.mechanisms import library
+from ..diagnosis.study import engine
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from ..run.description import Run

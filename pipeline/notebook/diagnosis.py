@@ -14,12 +14,12 @@ from typing import Any
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..diagnosis import figures
-from ..diagnosis.content import Verdict
+from ..diagnosis.choice.outcome import Study
+from ..diagnosis.document.content import Verdict
+from ..diagnosis.drawing import figures
 from ..diagnosis.in_memory import diagnosed
-from ..diagnosis.outcome import Study
-from ..diagnosis.recorded_run import RecordedRun
-from ..diagnosis.simulation import read_diagnosis
+from ..diagnosis.prediction.simulation import read_diagnosis
+from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.words.details import details_text
 from ..diagnosis.words.verdict import verdict_text
 from ..ground.errors import BadInput

@@ -9,10 +9,10 @@ from typing import Protocol
 
 import pandas as pd
 
-from ..diagnosis.content import Simulated
-from ..diagnosis.own_rate import at_own_rate
-from ..diagnosis.recorded_run import RecordedRun
-from ..diagnosis.simulation import of_run, tared
+from ..diagnosis.document.content import Simulated
+from ..diagnosis.prediction.simulation import of_run, tared
+from ..diagnosis.recording.recorded_run import RecordedRun
+from ..diagnosis.study.own_rate import at_own_rate
 from ..ground import schemas
 from ..ground.folders import whole_folder
 from ..ground.strict_yaml import write_yaml

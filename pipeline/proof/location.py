@@ -14,7 +14,7 @@ PHASES = ("winding", "hold", "unwinding", "rest", "all")
 
 
 def location(performed: Performed, residual_mm: Array) -> dict[str, Any]:
-    """The box as `location` in `diagnosis.json` has it (diagnosis/locate.py); its size is the number of samples in it.
+    """The box as `location` in `diagnosis.json` has it (diagnosis/fit/locate.py); its size is its number of samples.
 
     The residual has the shape (samples,), in mm.
     """

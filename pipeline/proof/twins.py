@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..diagnosis import calibrate, engine
-from ..diagnosis.library import mechanisms
-from ..diagnosis.linear import Linear
-from ..diagnosis.noise import white
-from ..diagnosis.problem import Problem
-from ..diagnosis.recorded_run import RecordedRun
-from ..diagnosis.search import Search
+from ..diagnosis.choice.search import Search
+from ..diagnosis.fit import calibrate
+from ..diagnosis.fit.linear import Linear
+from ..diagnosis.fit.problem import Problem
+from ..diagnosis.mechanisms.library import mechanisms
+from ..diagnosis.numerics.noise import white
+from ..diagnosis.recording.recorded_run import RecordedRun
+from ..diagnosis.study import engine
 from ..ground.errors import program
 from ..ground.files import write_text
 from ..ground.kinematics import Array

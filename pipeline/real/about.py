@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..diagnosis.content import Simulated
-from ..diagnosis.home import homed
-from ..diagnosis.homes import one_string
-from ..diagnosis.own_rate import at_own_rate
-from ..diagnosis.problem import Problem
-from ..diagnosis.recorded_run import RecordedRun
-from ..diagnosis.simulation import state_of
+from ..diagnosis.document.content import Simulated
+from ..diagnosis.fit.problem import Problem
+from ..diagnosis.prediction.home import homed
+from ..diagnosis.prediction.simulation import state_of
+from ..diagnosis.recording.recorded_run import RecordedRun
+from ..diagnosis.study.homes import one_string
+from ..diagnosis.study.own_rate import at_own_rate
 from ..ground.kinematics import Array
 from ..run.description import Run
 from ..string.history import Recorded

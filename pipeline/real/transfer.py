@@ -7,8 +7,8 @@ from typing import TypedDict
 import numpy as np
 import pandas as pd
 
-from ..diagnosis.content import Simulated
-from ..diagnosis.simulation import read_diagnosis, tare
+from ..diagnosis.document.content import Simulated
+from ..diagnosis.prediction.simulation import read_diagnosis, tare
 from ..diagnosis.written import JSON
 from ..ground.errors import BadInput, program
 from ..ground.files import whole

@@ -9,9 +9,10 @@ import otherhand
 import pytest
 
 from pipeline import diagnose
-from pipeline.diagnosis import figures, in_memory
-from pipeline.diagnosis.engine import make_problem, study
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis import in_memory
+from pipeline.diagnosis.drawing import figures
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.run.samples import read_samples
 
 

@@ -13,10 +13,10 @@ import pytest
 import yaml
 
 from pipeline.adoption.block import adopted, bare, with_block, without_block
-from pipeline.diagnosis.adopt import fitted
-from pipeline.diagnosis.adopted_run import as_list
+from pipeline.diagnosis.document.adopted_run import as_list
+from pipeline.diagnosis.fit.adopt import fitted
 from pipeline.diagnosis.in_memory import described
-from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.words import commands
 from pipeline.ground.errors import BadInput
 from pipeline.ground.strict_yaml import parse_yaml

@@ -1,4 +1,4 @@
-"""The commands: `diagnosis.json` has the keys of `diagnosis/content.py` and comes out byte for byte again.
+"""The commands: `diagnosis.json` has the keys of `diagnosis/document/content.py` and comes out byte for byte again.
 
 Then adoption, simulation alone, and bad input.
 """
@@ -22,14 +22,14 @@ import yaml
 from PIL import Image
 
 from pipeline import diagnose
-from pipeline.diagnosis import figures
-from pipeline.diagnosis.adopt import acts_from
-from pipeline.diagnosis.engine import make_problem, study
+from pipeline.diagnosis.drawing import figures
+from pipeline.diagnosis.fit.adopt import acts_from
 from pipeline.diagnosis.in_memory import described
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.noise import resolution
-from pipeline.diagnosis.recorded_run import RecordedRun
-from pipeline.diagnosis.simulation import read_diagnosis, state_of
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.numerics.noise import resolution
+from pipeline.diagnosis.prediction.simulation import read_diagnosis, state_of
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.run import strokes

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.diagnosis.engine import study
 from pipeline.diagnosis.faint import refuse_faint, unforeseen
+from pipeline.diagnosis.study.engine import study
 from pipeline.ground.errors import BadInput
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.diagnosis import own_rate
-from pipeline.diagnosis.problem import Problem
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.fit.problem import Problem
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study import own_rate
 from pipeline.run.description import parse_run
 from pipeline.run.spikes import despiked
 from pipeline.systems import systems
@@ -64,8 +64,8 @@ def test_a_long_recording_is_polished_on_averages_and_a_short_one_as_it_is(monke
 
 
 def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
-    from pipeline.diagnosis import problem as module
-    from pipeline.diagnosis.library import mechanisms
+    from pipeline.diagnosis.fit import problem as module
+    from pipeline.diagnosis.mechanisms.library import mechanisms
 
     problem = own_rate.to_score([RecordedRun(described(), recorded())])
     options = [(one, nonlinear) for one in mechanisms().values() for nonlinear in one.candidates(problem.drivers)][:5]

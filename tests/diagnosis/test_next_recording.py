@@ -6,7 +6,7 @@ import pytest
 from made_content import SYSTEMS, content, full, page
 
 from pipeline.diagnosis.in_memory import diagnosed
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.words import recipe, second_load
 from pipeline.diagnosis.words.adoption import WEIGHED_ANEW
 from pipeline.diagnosis.words.expectation import lines

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.diagnosis.engine import make_problem, study
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.run.samples import read_samples
 
 ROUND = Path(__file__).parent.parent / "data" / "blind" / "round-1"

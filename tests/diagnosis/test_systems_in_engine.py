@@ -12,15 +12,15 @@ import pytest
 import yaml
 from scipy.signal import lfilter
 
-from pipeline.diagnosis.engine import make_problem, study
-from pipeline.diagnosis.interface import Term
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.linear import Linear
-from pipeline.diagnosis.noise import white
-from pipeline.diagnosis.recorded_run import RecordedRun
-from pipeline.diagnosis.slopes import column, linearised
-from pipeline.diagnosis.system_units import Units
-from pipeline.diagnosis.working_samples import derivatives
+from pipeline.diagnosis.fit.linear import Linear
+from pipeline.diagnosis.fit.slopes import column, linearised
+from pipeline.diagnosis.mechanisms.interface import Term
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.numerics.noise import white
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.recording.system_units import Units
+from pipeline.diagnosis.recording.working_samples import derivatives
+from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
 from pipeline.run.samples import read_samples

@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import pytest
 from made_content import full, page, told, weighed
 
-from pipeline.diagnosis import kept
-from pipeline.diagnosis.judged import Judged, LeftOut
+from pipeline.diagnosis.choice import kept
+from pipeline.diagnosis.choice.judged import Judged, LeftOut
 from pipeline.diagnosis.words.left_out import BECAUSE
 
 OUT = {

@@ -119,10 +119,49 @@ def test_neighbours_do_not_reach_into_each_other(one, others):
 
 
 def test_only_the_diagnosed_model_reaches_the_diagnosis_and_nobody_reaches_it():
-    assert DIAGNOSED[0] in MODULES and "pipeline.diagnosis.engine" in reach(DIAGNOSED[0])
+    assert DIAGNOSED[0] in MODULES and "pipeline.diagnosis.study.engine" in reach(DIAGNOSED[0])
     for module in MODULES:
         if not module.startswith(DIAGNOSED):
             assert not [name for name in reach(module) if name.startswith(DIAGNOSED)], module
+
+
+# every room of the diagnosis, from the ground up, and the rooms of it that it stands on; at its top is what ties them
+DIAGNOSIS = "pipeline.diagnosis"
+ROOMS_OF_DIAGNOSIS = {
+    "document": "",
+    "numerics": "",
+    "recording": "document numerics",
+    "mechanisms": "numerics recording",
+    "fit": "document numerics recording mechanisms",
+    "choice": "numerics mechanisms fit",
+    "study": "document numerics recording mechanisms fit choice",
+    "facts": "document numerics recording mechanisms fit choice",
+    "proposal": "document numerics recording mechanisms fit choice study facts",
+    "prediction": "document recording mechanisms fit choice study",
+    "words": "document recording mechanisms fit choice study facts proposal prediction",
+    "drawing": "document recording choice prediction words",
+}
+FILES_OF_A_KIND = {"mechanisms", "words"}  # a file for each mechanism, and for each thing that is said
+
+
+def room_of(module):
+    """The room of a module of the diagnosis, "" for what stands at its top."""
+    below = MODULES[module].relative_to(ROOT / "pipeline" / "diagnosis").parts
+    return below[0] if len(below) > 1 else ""
+
+
+def test_a_room_of_the_diagnosis_stands_on_rooms_below_it_and_is_no_heap():
+    inside = [name for name in MODULES if name.startswith(f"{DIAGNOSIS}.")]
+    assert {room_of(name) for name in inside} == {*ROOMS_OF_DIAGNOSIS, ""}
+    for room, below in ROOMS_OF_DIAGNOSIS.items():
+        own = [name for name in inside if room_of(name) == room]
+        used = {room_of(name) for module in own for name in imports(module) if name in inside}
+        assert used - {room} == set(below.split()), room
+        assert set(below.split()) <= set(list(ROOMS_OF_DIAGNOSIS)[: list(ROOMS_OF_DIAGNOSIS).index(room)]), room
+    listed = re.findall(r"^\| `(\w+)` \|", (ROOT / "docs" / "source.md").read_text("utf-8"), re.M)
+    assert listed == list(ROOMS_OF_DIAGNOSIS), "docs/source.md lists them in this order"
+    for room in {"", *ROOMS_OF_DIAGNOSIS} - FILES_OF_A_KIND:
+        assert len([name for name in inside if room_of(name) == room]) <= 16, f"{room}: part it"
 
 
 # what the rig and the diagnosis share beside ground, systems and wire: what a run folder is, and nothing that reads one

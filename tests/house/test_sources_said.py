@@ -24,9 +24,12 @@ def named(folder: str, *stems: str) -> list[Path]:
 MODELS, COMPARED = those_with(r"^MODEL\b", "models"), those_with(r"^def learn\(", "proof/baselines", "real/black_boxes")
 LAWS = [*those_with(r"^class Hidden\(", "rig/effects"), *those_with(r"^SYSTEMS\b", "systems")]
 METHODS = [
-    *named("diagnosis", "bounded", "calibrate", "compare", "cross_validation", "design", "discrepancy", "flexible"),
-    *named("diagnosis", "gauss_newton", "generic", "intervals", "judge", "nextrun", "noise", "recursions", "search"),
-    *named("diagnosis", "uncertainty"),
+    *named("diagnosis/numerics", "bounded", "judge", "noise", "recursions"),
+    *named(
+        "diagnosis/fit", "calibrate", "discrepancy", "flexible", "gauss_newton", "generic", "intervals", "uncertainty"
+    ),
+    *named("diagnosis/choice", "compare", "cross_validation", "search"),
+    *named("diagnosis/proposal", "design", "nextrun"),
     *named("lifespan", "fit", "law_choice", "laws", "strokes_left"),
     *named("models/parts", "growth", "prediction_intervals", "marquardt", "rational", "training"),
     *named("models", "coupling"),

@@ -13,7 +13,7 @@ import yaml
 from made_dataset import made_dataset
 
 from pipeline import models
-from pipeline.diagnosis.library import mechanisms
+from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.models.interface import Model, about, make_model, usual
 
 FOLDER = Path(models.__file__).parent

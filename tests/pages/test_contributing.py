@@ -61,7 +61,7 @@ import sys
 from pathlib import Path
 import numpy as np
 from pipeline.diagnosis import engine
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.proof.baselines import __main__ as command
 from pipeline.proof.baselines.learnt import calibrated
 from pipeline.run.samples import read_samples

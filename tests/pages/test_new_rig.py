@@ -145,7 +145,7 @@ def test_a_mechanism_of_ones_own_alone_counts_as_unknown_but_is_told_with_its_si
 def test_the_tests_that_the_page_names_accept_its_files(house):
     root, _ = house
     shutil.copytree(ROOT / "tests", root / "tests", ignore=shutil.ignore_patterns("__pycache__", "data"))
-    named = ["tests/systems/test_systems.py", "tests/diagnosis/test_library.py"]
+    named = ["tests/systems/test_systems.py", "tests/diagnosis/mechanisms/test_library.py"]
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *named, "-k", "not longer_recording"],
         cwd=root, env={**os.environ, "PYTHONPATH": str(root)}, capture_output=True, text=True,

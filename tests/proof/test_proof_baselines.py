@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.diagnosis.engine import make_problem, rms
-from pipeline.diagnosis.heldout import first_held_out
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.own_rate import at_own_rate
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem, rms
+from pipeline.diagnosis.study.heldout import first_held_out
+from pipeline.diagnosis.study.own_rate import at_own_rate
 from pipeline.proof.baselines import __main__ as command
 from pipeline.proof.baselines.features import Column, products
 from pipeline.proof.baselines.frozen import frozen

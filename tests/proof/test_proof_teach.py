@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from pandas.testing import assert_frame_equal
 
-from pipeline.diagnosis.judge import judge
-from pipeline.diagnosis.judged import held
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.choice.judged import held
+from pipeline.diagnosis.numerics.judge import judge
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.ground.errors import BadInput
 from pipeline.proof import verdicts
 from pipeline.proof.teach import across, fit
@@ -97,7 +97,7 @@ def test_a_lesson_has_the_signs_that_the_judge_weighs_and_comes_back_from_its_li
 def test_every_author_has_a_judge_who_was_taught_without_it() -> None:
     assert sorted(path.stem for path in JUDGES.glob("*.json")) == [f"without_{name}" for name in sorted(names())]
     weights = {path.read_text() for path in JUDGES.glob("*.json")} | {
-        (ROOT / "pipeline" / "diagnosis" / "judge.json").read_text()
+        (ROOT / "pipeline" / "diagnosis" / "numerics" / "judge.json").read_text()
     }
     assert len(weights) == len(names()) + 1
     for path in JUDGES.glob("*.json"):

@@ -7,9 +7,9 @@ import pandas as pd
 import pytest
 from made_recording import content, recording
 
-from pipeline.diagnosis import heldout
-from pipeline.diagnosis.engine import make_problem
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study import heldout
+from pipeline.diagnosis.study.engine import make_problem
 from pipeline.ground.files import write_text
 from pipeline.real import transfer
 from pipeline.real.about import About

@@ -6,8 +6,8 @@ from pathlib import Path
 import downloaded
 import pytest
 
-from pipeline.diagnosis import engine, heldout, own_rate
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study import engine, heldout, own_rate
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples

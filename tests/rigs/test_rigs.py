@@ -9,9 +9,9 @@ import pytest
 from scipy.io import savemat
 
 import pipeline
-from pipeline.diagnosis.engine import make_problem
-from pipeline.diagnosis.library import mechanisms
-from pipeline.diagnosis.recorded_run import RecordedRun
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_strokes
 

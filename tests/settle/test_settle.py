@@ -10,7 +10,7 @@ import pytest
 from scripted_rig import CHANNELS, ScriptedRig
 from settle_bench import LIMITS, auto, begun, copied, ended, program, rig, settled, started, state, until
 
-from pipeline.diagnosis.legs import CANDIDATES
+from pipeline.diagnosis.proposal.legs import CANDIDATES
 from pipeline.wire import Hello, Kind, Reason, read_recording
 
 

@@ -4,7 +4,7 @@ That is a diagnosis' page of figures, at which `tests/diagnosis` looks; the loop
 each diagnosis would read anew is read.
 """
 
-from pipeline.diagnosis import figures
+from pipeline.diagnosis.drawing import figures
 from pipeline.diagnosis.verdict import fingerprint
 from pipeline.systems import systems
 

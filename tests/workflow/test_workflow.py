@@ -110,7 +110,7 @@ def test_the_tables_alone(tmp_path, finished):
         ),
         # the diagnosed simulator is a model, which is trained again as well
         (
-            "pipeline/diagnosis/locate.py",
+            "pipeline/diagnosis/fit/locate.py",
             {"diagnose": 1, "train": 2, **LATE},
         ),
     ],

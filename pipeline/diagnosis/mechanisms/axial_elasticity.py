@@ -3,8 +3,8 @@
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 TOE_LOADS = (0.15, 0.5)  # of 10 N
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..recursions import play
-from ..shared_laws import grid
+from ..numerics.recursions import play
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import grid
 
 INSIDE = {"share": 1.0, "inner_share": 0.5}  # of the half-width: contacts that yield close a part of it earlier
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import happens_within, jump_mark, slipped, slips, slips_seen
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import happens_within, jump_mark, slipped, slips, slips_seen
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

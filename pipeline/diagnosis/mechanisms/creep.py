@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..recursions import lowpass
-from ..shared_laws import time_constants, within
+from ..numerics.recursions import lowpass
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import time_constants, within
 
 TIMES_S = (1.0, 4.0, 15.0, 60.0, 240.0, 1000.0)  # time constants of the branches
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 WAVES = {"sine": np.sin, "cosine": np.cos}
 HARMONICS = (2, 3)  # of the motor's turn; those of a wheel that turns a few times would copy any curve

@@ -3,9 +3,9 @@
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import hinge
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import hinge
 
 UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins

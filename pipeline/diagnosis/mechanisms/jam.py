@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import hinge
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import hinge
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

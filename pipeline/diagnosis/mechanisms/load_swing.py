@@ -4,9 +4,9 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..recursions import resonator
+from ..numerics.recursions import resonator
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 # length of its stretches; bins of its background; times that; lines: of the spectrum that tells where a residual rings
 STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3

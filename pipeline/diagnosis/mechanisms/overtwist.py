@@ -4,10 +4,10 @@ import numpy as np
 from numba import njit
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..recursions import lowpass, play
-from ..shared_laws import hinge
+from ..numerics.recursions import lowpass, play
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import hinge
 
 LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of the coil's loop
 BORN = (0.15, 0.5, 0.85)  # of the way from the critical to the highest twist: where more coils are born

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import saturations
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import saturations
 
 SHARES = {"root": 0.5, "whole": 1.0}  # powers of the load of the moment, with which a grown length is seen
 

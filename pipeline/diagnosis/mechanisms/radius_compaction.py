@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 PRESSED = (0.03, 0.1, 0.3)  # of the highest pressure of the strands on each other: where voids have closed
 SATURATING = (0.15, 0.4)  # of the steepest helix: where a bundle that settles early has settled

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import half_waves
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
 SETTLING = 0.1  # of the recording: time constant of a drift that settles

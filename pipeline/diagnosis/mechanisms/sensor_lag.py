@@ -3,9 +3,9 @@
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..recursions import lowpass
+from ..numerics.recursions import lowpass
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 TIMES_S = (0.03, 0.1, 0.3, 1.0)  # time constants of a first-order lag
 DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)  # of a reading that is late as a whole

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 UP_TO = (0.12, 0.25, 0.45, 0.7)  # of the highest torque: where a spring in series bottoms
 LOOP = 0.02  # of the range of motion: what a coupling that rubs needs to turn its loop round

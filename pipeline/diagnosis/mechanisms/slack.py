@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import hinge
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import hinge
 
 SHARP = 0.05  # of the take-up: how softly one that ends at once ends
 # of the highest twist: what may be taken up

@@ -4,10 +4,10 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..noise import resolution
-from ..recursions import sticking
+from ..numerics.noise import resolution
+from ..numerics.recursions import sticking
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 # samples whose median is taken off; spreads beyond which a step is cut; steps that tell
 AROUND, CLIP, FEWEST = 101, 5.0, 100

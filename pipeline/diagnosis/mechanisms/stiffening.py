@@ -1,8 +1,8 @@
 """The string gets stiffer with work, so that it stretches less under the same load."""
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import saturations
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import saturations
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

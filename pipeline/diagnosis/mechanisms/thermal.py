@@ -3,10 +3,10 @@
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..recursions import lowpass
-from ..shared_laws import time_constants, within
+from ..numerics.recursions import lowpass
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import time_constants, within
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)  # in which the string takes on heat
 LEAST_RANGE_K = 0.3  # of a logged temperature: one that moves less tells nothing

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..recursions import lowpass
+from ..numerics.recursions import lowpass
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 RELAXING_S = (0.08, 0.2, 0.5)  # a loss with a memory of its own, as a Kelvin-Voigt element in series with a spring
 

@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import half_waves
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most
 MOST_S = 2.0  # of delay that comes or goes

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 BOTH_SIDES = 0.2  # of the range of motion, that must lie on either side of the spring's rest
 

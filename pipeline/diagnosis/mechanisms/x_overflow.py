@@ -4,8 +4,8 @@ import numpy as np
 from numba import njit
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 RIMS = np.linspace(0.3, 1.06, 39)  # of the nominal range above the lowest level; calibration may stretch it
 TIMES = (0.003, 0.01, 0.03, 0.1, 0.3)  # of the recording: in which what is missing comes back, but for a third

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 FALLS = (0.02, 0.05, 0.1)  # of the highest rate: at which what is more than sliding friction has mostly gone
 DRY = 0.2  # of that rate: below it the way is no longer told

@@ -1,8 +1,8 @@
 """The radius {grows} with time, at work and at rest alike: the string takes up moisture, or dries."""
 
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
-from ..shared_laws import growths
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import growths
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

@@ -4,8 +4,8 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from ...ground.kinematics import Array
-from ..drivers import Drivers
-from ..interface import Mechanism, Nonlinear, Term
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
 
 LEAST_PERIODS = 3  # in the recording: slower is no wave
 AROUND = 61  # bins of the spectrum that make the background of a line

@@ -1,6 +1,6 @@
 """The table of what run.yaml has adopted: each effect by its name, as what it was adopted, how large it is here."""
 
-from ..content import Adoption, Part, Verdict
+from ..document.content import Adoption, Part, Verdict
 from .effect_table import at_the_top
 from .error_table import aligned
 from .explained_words import meaning, on_rig

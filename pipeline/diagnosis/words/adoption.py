@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ...ground.command import command, program_name
-from ..content import Verdict
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.library import mechanisms
 from . import advice, answered, holdout, in_vain, worth
 from .dimensions import far_moved
 from .prediction import AFTER_RECORDING

@@ -1,6 +1,6 @@
 """Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
 
-from ..content import Verdict
+from ..document.content import Verdict
 from . import holdout, in_vain, report
 from .dimensions import far_moved, name_of
 from .quantity import listing

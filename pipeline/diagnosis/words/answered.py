@@ -4,8 +4,8 @@ from typing import Any
 
 from ...run.course import ALIKE
 from ...run.limits import LONGER, SHORT_S, share_of_slowest
-from ..content import Verdict
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.library import mechanisms
 from .quantity import at, duration, ends, listing, span
 from .vocabulary import Vocabulary
 

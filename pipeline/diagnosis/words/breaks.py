@@ -1,7 +1,7 @@
 """What changed in the break between two runs that are diagnosed together: it is said, and is no effect."""
 
-from ..bounds import HOME_REACH, of_later_run
-from ..content import Verdict
+from ..document.bounds import HOME_REACH, of_later_run
+from ..document.content import Verdict
 from .dimensions import LEAVES
 from .quantity import listing, number
 from .tolerances import stem

@@ -1,6 +1,6 @@
 """Effects of one explanation whose loops are far wider than the loop that the recording shows: they partly cancel."""
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from .quantity import listing, size
 from .vocabulary import Vocabulary
 

@@ -1,9 +1,9 @@
 """Which effects are sure, which probable and which open, from how likely each is in whichever explanation; in words."""
 
-from ..bounds import at_bound
-from ..content import Verdict, mismatch_of
-from ..library import mechanisms
-from ..time_constants import time_constants_s
+from ..document.bounds import at_bound
+from ..document.content import Verdict, mismatch_of
+from ..document.time_constants import time_constants_s
+from ..mechanisms.library import mechanisms
 from . import coarse, in_vain, probability, rivals
 from .dimensions import far_moved, name_of
 from .missing_signs import missing

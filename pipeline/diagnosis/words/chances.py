@@ -1,7 +1,7 @@
 """How probable each explanation is, on the page: the kept ones, the next best, the others, and none of the library."""
 
-from ..bounds import of_later_run
-from ..content import Verdict
+from ..document.bounds import of_later_run
+from ..document.content import Verdict
 from . import left_out, probability, rivals, to_measure, tolerances
 from .dimensions import name_of
 from .error_table import aligned

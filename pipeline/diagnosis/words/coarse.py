@@ -6,7 +6,7 @@ stroke as an effect does (Widrow and Kollár, Quantization Noise, 2008).
 
 import math
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from .quantity import size
 from .vocabulary import Vocabulary
 

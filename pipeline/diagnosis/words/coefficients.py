@@ -4,9 +4,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..drivers import Drivers
-from ..library import mechanisms
-from ..problem import Act
+from ..fit.problem import Act
+from ..mechanisms.library import mechanisms
+from ..recording.drivers import Drivers
 from .explained_words import meaning, on_rig
 from .quantity import at, number, said_unit, size
 from .shape_numbers import shape_number

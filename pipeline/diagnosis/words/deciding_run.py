@@ -5,9 +5,9 @@ import shlex
 from pathlib import Path
 
 from ...ground.command import command
-from ..adopt import NO_USE
-from ..adopted_run import AFTER, DROPPED, END, STEP, in_one_line
-from ..content import Adoption, Verdict
+from ..document.adopted_run import AFTER, DROPPED, END, STEP, in_one_line
+from ..document.content import Adoption, Verdict
+from ..fit.adopt import NO_USE
 from . import commands
 from .headline import UNNAMED
 from .vocabulary import Vocabulary

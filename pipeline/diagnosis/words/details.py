@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ...systems import System
-from ..content import Part, Verdict, mismatch_of
+from ..document.content import Part, Verdict, mismatch_of
 from . import (
     adopted_table,
     adoption,

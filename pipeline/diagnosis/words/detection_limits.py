@@ -1,8 +1,8 @@
 """What a verdict without a name is worth, in words: the sizes from which effects would have been seen."""
 
-from ..content import Verdict
-from ..interface import physics
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.interface import physics
+from ..mechanisms.library import mechanisms
 from . import holdout, unseen
 from .headline import UNNAMED
 from .quantity import listing, size

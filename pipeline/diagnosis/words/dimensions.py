@@ -5,8 +5,8 @@ import re
 from collections.abc import Iterable
 
 from ...ground.units import unit_of
-from ..bounds import BOUND, at_bound, of_later_run
-from ..content import Verdict
+from ..document.bounds import BOUND, at_bound, of_later_run
+from ..document.content import Verdict
 from . import exactness, tolerances
 from .headline import LITTLE, moved_in_vain
 from .quantity import listing, number, said_unit, size, times

@@ -1,6 +1,6 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
-from ..content import Part, Verdict, mismatch_of
+from ..document.content import Part, Verdict, mismatch_of
 from . import cancelling, certainty, probability
 from .dimensions import name_of
 from .error_table import aligned

@@ -3,10 +3,10 @@
 import re
 from string import Formatter
 
-from ..content import Part
-from ..interface import Mechanism
-from ..system_units import Units
-from ..time_constants import BRANCH_S, time_constants_s
+from ..document.content import Part
+from ..document.time_constants import BRANCH_S, time_constants_s
+from ..mechanisms.interface import Mechanism
+from ..recording.system_units import Units
 from .certainty import SURE
 from .quantity import duration, listing, quantity, size
 from .vocabulary import Vocabulary

@@ -3,8 +3,8 @@
 import math
 
 from ...ground.command import program_name
-from ..bounds import of_later_run
-from ..content import Verdict
+from ..document.bounds import of_later_run
+from ..document.content import Verdict
 from . import holdout, rivals, unseen
 from .dimensions import far_moved, from_to, name_of
 from .headline import kept_times

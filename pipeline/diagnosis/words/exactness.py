@@ -5,8 +5,8 @@ import re
 from collections.abc import Mapping
 
 from ...ground.units import unit_of
-from ..bounds import at_bound
-from ..content import Verdict
+from ..document.bounds import at_bound
+from ..document.content import Verdict
 from . import tolerances
 from .quantity import listing, quantity
 

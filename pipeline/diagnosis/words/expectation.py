@@ -2,7 +2,7 @@
 
 import re
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from . import recorded_evidence, rivals, slow_sign
 from .error_table import UNKNOWN, aligned
 from .foretold_numbers import LEAST, Number, compared, error, of_explanation, probability, tells

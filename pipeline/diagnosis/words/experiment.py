@@ -1,6 +1,6 @@
 """The run to make next, in words: the protocol, what it is expected to tell, and how its recording is diagnosed."""
 
-from ..content import NextRun, Verdict, proposal
+from ..document.content import NextRun, Verdict, proposal
 from . import worth
 from .quantity import number
 from .technician import Part, lasting, parts

@@ -3,8 +3,8 @@
 import re
 
 from ...ground.glossary import MEANING
-from ..content import Verdict
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.library import mechanisms
 from .vocabulary import Vocabulary
 
 USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")

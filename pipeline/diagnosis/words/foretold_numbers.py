@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from itertools import combinations
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from . import rivals, unseen
 from .vocabulary import Vocabulary
 

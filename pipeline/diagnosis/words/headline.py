@@ -1,7 +1,7 @@
 """The verdict in one line: it says no more than what is left allows."""
 
-from ..bounds import at_bound
-from ..content import Verdict
+from ..document.bounds import at_bound
+from ..document.content import Verdict
 from . import holdout, left_out, rivals, unseen
 from .quantity import listing, percent, size, times
 from .vocabulary import Vocabulary

@@ -1,6 +1,6 @@
 """What run.yaml has adopted, and whether it has seen the strokes that are held out: then no word calls them unseen."""
 
-from ..content import Verdict
+from ..document.content import Verdict
 
 SPLIT = "last 30 % of strokes"
 NO_EFFECT = "no effect"

@@ -1,6 +1,6 @@
 """What a person is told of a motor's zero that was homed anew."""
 
-from ..home import Home
+from ..prediction.home import Home
 from .quantity import number, size
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from ..content import Verdict
+from ..document.content import Verdict
 from . import tolerances
 from .quantity import number
 

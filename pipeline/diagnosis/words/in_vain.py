@@ -2,11 +2,12 @@
 
 import math
 
-from ..content import Verdict
+from ..document.content import Verdict
+from ..study.heldout import WORSE
 from . import holdout
 from .level import NO_BETTER
 from .quantity import size
-from .unseen import WORSE, errors
+from .unseen import errors
 from .vocabulary import Vocabulary
 
 SMALL = ", and is too small to show there"

@@ -1,7 +1,7 @@
 """Explanations that are likely enough to be kept and are no names, in words: which, how likely, and by which rule."""
 
-from ..content import Part, Verdict
-from ..disguise import DIMENSIONS, IDLE, OUTSIDE
+from ..choice.disguise import DIMENSIONS, IDLE, OUTSIDE
+from ..document.content import Part, Verdict
 from .quantity import listing, percent
 
 WORTH = 0.01  # a probability from which on one is worth a word

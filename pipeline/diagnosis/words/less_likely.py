@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from . import probability
 from .error_table import aligned
 from .quantity import percent, size, times

@@ -1,6 +1,6 @@
 """The level that physics has to reach: what a regression without physics foretells of unseen strokes, in words."""
 
-from ..content import Verdict
+from ..document.content import Verdict
 from . import holdout
 from .places import EVERYWHERE, place
 from .quantity import size

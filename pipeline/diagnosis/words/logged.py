@@ -1,7 +1,7 @@
 """What was logged, and is followed by nothing that is named: said in one sentence, or a reader wonders."""
 
-from ..content import Verdict
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.library import mechanisms
 from . import effects
 from .quantity import number, size
 from .vocabulary import Vocabulary

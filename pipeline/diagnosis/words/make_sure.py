@@ -4,9 +4,9 @@ import shlex
 from pathlib import Path
 
 from ...ground.command import command, program_name
-from ..content import Verdict
-from ..library import mechanisms
-from ..time_constants import time_constants_s
+from ..document.content import Verdict
+from ..document.time_constants import time_constants_s
+from ..mechanisms.library import mechanisms
 from . import commands, expectation, holdout, in_vain, recipe, second_load, unseen, worth
 from .dimensions import far_moved
 from .missing_signs import ALIKE, missing, recorded

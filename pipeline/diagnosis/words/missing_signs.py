@@ -3,8 +3,8 @@
 import re
 
 from ...run.course import ALIKE
-from ..content import Verdict
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.library import mechanisms
 from .vocabulary import Vocabulary
 
 LOADS = re.compile(r"two loads|second load|load steps|hold under load")

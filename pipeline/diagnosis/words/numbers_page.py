@@ -13,34 +13,13 @@ from pathlib import Path
 from ...ground.errors import program
 
 ROOM = Path(__file__).resolve().parents[1]
-# modules that draw, say or propose, keep memory small, or reckon a planned motion: their numbers decide no verdict
+SAYING = ("drawing", "words")  # rooms whose numbers decide no verdict
+# modules of others that say or propose, keep memory small, or reckon a planned motion: their numbers decide none
 DECIDE_NOTHING = (
-    *(
-        "adopt",
-        "aspects",
-        "bounds",
-        "covered",
-        "design",
-        "driver_panels",
-        "earlier",
-        "evidence",
-        "expected",
-        "figures",
-        "foretold",
-    ),
-    *(
-        "legs",
-        "loops",
-        "mechanism_entries",
-        "nextrun",
-        "not_kept",
-        "own_rate",
-        "panels",
-        "planned_motion",
-        "prediction_band",
-        "problem",
-    ),
-    *("products", "recursions", "residual", "simulation", "stroke_means", "uncertainty", "verdict", "without_last"),
+    *("adopt", "aspects", "bounds", "covered", "design", "evidence", "expected", "foretold"),
+    *("legs", "loops", "mechanism_entries", "nextrun", "not_kept", "own_rate", "planned_motion", "prediction_band"),
+    *("problem", "products", "recursions", "residual", "simulation", "tidy", "uncertainty", "verdict"),
+    *("without_last",),
 )
 HEAD = """# Numbers that decide a verdict
 
@@ -101,7 +80,8 @@ def _is_number(value: ast.expr) -> bool:
 
 def by_module() -> dict[str, list[Number]]:
     """Numbers by module, those of the engine first, then those of each mechanism."""
-    engine = (path for path in sorted(ROOM.glob("*.py")) if path.stem not in DECIDE_NOTHING)
+    deciding = (path for path in sorted(ROOM.rglob("*.py")) if path.stem not in DECIDE_NOTHING)
+    engine = (path for path in deciding if path.parent.name not in ("mechanisms", *SAYING))
     paths = [*engine, *sorted((ROOM / "mechanisms").glob("*.py"))]
     listed = {str(path.relative_to(ROOM)): list(numbers(path.read_text(encoding="utf-8"))) for path in paths}
     return {name: constants for name, constants in listed.items() if constants}

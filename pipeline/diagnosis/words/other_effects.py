@@ -2,8 +2,8 @@
 
 import math
 
-from ..content import Part, Verdict
-from ..library import mechanisms
+from ..document.content import Part, Verdict
+from ..mechanisms.library import mechanisms
 from .quantity import listing, percent, size, times
 from .rivals import ALIKE, called
 from .vocabulary import Vocabulary

@@ -1,6 +1,6 @@
 """The size of a named effect in a cell: what no dimension could do of it, all of it, and what to think of that."""
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from . import certainty
 from .quantity import size
 from .vocabulary import Vocabulary

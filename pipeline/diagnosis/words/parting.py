@@ -2,8 +2,8 @@
 
 from itertools import combinations
 
-from .. import design
-from ..content import NextRun, Verdict, proposal
+from ..document.content import NextRun, Verdict, proposal
+from ..proposal import design
 from . import rivals
 from .quantity import listing
 

@@ -7,8 +7,8 @@ import argparse
 
 from ...ground.errors import program
 from ...ground.glossary import MEANING
-from ..interface import Mechanism
-from ..library import mechanisms
+from ..mechanisms.interface import Mechanism
+from ..mechanisms.library import mechanisms
 
 HEAD = """# The physics that a simulator may leave out
 

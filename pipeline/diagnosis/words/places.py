@@ -1,6 +1,6 @@
 """Where something is, in words: motion, strokes and phase; what spans everything is not said."""
 
-from ..content import Part
+from ..document.content import Part
 from .quantity import span
 from .vocabulary import Vocabulary
 

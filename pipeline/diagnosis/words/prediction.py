@@ -7,9 +7,9 @@ from ...ground.command import command
 from ...ground.counts import are
 from ...ground.kinematics import Array
 from ...run.course import Mask
-from ..content import Part, Verdict
-from ..outcome import rms
-from ..prediction_band import Foretold
+from ..choice.outcome import rms
+from ..document.content import Part, Verdict
+from ..prediction.prediction_band import Foretold
 from .quantity import listing, number, percent, plus_minus, size, times
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option

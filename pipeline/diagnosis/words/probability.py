@@ -1,7 +1,7 @@
 """How probable each explanation is, and by which rule the likely ones are kept, in words."""
 
-from ..content import Part, Verdict
-from ..judged import HELD, UNKNOWN
+from ..choice.judged import HELD, UNKNOWN
+from ..document.content import Part, Verdict
 from . import left_out
 from .quantity import percent
 

@@ -1,6 +1,6 @@
 """Why an explanation is less likely than the best one: what counts most against it, in words."""
 
-from ..content import Part
+from ..document.content import Part
 from .quantity import number, times
 
 # of each aspect: what is said where its sign is smaller than that of the best explanation, and where it is larger

@@ -1,7 +1,7 @@
 """The next recording as a recipe: so many strokes, under which load, at which speed, with which holds and rests."""
 
-from ..content import Verdict
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.library import mechanisms
 from . import second_load
 from .missing_signs import missing
 from .quantity import at, duration, ends, number, quantity, span

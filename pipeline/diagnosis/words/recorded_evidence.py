@@ -1,6 +1,6 @@
 """Which explanations the loop that was recorded already excludes: nobody need wait for the next stroke for that."""
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from .foretold_numbers import Number, apart, compared, of_explanation, tells
 from .quantity import listing, plus_minus, size
 from .vocabulary import Vocabulary

@@ -2,10 +2,10 @@
 
 import math
 
-from ..content import Part, Verdict
-from ..interface import physics
-from ..library import mechanisms
-from ..search import EXPLAINED
+from ..choice.search import EXPLAINED
+from ..document.content import Part, Verdict
+from ..mechanisms.interface import physics
+from ..mechanisms.library import mechanisms
 from . import left_out, less_likely, probability
 from .places import EVERYWHERE, place
 from .quantity import listing, percent, size, times

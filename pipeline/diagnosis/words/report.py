@@ -1,6 +1,6 @@
 """What of a verdict can go into a paper, with its numbers, and what cannot."""
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from . import (
     certainty,
     chances,

@@ -1,6 +1,6 @@
 """What a person is told of a black box's part in a prediction: what it is, what it was worth, where it says nothing."""
 
-from ..residual import Residual
+from ..prediction.residual import Residual
 from .quantity import listing, size
 
 RESIDUAL = "--residual"  # the option

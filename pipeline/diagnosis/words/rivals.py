@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from . import probability
 from .quantity import listing, size, times
 from .reasons import why

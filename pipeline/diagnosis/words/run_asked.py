@@ -1,7 +1,7 @@
 """Which run a verdict asks for that proposes none step by step, or why it asks for none: for page and details."""
 
-from ..bounds import at_bound
-from ..content import Verdict
+from ..document.bounds import at_bound
+from ..document.content import Verdict
 from . import holdout, in_vain, unseen
 from .headline import UNNAMED, moved_in_vain
 from .vocabulary import Vocabulary

@@ -1,6 +1,6 @@
 """Which other load to hang for the next recording: the one under which the loops of two explanations part more."""
 
-from ..content import Verdict
+from ..document.content import Verdict
 from .foretold_numbers import apart, compared, of_explanation, tells
 from .quantity import number, quantity
 from .vocabulary import Vocabulary

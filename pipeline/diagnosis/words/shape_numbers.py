@@ -1,7 +1,7 @@
 """What the numbers in the formulas themselves mean, by their names: places, widths, times, and what was chosen."""
 
 from ...ground.units import unit_of
-from ..mechanism_entries import unit_of_nonlinear
+from ..facts.mechanism_entries import unit_of_nonlinear
 from .quantity import said_unit
 from .vocabulary import Vocabulary
 

@@ -1,7 +1,7 @@
 """What at the rig tells the open effects apart, where no run is sure to: each one's own sign."""
 
-from ..content import Verdict
-from ..library import mechanisms
+from ..document.content import Verdict
+from ..mechanisms.library import mechanisms
 from . import certainty, effect_table, expectation, worth
 from .vocabulary import Vocabulary
 

@@ -1,7 +1,7 @@
 """Of each slow effect that looks like a named one under one load: excluded by this recording, or open; in words."""
 
-from ..content import Part, Verdict
-from ..library import mechanisms
+from ..document.content import Part, Verdict
+from ..mechanisms.library import mechanisms
 from . import certainty, other_effects
 from .quantity import listing, size, times
 from .vocabulary import Vocabulary

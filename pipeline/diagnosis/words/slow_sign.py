@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from .foretold_numbers import Number, apart, of_explanation
 from .quantity import duration, listing, size
 from .vocabulary import Vocabulary

@@ -1,6 +1,6 @@
 """Spikes of a recording that do not count, in words: how many, of which channel, and where the first one is."""
 
-from ..content import Part, Verdict
+from ..document.content import Part, Verdict
 from .quantity import listing, number
 from .vocabulary import Vocabulary
 

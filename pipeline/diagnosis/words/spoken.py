@@ -1,9 +1,9 @@
-"""The content of a diagnosis, all numbers → the same with the sentences of `diagnosis/content.py`."""
+"""The content of a diagnosis, all numbers → the same with the sentences of `diagnosis/document/content.py`."""
 
 from ...systems import System
-from ..content import Part, Verdict
-from ..library import mechanisms
-from ..system_units import Units
+from ..document.content import Part, Verdict
+from ..mechanisms.library import mechanisms
+from ..recording.system_units import Units
 from . import effects, experiment
 from .quantity import listing
 from .vocabulary import Vocabulary

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 
-from ..content import LegSaid, NextRun
+from ..document.content import LegSaid, NextRun
 from .quantity import at, duration, listing, number, quantity
 from .vocabulary import Vocabulary
 

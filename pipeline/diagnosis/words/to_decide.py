@@ -4,7 +4,7 @@ import shlex
 from pathlib import Path
 
 from ...ground.command import command
-from ..content import NextRun, Verdict
+from ..document.content import NextRun, Verdict
 from . import effect_table, experiment, parting, worth
 from .make_sure import DETAILS, RUN
 from .quantity import listing, quantity

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ...ground.command import command
-from ..content import Verdict
+from ..document.content import Verdict
 from . import advice, deciding_run, holdout, in_vain, make_sure, to_decide, to_measure, to_use, unseen
 from .adoption import dimensions_came, predictions
 from .dimensions import far_moved, name_of

@@ -1,7 +1,7 @@
 """The dimensions to measure again: what run.yaml says, what fits best, how to measure, and then what."""
 
-from ..bounds import of_later_run
-from ..content import Verdict
+from ..document.bounds import of_later_run
+from ..document.content import Verdict
 from . import exactness, tolerances
 from .dimensions import far_moved, from_to, name_of, whence
 from .error_table import aligned

@@ -4,7 +4,7 @@ import shlex
 from pathlib import Path
 
 from ...ground.command import command
-from ..content import Verdict
+from ..document.content import Verdict
 from . import advice
 from .adoption import columns_of_plan, of_staying, predictions
 from .vocabulary import Vocabulary

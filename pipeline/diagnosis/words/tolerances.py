@@ -4,7 +4,7 @@ import math
 import re
 
 from ...ground.units import unit_of
-from ..content import Verdict
+from ..document.content import Verdict
 from .quantity import listing, number, quantity
 from .vocabulary import Vocabulary
 

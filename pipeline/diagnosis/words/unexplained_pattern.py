@@ -1,6 +1,6 @@
 """What is left without a name, in words: how large the pattern is, where it lies and what it follows."""
 
-from ..content import Verdict, mismatch_of
+from ..document.content import Verdict, mismatch_of
 from . import holdout, unseen
 from .places import EVERYWHERE, place
 from .quantity import listing, size, times

@@ -3,7 +3,7 @@
 import math
 
 from ...ground.command import program_name
-from ..content import Verdict
+from ..document.content import Verdict
 from . import holdout
 from .quantity import duration, size, times
 from .vocabulary import Vocabulary
@@ -16,7 +16,6 @@ ZERO = (
     "fits: there it can err by more."
 )
 NEAR = 1.5  # times the limit: a ratio below it is said to a hundredth
-WORSE = 1.02  # times the other error: less may be chance
 
 
 def errors(content: Verdict, words: Vocabulary) -> tuple[float, float, float] | None:

@@ -1,6 +1,7 @@
 """What must be known first of a simulator that errs on strokes that no fit has seen."""
 
-from ..content import Verdict
+from ..document.content import Verdict
+from ..study.heldout import WORSE
 from . import holdout, in_vain, level, unseen
 from .quantity import percent, size
 from .vocabulary import Vocabulary
@@ -15,7 +16,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     noise, sentences = content["fit"][f"noise_floor_{words.ending}"], []
     named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
     named_helps = named and explained < nominal  # then the first line says it
-    if calibrated > unseen.WORSE * nominal and not named_helps:
+    if calibrated > WORSE * nominal and not named_helps:
         sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
         sentences.append(
             f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ...systems import System
-from ..content import Verdict
-from ..interface import physics
+from ..document.content import Verdict
+from ..mechanisms.interface import physics
 from . import (
     adopted_table,
     adoption,

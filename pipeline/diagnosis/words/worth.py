@@ -3,10 +3,10 @@
 import itertools
 
 from ...ground.command import command
-from .. import design
-from ..adopt import NO_USE
-from ..content import NextRun, Verdict, proposal
-from ..design import PLAIN, deviations
+from ..document.content import NextRun, Verdict, proposal
+from ..fit.adopt import NO_USE
+from ..proposal import design
+from ..proposal.design import PLAIN, deviations
 from . import in_vain, parting, probability, rivals
 from .quantity import listing, number, quantity, size, times
 from .vocabulary import Vocabulary

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ...diagnosis import engine
-from ...diagnosis.drivers import Drivers, drivers_of
-from ...diagnosis.interface import Mechanism, Nonlinear, Term
-from ...diagnosis.problem import Problem
-from ...diagnosis.recorded_run import RecordedRun
-from ...diagnosis.working_samples import joined
+from ...diagnosis.fit.problem import Problem
+from ...diagnosis.mechanisms.interface import Mechanism, Nonlinear, Term
+from ...diagnosis.recording.drivers import Drivers, drivers_of
+from ...diagnosis.recording.recorded_run import RecordedRun
+from ...diagnosis.recording.working_samples import joined
+from ...diagnosis.study import engine
 from ...ground.kinematics import Array
 from ...run.description import Run
 from .motion import Motion

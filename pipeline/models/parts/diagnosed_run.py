@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ...diagnosis import drivers
-from ...diagnosis.problem import Act, State
+from ...diagnosis.fit.problem import Act, State
+from ...diagnosis.recording import drivers
 from ...ground.kinematics import Array
 from ...run.description import Run
 from .diagnosed_problem import along

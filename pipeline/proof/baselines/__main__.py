@@ -9,8 +9,8 @@ from pathlib import Path
 
 from threadpoolctl import threadpool_limits
 
-from ...diagnosis import engine, own_rate
-from ...diagnosis.recorded_run import RecordedRun
+from ...diagnosis.recording.recorded_run import RecordedRun
+from ...diagnosis.study import engine, own_rate
 from ...ground.errors import program
 from ...ground.files import write_text
 from ...ground.modules import holding

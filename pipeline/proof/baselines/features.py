@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...diagnosis.drivers import Drivers
-from ...diagnosis.recursions import lowpass
+from ...diagnosis.numerics.recursions import lowpass
+from ...diagnosis.recording.drivers import Drivers
 from ...ground.kinematics import Array
 
 DIRECTION = 0.02  # of the range of motion, over which a reversal is felt

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from ...diagnosis.problem import Problem, State
+from ...diagnosis.fit.problem import Problem, State
 from ...systems import Parameter
 
 

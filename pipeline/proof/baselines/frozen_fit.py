@@ -3,12 +3,14 @@
 Source: BIC: Schwarz, "Estimating the dimension of a model", Annals of Statistics 6, 1978.
 """
 
-from ...diagnosis import calibrate, candidates, engine
-from ...diagnosis.interface import physics
-from ...diagnosis.linear import Linear
-from ...diagnosis.noise import white
-from ...diagnosis.problem import Problem, State
-from ...diagnosis.search import LEAST_GAIN, Search
+from ...diagnosis.choice import candidates
+from ...diagnosis.choice.search import LEAST_GAIN, Search
+from ...diagnosis.fit import calibrate
+from ...diagnosis.fit.linear import Linear
+from ...diagnosis.fit.problem import Problem, State
+from ...diagnosis.mechanisms.interface import physics
+from ...diagnosis.numerics.noise import white
+from ...diagnosis.study import engine
 from ...ground.kinematics import Array
 from .frozen import frozen
 from .learnt import Calibrated, Learnt

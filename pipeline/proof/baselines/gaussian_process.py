@@ -3,7 +3,7 @@
 Source: Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006.
 """
 
-from ...diagnosis.problem import Problem
+from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
 from ...ground.regression import gaussian_process
 from .features import Column, plain, standard, table

@@ -5,7 +5,7 @@ Source: Friedman, "Greedy function approximation: a gradient boosting machine", 
 
 from sklearn.ensemble import HistGradientBoostingRegressor
 
-from ...diagnosis.problem import Problem
+from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
 from .features import plain, standard, table
 from .learnt import Calibrated, Learnt

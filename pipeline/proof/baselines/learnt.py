@@ -7,11 +7,11 @@ from typing import TypedDict
 
 import numpy as np
 
-from ...diagnosis import calibrate
-from ...diagnosis.engine import rms
-from ...diagnosis.heldout import first_held_out
-from ...diagnosis.problem import Problem, State
-from ...diagnosis.working_samples import wild
+from ...diagnosis.fit import calibrate
+from ...diagnosis.fit.problem import Problem, State
+from ...diagnosis.recording.working_samples import wild
+from ...diagnosis.study.engine import rms
+from ...diagnosis.study.heldout import first_held_out
 from ...ground.kinematics import Array
 
 

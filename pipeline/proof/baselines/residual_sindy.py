@@ -9,7 +9,7 @@ import warnings
 import numpy as np
 from pysindy import STLSQ, IdentityLibrary, SINDy
 
-from ...diagnosis.problem import Problem
+from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
 from .features import products, standard, table
 from .learnt import Calibrated, Learnt

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...diagnosis.judge import Judge
-from ...diagnosis.judged import UNKNOWN, held, helpers_share
+from ...diagnosis.choice.judged import UNKNOWN, held, helpers_share
+from ...diagnosis.numerics.judge import Judge
 from .fit import explanations, fitted
 from .lesson import Lesson
 

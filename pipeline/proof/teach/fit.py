@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.optimize import minimize
 
-from ...diagnosis.judge import SIZES, Judge, Weighed, none_of
+from ...diagnosis.numerics.judge import SIZES, Judge, Weighed, none_of
 from ...ground.kinematics import Array
 from .lesson import Lesson
 

@@ -8,11 +8,11 @@ from typing import Any
 
 import pandas as pd
 
-from ...diagnosis.engine import make_problem, study
-from ...diagnosis.interface import physics
-from ...diagnosis.judge import Weighed
-from ...diagnosis.recorded_run import RecordedRun
-from ...diagnosis.weigh import weighed
+from ...diagnosis.choice.weigh import weighed
+from ...diagnosis.mechanisms.interface import physics
+from ...diagnosis.numerics.judge import Weighed
+from ...diagnosis.recording.recorded_run import RecordedRun
+from ...diagnosis.study.engine import make_problem, study
 from ...rig.authors import authors
 from ...rig.authors.interface import Asked, OutOfReach, Protocol
 from ...run.description import parse_run

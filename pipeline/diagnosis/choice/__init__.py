@@ -1,0 +1,1 @@
+"""Which mechanisms explain a recording: candidates, search, how likely each explanation is, and the verdict."""

@@ -1,0 +1,57 @@
+"""What a search may choose from: all candidates that a recording shows or suggests, and what has no physics at all."""
+
+import numpy as np
+
+from ...systems.interface import PORTS
+from ..fit import generic
+from ..fit.problem import Problem, State, placed
+from ..mechanisms.interface import Nonlinear
+from ..mechanisms.library import mechanisms
+
+
+def suggested(problem: Problem, state: State) -> dict[str, list[Nonlinear]]:
+    """Candidates that what a state leaves makes plausible, by mechanism."""
+    residual = (problem.measured - problem.simulate(state))[: problem.rows]
+    return {id_: mechanism.suggest(problem.drivers, residual) for id_, mechanism in problem.library.items()}
+
+
+def catalogue(problem: Problem, more: dict[str, list[Nonlinear]]) -> dict[str, list[Nonlinear]]:
+    """All candidates of all mechanisms that the recording could show, and those that it suggests."""
+    catalogued = {id_: mechanism.candidates(problem.drivers) + more[id_] for id_, mechanism in problem.library.items()}
+    if not set(PORTS) <= set(problem.system.ports):  # those that act where the system has a port
+        catalogued = {
+            id_: [
+                nonlinear
+                for nonlinear in options
+                if placed(problem.system, problem.terms(mechanisms()[id_], nonlinear))
+            ]
+            for id_, options in catalogued.items()
+        }
+    return {id_: options for id_, options in catalogued.items() if options}
+
+
+def without_physics(problem: Problem, more: dict[str, list[Nonlinear]]) -> np.ndarray:
+    """The generic dictionary, and what acts on the reading alone at the candidates that a recording suggests.
+
+    Shape (columns, samples), in the reading's unit.
+    """
+    terms = [
+        term
+        for id_, options in more.items()
+        for nonlinear in options
+        for term in problem.terms(mechanisms()[id_], nonlinear)
+    ]
+    waves = [term.signal for term in terms if term.port == "sensor" and not callable(term.signal)]
+    return np.vstack([generic.dictionary(problem.drivers), *waves])
+
+
+def with_refined(
+    problem: Problem, catalogued: dict[str, list[Nonlinear]], states: list[State]
+) -> dict[str, list[Nonlinear]]:
+    """The catalogue with the refined parameters of what acts in some states."""
+    near = {id_: list(options) for id_, options in catalogued.items()}
+    for state in states:
+        for act in state.acts:
+            if act not in problem.included:
+                near[act.id] += [nonlinear for nonlinear in act.nonlinear if nonlinear not in near[act.id]]
+    return near

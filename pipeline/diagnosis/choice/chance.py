@@ -1,0 +1,63 @@
+"""Effects whose every move is chance: a recording shows that they are there, and how large; nothing predicts them."""
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+
+from ...ground import spans
+from ...ground.kinematics import Array
+from ..fit.problem import Act, Problem, State
+from ..mechanisms.interface import Nonlinear
+from ..mechanisms.library import mechanisms
+
+LEAST_BESIDE = 0.7  # of the random effect's size, that another mechanism must take away: less is chance's own trend
+STILL = 0.01  # of the highest rate: slower is a rest
+LEAST_REST_S = 1.0  # shorter is no rest
+
+
+def left(problem: Problem, state: State) -> Array:
+    """The residual of the samples that a fit sees. Shape (rows,), in the reading's unit."""
+    return (problem.measured - problem.simulate(state))[: problem.rows]
+
+
+def seen(problem: Problem, state: State) -> dict[str, Nonlinear]:
+    """By mechanism, the nonlinear parameters of the random effect that a residual shows."""
+    residual, predicted = left(problem, state), problem.simulate(state)[: problem.rows]
+    random_by_id = {
+        id_: mechanism.random(problem.drivers, residual, predicted) for id_, mechanism in problem.library.items()
+    }
+    return {id_: nonlinear for id_, nonlinear in random_by_id.items() if nonlinear is not None}
+
+
+def act(problem: Problem, id_: str, nonlinear: Nonlinear) -> Act:
+    """A random effect as it enters the simulator: named, and silent."""
+    return Act(id_, (nonlinear,), (0.0,) * len(problem.terms(mechanisms()[id_], nonlinear)))
+
+
+def floor_at_rest(problem: Problem, state: State, otherwise: float) -> float:
+    """Standard deviation of the residual within rests, each about its mean; `otherwise` where there are too few."""
+    residual, drivers = left(problem, state), problem.drivers
+    rate = np.abs(drivers.rate[: problem.rows])
+    still = rate < STILL * rate.max()
+    squares, count = 0.0, 0
+    for start, end in spans.of_mask(still):
+        if (end - start) * drivers.step_s >= LEAST_REST_S and end - start > 10:
+            part = residual[start + 2 : end - 2]
+            squares += float(np.sum(np.square(part - part.mean())))
+            count += len(part) - 1
+    return min(float(np.sqrt(squares / count)), otherwise) if count > 50 else otherwise
+
+
+def size(problem: Problem, state: State) -> float:
+    """What a residual has beyond its floor at rest, rms."""
+    whole = float(np.std(left(problem, state)))
+    return float(np.sqrt(max(whole**2 - floor_at_rest(problem, state, whole) ** 2, 0.0)))
+
+
+def trace(problem: Problem, state: State, floor: float) -> Array:
+    """How large the residual is from second to second, its noise taken off: where a random effect was at work.
+
+    Shape (samples,), in the reading's unit.
+    """
+    width = max(int(1.0 / problem.drivers.step_s), 5)
+    power = uniform_filter1d(np.square(problem.measured - problem.simulate(state)), width)
+    return np.asarray(np.sqrt(np.maximum(power - floor**2, 0.0)))

@@ -1,0 +1,83 @@
+"""Probabilities of explanations → the sets that a verdict holds, the likeliest first."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ..fit.problem import State
+from ..mechanisms.interface import physics
+from ..numerics.judge import Weighed
+from . import compare, cross_validation
+from .search import Explanation, Search
+from .weigh import weighed
+
+HELD = 0.8  # of the probability of all explanations, that the sets of a verdict have together at least
+TAUGHT = 2  # effects in a lesson at most
+UNKNOWN = 0.4  # of the probability: "none of them" with more makes the verdict
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A likely explanation that is no name: `because` of what (`disguise.py`, or `cancels`), and `of` which effects."""
+
+    ids: tuple[str, ...]
+    because: str
+    of: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Judged:
+    """Explanations that are held, the likeliest first; how likely each weighed set is, and "none of them"."""
+
+    sets: list[Explanation]
+    likely: dict[tuple[str, ...], float]
+    none: float
+    weighed: tuple[Weighed, ...] = ()  # with their signs
+    left_out: tuple[LeftOut, ...] = ()  # likely enough to be held, and no names
+
+    def confidence(self, id_: str) -> float:
+        """How likely a mechanism is at work, whatever is beside it."""
+        return float(sum(share for ids, share in self.likely.items() if id_ in ids))
+
+
+NOTHING = Judged([], {}, 1.0)
+
+
+def held(named: Array) -> list[int]:
+    """Places of the explanations that are held, the likeliest first, from the probability of each.
+
+    `named` has the shape (explanations,), in shares of 1.
+    """
+    likeliest = np.argsort(-named, kind="stable")
+    reached = np.cumsum(named[likeliest]) / max(float(named.sum()), 1e-300)
+    return [int(place) for place in likeliest[: int(np.argmax(reached >= HELD)) + 1]]
+
+
+def helpers_share(candidates: list[Weighed], named: Array) -> float:
+    """Probability of the explanations without physics of the library: it counts as that of "none of them".
+
+    `named` has the shape (explanations,), in shares of 1.
+    """
+    return float(sum(share for candidate, share in zip(candidates, named, strict=True) if not physics(candidate.ids)))
+
+
+def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
+    """What a search found, judged; `base` is the calibrated simulator, `floor` that of the noise.
+
+    The judge was taught on strings. Where nothing is wound, `compare` does it.
+    """
+    if not search.linear.problem.drivers.levered:
+        sets = cross_validation.by_prediction(search.linear, compare.unbeaten(search, chosen, floor))
+        return Judged(sets, {explanation.ids: 1.0 / len(sets) for explanation in sets}, 0.0)
+    candidates = weighed(search, base, floor)
+    *shares, none = search.linear.problem.judge.probabilities(candidates).tolist()
+    named = np.array(shares)
+    untaught = np.array([len(candidate.ids) > TAUGHT for candidate in candidates])
+    if len(chosen.ids) > TAUGHT and untaught.any() and set(candidates[int(np.argmax(named))].ids) < set(chosen.ids):
+        # no lesson has three effects: where a third is worth much more than a discrepancy of formulas, it is taken
+        named = np.where(untaught, named, 0.0)
+        named *= (1.0 - none) / max(float(named.sum()), 1e-300)
+    none += helpers_share(candidates, named)
+    likely = {candidate.ids: float(share) for candidate, share in zip(candidates, named, strict=True)}
+    return Judged([search.explain(candidates[place].ids) for place in held(named)], likely, none, tuple(candidates))

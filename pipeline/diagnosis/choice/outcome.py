@@ -1,0 +1,144 @@
+"""What a study found, and the verdict on it."""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ..fit import discrepancy
+from ..fit.calibrate import calibrate
+from ..fit.problem import Problem, State
+from ..mechanisms.interface import Nonlinear, physics
+from ..mechanisms.library import mechanisms
+from ..numerics.noise import Noise
+from . import chance
+from .judged import UNKNOWN, Judged
+from .search import EXPLAINED, LEAST_EFFECT, Explanation, Search
+
+UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
+SWALLOWED = 0.1  # of the noise, that the dictionary may take without making its floor doubtful
+PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
+HELPED = 0.7  # of the mismatch (half of its energy) that makes a helper the explanation
+CANCELS = 8.0  # times what effects do together: one so much larger is balanced by another
+
+
+@dataclass(frozen=True)
+class Study:
+    """Everything that one pass over a recording found."""
+
+    problem: Problem
+    nominal: State
+    base: State
+    noise: Noise
+    verdict: str
+    state: State  # with what was named, or the base
+    best: State  # the best that the library offers, whatever the verdict
+    sets: list[Explanation]
+    search: Search
+    share: float  # of the mismatch's energy that the best explanation takes
+    mismatch: float  # rms after calibration, noise taken off
+    floor: float  # of the noise: at rest, where something random is at work in motion
+    random: dict[str, Nonlinear]  # what was seen of mechanisms whose every move is chance
+    random_rms: float
+    judged: Judged  # how likely each explanation is
+    spreads: dict[str, float] = field(default_factory=dict)  # least sigma of dimensions, where not all left is noise
+
+    @property
+    def best_ids(self) -> tuple[str, ...]:
+        """Ids of what the best explanation names."""
+        return tuple(act.id for act in self.best.acts if act not in self.problem.included)
+
+
+def rms(values: np.ndarray) -> float:
+    """Root of the mean square. Values of any shape, in their unit."""
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def decide(
+    problem: Problem,
+    nominal: State,
+    base: State,
+    noise: Noise,
+    best: State,
+    judged: Judged,
+    search: Search,
+    random: dict[str, Nonlinear],
+) -> Study:
+    """The verdict, from what is left after calibration and after the best explanation, and from the judge."""
+    sets = judged.sets
+    seen = slice(0, problem.rows)
+    left = {
+        name: rms((problem.measured - problem.simulate(state))[seen])
+        for name, state in (("nominal", nominal), ("base", base), ("best", best))
+    }
+    floor, jerks = noise.floor, 0.0
+    if random:
+        quiet = chance.floor_at_rest(problem, best, noise.floor)
+        jerks = float(np.sqrt(max(left["best"] ** 2 - quiet**2, 0.0)))
+        floor, random = (quiet, random) if jerks >= LEAST_EFFECT * quiet else (floor, {})
+    mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
+    remainder = float(np.sqrt(max(left["best"] ** 2 - noise.floor**2, 0.0)))
+    share = 1.0 - remainder**2 / max(mismatch**2, 1e-300)
+    better = left["nominal"] ** 2 - left["base"] ** 2
+    new = {id_: nonlinear for id_, nonlinear in random.items() if id_ not in {act.id for act in problem.included}}
+    if new:
+        sets = [
+            replace(explanation, ids=tuple(sorted({*explanation.ids, *new})))
+            for explanation in sets or [search.nothing]
+        ]
+        acting = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
+        silent = [chance.act(problem, id_, nonlinear) for id_, nonlinear in new.items() if id_ not in acting]
+        best = replace(best, acts=(*best.acts, *silent))
+    if not sets:
+        verdict = "unknown" if not random and mismatch > surely(noise) * floor else "consistent"
+        if verdict == "consistent" and better > (PARAMETERS_FROM * floor) ** 2:
+            verdict = "parameters"
+    elif (
+        not physics(sets[0].ids)
+        or cancels(problem, best)
+        or helped(problem, best, mismatch)
+        or (judged.sets and judged.none >= UNKNOWN)  # of jerks alone the judge weighed nothing
+        or (not new and share < EXPLAINED and remainder > LEAST_EFFECT * floor)
+    ):
+        verdict = "unknown"
+    else:
+        verdict = "explained" if len(sets) == 1 else "ambiguous"
+    explained = (1.0 - EXPLAINED) * bare(problem, noise) ** 2 if problem.included and verdict == "unknown" else 0.0
+    # noise, or what an adopted explanation may leave, is nothing unknown
+    if verdict == "unknown" and mismatch**2 <= max((UNKNOWN_FROM * floor) ** 2, explained):
+        verdict = "parameters" if better > (PARAMETERS_FROM * floor) ** 2 else "consistent"
+    state = best if verdict in ("explained", "ambiguous") else base
+    jerks *= bool(new)
+    return Study(
+        problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks,
+        judged,
+    )  # fmt: skip
+
+
+def bare(problem: Problem, noise: Noise) -> float:
+    """What calibration would leave of a recording without what its `run.yaml` adopted, rms, noise taken off."""
+    without = replace(problem, included=())
+    left = rms((problem.measured - without.simulate(calibrate(without, noise)))[: problem.rows])
+    return float(np.sqrt(max(left**2 - noise.floor**2, 0.0)))
+
+
+def surely(noise: Noise) -> float:
+    """Noise floors of mismatch that no noise makes; more, where the floor itself is known badly.
+
+    In a short recording of slow noise the dictionary swallows much of it, and how loud it was is an estimate.
+    """
+    doubt = 0.5 * max(noise.swallowed - SWALLOWED, 0.0)
+    return float(np.sqrt((np.hypot(1.0, UNKNOWN_FROM) + doubt) ** 2 - 1.0))
+
+
+def cancels(problem: Problem, state: State) -> bool:
+    """Whether the named effects are far larger than what they do together: such a balance is no explanation."""
+    effects = [discrepancy.effect(problem, state, act.id) for act in state.acts if act not in problem.included]
+    together = float(np.std(np.sum(effects, axis=0))) if len(effects) > 1 else np.inf
+    return max((float(np.std(effect)) for effect in effects), default=0.0) > CANCELS * together
+
+
+def helped(problem: Problem, state: State, mismatch: float) -> bool:
+    """Whether a helper, which is no physics, takes most of a mismatch."""
+    helpers = [act.id for act in state.acts if act not in problem.included and mechanisms()[act.id].helper]
+    sizes = [float(np.std(discrepancy.effect(problem, state, id_)[: problem.rows])) for id_ in helpers]
+    return max(sizes, default=0.0) > HELPED * mismatch

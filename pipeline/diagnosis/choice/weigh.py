@@ -1,0 +1,155 @@
+"""What is weighed of each explanation: what it leaves, what each part is worth, what others would do in its place.
+
+Every sign is a number that a person can check in `diagnosis.json`; the judge weighs nothing else but the names.
+"""
+
+import numpy as np
+
+from ..fit.problem import Problem, State
+from ..numerics.judge import SIZES, Weighed
+from .search import Explanation, Search
+
+SINGLES, PAIRS, TRIPLES = 10, 12, 6  # explanations of each size that are weighed, the cheapest
+BY_ENERGY = 4  # more of each size, by what they leave
+NO_MORE = {"more_gain": 0.0, "more_completes": 0.0}  # signs of a further mechanism where none is weighed
+LEAST_LEFT = 1e-4  # of the noise's energy: less is left to the noise's own chance
+MOST_CANCELLED = 5.0  # of the logarithm by how much parts are larger than what they do together: more counts as so much
+
+
+def candidates(search: Search) -> list[Explanation]:
+    """The explanations that are weighed: the best of every size that was searched."""
+    by_ids: dict[tuple[str, ...], Explanation] = {}
+    for size, most in zip(SIZES, (SINGLES, PAIRS, TRIPLES), strict=True):
+        known = sorted(
+            (explanation for explanation in search.known if len(explanation.ids) == size),
+            key=lambda explanation: explanation.cost,
+        )
+        for explanation in [*known[:most], *sorted(known, key=lambda explanation: explanation.energy)[:BY_ENERGY]]:
+            by_ids[explanation.ids] = explanation
+    return list(by_ids.values())
+
+
+def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
+    """Every explanation that is weighed, with its signs; `base` is the calibrated simulator, `floor` the noise's.
+
+    A mechanism whose mark the recording lacks is in none of them.
+    """
+    explanations, marks, library = (
+        candidates(search),
+        marked(search.linear.problem, base),
+        search.linear.problem.library,
+    )
+    return [
+        Weighed(explanation.ids, {**signs(search, explanation, explanations, floor), **own(marks, explanation.ids)})
+        for explanation in explanations
+        if all(marks.get(id_, 0.0) >= library[id_].least_mark for id_ in explanation.ids)
+    ]
+
+
+def marked(problem: Problem, base: State) -> dict[str, float]:
+    """How clearly what calibration leaves shows the mark of each mechanism that has one, by id."""
+    predicted = problem.simulate(base)[: problem.rows]
+    residual = problem.measured[: problem.rows] - predicted
+    library = problem.library.items()
+    return {id_: mechanism.mark(problem.drivers, residual, predicted) for id_, mechanism in library if mechanism.mark}
+
+
+def own(marks: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
+    """Each mark, apart for a set that names its mechanism and for one that does not."""
+    mark_by_sign = {f"with_{id_}": mark if id_ in ids else 0.0 for id_, mark in marks.items()}
+    return mark_by_sign | {f"without_{id_}": 0.0 if id_ in ids else mark for id_, mark in marks.items()}
+
+
+def amplitude(energy: float, floor: float) -> float:
+    """Root mean square beyond the noise."""
+    return float(np.sqrt(max(energy - floor**2, 0.0)))
+
+
+def worth(smaller: Explanation, larger: Explanation) -> float:
+    """What the larger explanation takes away beyond the smaller one, rms."""
+    return float(np.sqrt(max(smaller.energy - larger.energy, 0.0)))
+
+
+def completes(smaller: Explanation, larger: Explanation, floor: float) -> float:
+    """The share of what the smaller explanation leaves beyond the noise that the larger one takes away."""
+    left = max(smaller.energy - floor**2, LEAST_LEFT * floor**2)
+    return float(np.clip((smaller.energy - larger.energy) / left, -1.0, 2.0))
+
+
+def cost(difference: float) -> float:
+    """A difference of costs, large ones compressed."""
+    return float(np.arcsinh(difference / 10.0))
+
+
+def signs(search: Search, explanation: Explanation, rivals: list[Explanation], floor: float) -> dict[str, float]:
+    """The signs of one explanation beside the others; costs compressed, shares and sizes as logarithms."""
+    whole = max(amplitude(search.nothing.energy, floor), 1e-12)
+    left = amplitude(explanation.energy, floor)
+    sign_by_name = {
+        "mismatch_floors": float(np.log(whole / floor + 0.01)),
+        "left_share": float(np.log(left / whole + 0.003)),
+        "left_floors": float(np.log(left / floor + 0.02)),
+        "numbers": float(explanation.fit.active),
+        "gain": cost(search.nothing.cost - explanation.cost),
+    }
+    for size in SIZES:
+        group = [other for other in rivals if len(other.ids) == size] or [search.nothing]
+        sign_by_name[f"behind_{size}"] = cost(explanation.cost - min(other.cost for other in group))
+        least = amplitude(min(other.energy for other in group), floor)
+        sign_by_name[f"left_behind_{size}"] = float(np.arcsinh(30.0 * (left - least) / whole))
+    sign_by_name |= _parts(search, explanation, rivals, floor, whole)
+    sign_by_name |= _more(explanation, rivals, floor, whole)
+    return sign_by_name | {"cancels": cancelled(search, explanation)}
+
+
+def _parts(
+    search: Search, explanation: Explanation, rivals: list[Explanation], floor: float, whole: float
+) -> dict[str, float]:
+    """What the part that is worth least is worth, and how much of it another in its place would do."""
+    smaller = (
+        [search.explain(tuple(id_ for id_ in explanation.ids if id_ != out)) for out in explanation.ids]
+        if len(explanation.ids) > 1
+        else []
+    )
+    without = min(smaller or [search.nothing], key=lambda other: other.energy)
+    others = [other for other in rivals if len(other.ids) == len(explanation.ids) and set(other.ids) > set(without.ids)]
+    instead = max((without.cost - other.cost for other in others if other is not explanation), default=0.0)
+    return {
+        "weakest_share": float(np.log(worth(without, explanation) / whole + 0.003)),
+        "weakest_floors": float(np.log(worth(without, explanation) / floor + 0.01)),
+        "weakest_gain": cost(min(other.cost for other in smaller or [search.nothing]) - explanation.cost),
+        "weakest_completes": completes(without, explanation, floor),
+        "instead": float(np.clip(instead / max(without.cost - explanation.cost, 1.0), -3.0, 3.0)),
+    }
+
+
+def _more(explanation: Explanation, rivals: list[Explanation], floor: float, whole: float) -> dict[str, float]:
+    """What the best further mechanism would add."""
+    larger = [
+        other
+        for other in rivals
+        if len(other.ids) == len(explanation.ids) + 1 and set(other.ids) > set(explanation.ids)
+    ]
+    if not larger:
+        return {**NO_MORE, "more_share": float(np.log(0.003)), "more_floors": float(np.log(0.01))}
+    best = min(larger, key=lambda other: other.cost)
+    return {
+        "more_gain": cost(explanation.cost - best.cost),
+        "more_share": float(np.log(worth(explanation, best) / whole + 0.003)),
+        "more_floors": float(np.log(worth(explanation, best) / floor + 0.01)),
+        "more_completes": completes(explanation, best, floor),
+    }
+
+
+def cancelled(search: Search, explanation: Explanation) -> float:
+    """The logarithm of how much larger the parts of an explanation are than what they do together."""
+    linear = search.linear
+    fit = linear.plain(linear.columns_of(explanation.keys))
+    at, sizes, together = len(linear.calibration), 0.0, np.zeros(linear.rows)
+    for id_ in explanation.ids:
+        count = sum(len(linear.index[key]) for key in explanation.keys if key[0] == id_)
+        columns = slice(at, at + count)
+        effect = linear.table[fit.columns[columns]].T @ fit.coefficients[columns]
+        at, sizes, together = at + count, sizes + float(np.std(effect)), together + effect
+    whole = float(np.std(together))
+    return float(np.clip(np.log(sizes / whole), 0.0, MOST_CANCELLED)) if whole > 0.0 and sizes > 0.0 else 0.0

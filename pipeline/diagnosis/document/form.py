@@ -1,0 +1,31 @@
+"""What a program reads of a `diagnosis.json` has the form that a diagnosis gives it, or is refused by its field."""
+
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from ...ground.complaint import short
+from ...ground.errors import BadInput
+
+
+class Form(BaseModel):
+    """The form of a part of a diagnosis: nothing is taken for what it is not."""
+
+    model_config = ConfigDict(strict=True)
+
+
+AnyForm = TypeVar("AnyForm", bound=Form)
+
+
+def formed(form: type[AnyForm], content: Any, path: Path, mend: str, field: str = "") -> AnyForm:
+    """A part of the diagnosis at `path` in its form; raises BadInput for another, with the field that is wrong.
+
+    `field` is the part's own name, which stands for all of it; left out, it is that of the first wrong field in it.
+    """
+    try:
+        return form.model_validate(content)
+    except ValidationError as error:
+        first = error.errors()[0]
+        problem = f"holds {short(first['input'])}, which is not what a diagnosis gives"
+        raise BadInput(path, field or str(first["loc"][0]), problem, mend) from None

@@ -1,0 +1,1 @@
+"""The page of figures: each panel draws one thing of a diagnosis."""

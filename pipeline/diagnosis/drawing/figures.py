@@ -1,0 +1,140 @@
+"""One page of figures: recording over simulation, mismatch maps, explanations, held-out error, residual by driver."""
+
+import textwrap
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from ...ground.figure_file import write_page
+from ...ground.kinematics import Array
+from ..choice.outcome import Study
+from ..document.content import Simulated, Verdict
+from ..prediction.simulation import at_its_best_zero
+from ..words import advice
+from ..words.dimensions import name_of
+from ..words.headline import unfit
+from ..words.holdout import heading, included, other_name
+from ..words.quantity import listing
+from ..words.to_measure import to_measure
+from ..words.unseen import noises
+from ..words.vocabulary import Vocabulary
+from . import driver_panels, panels
+from .mismatch_map import map_of, map_signs, mismatch_map
+from .panels import AFTER, SHADES
+
+SIZE_INCHES, DOTS = (9.6, 14.0), 220
+TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
+MOST, WIDEST = 6, 130  # panels of drivers, and letters in a line of the mark
+THIN = {"lw": 0.8}  # of the simulators over time, whose colours are the same in every panel
+WIDE = 100  # characters of a line of the title
+
+
+def title(content: Verdict) -> str:
+    """The verdict in at most two lines, none longer than the page is wide: the best explanation, how many more tie."""
+    runs = [content["run"]] if isinstance(content["run"], str) else content["run"]
+    name = " + ".join(runs)
+    if len(name) > WIDE // 2:
+        name = runs[0] if len(runs) == 1 else f"{runs[0]} and {len(runs) - 1} more"
+    head, held = f"{name}: {content['verdict']}", included(content)
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    if not ids:
+        subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
+        return (
+            f"{head}\n{subtitle if len(subtitle) <= WIDE else f'beside {len(held)} adopted effects'}" if held else head
+        )
+    others = content["alternatives"]
+    best = TOGETHER.join(ids)
+    if not others:
+        return f"{head}\n{best}"
+    more = f"or {TOGETHER.join(others[0])}"
+    if len(others) > 1 or len(f"{best}, {more}") > WIDE:
+        more = f"or {'one of ' if len(others) > 1 else ''}{len(others)} other explanation{'s' * (len(others) > 1)}"
+    return f"{head}\n{best}, {more}"
+
+
+def warning(content: Verdict, words: Vocabulary) -> str:
+    """A run.yaml not to predict with, that nothing is to be adopted, and which dimensions moved far, a line each."""
+    lines = [sentence] if (sentence := unfit(content, words)) else []
+    if against := advice.against(content, words):
+        lines.append(against[0].lower() + against[1:].rstrip("."))
+    names = [name_of(name) for name in to_measure(content)]
+    if names:
+        them = "it" if len(names) == 1 else "them"
+        lines += [f"calibration moved {listing(names)} far: measure {them} again first (verdict.txt)"]
+    return "\n".join(lines)
+
+
+def page(study: Study, content: Verdict, path: Path, mark: str = "") -> None:
+    """Draw the page and write it as PNG and as PDF, whole or not at all; `path` goes without an ending."""
+    write_page(drawn(study, content, mark), path)
+
+
+def as_adopted(study: Study, verdict: Verdict) -> Array | None:
+    """What the simulator reads as it was adopted, with the zero of the reading at its best; None where none was so.
+
+    Shape (samples,), in the reading's unit.
+    """
+    problem = study.problem
+    came = [adoption["dimensions"] for adoption in verdict.get("adopted", []) if adoption.get("dimensions")][-1:]
+    if not came or f"adopted_{problem.system.channel.rpartition('_')[2]}" not in verdict["evidence"]:
+        return None
+    held = {name: {"value": dimension["fitted"]} for name, dimension in came[0].items()}
+    run = str(verdict["run"])
+    content: Simulated = {"parameters": held, "simulation": verdict["simulation"]}
+    return at_its_best_zero(problem, content, Path("run.yaml"), run)
+
+
+def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
+    """The page as a figure of matplotlib, known to no window and no notebook; `mark` stands beneath its title."""
+    problem, drivers, floor = study.problem, study.problem.drivers, study.floor
+    ending, unit = problem.system.channel.rpartition("_")[2], drivers.units.reading
+    states = {"nominal": study.nominal, "calibrated": study.base, "as diagnosed": study.state}
+    simulations = {name: problem.simulate(state) for name, state in states.items()}
+    if np.array_equal(simulations["as diagnosed"], simulations["calibrated"]):  # nothing is named: draw nothing twice
+        del simulations["as diagnosed"]
+        adopted = as_adopted(study, content)
+        if adopted is not None:  # nobody simulates with adopted effects and the dimensions of run.yaml
+            simulations = {"calibrated": simulations["calibrated"], "as adopted": adopted}
+    residuals = {name: problem.measured - values for name, values in list(simulations.items())[-2:]}
+    figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
+    figure.suptitle(title(content), fontsize=11)
+    vocabulary = Vocabulary.of(problem.system)
+    warned = "\n".join(filter(None, (textwrap.fill(mark, WIDEST), warning(content, vocabulary))))
+    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
+    top, maps, middle, bottom = rows
+    over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
+    if warned:
+        top.suptitle(warned, fontsize=8.5, color=AFTER)
+    lines = {"recording": (problem.measured, {"color": "0.1", "lw": 2.4})}
+    lines |= {name: (values, {"color": SHADES[name], **THIN}) for name, values in simulations.items()}
+    panels.over_time(over, drivers, lines, f"{problem.system.channel.rpartition('_')[0]} ({unit})")
+    left = {name: (values, {"color": SHADES[name], "lw": 0.6}) for name, values in residuals.items()}
+    panels.over_time(under, drivers, left, f"residual ({unit})")
+    under.set_xlabel("time (s)")
+    for axes, (name, residual) in zip(maps.subplots(1, 2, sharey=True), residuals.items(), strict=True):
+        limit = max(float(np.nanpercentile(np.abs(map_of(drivers, residual)[0]), 98)), 2.0 * floor)
+        image = mismatch_map(axes, drivers, residual, f"recording − simulation, {name} (own scale)", limit)
+        maps.colorbar(image, ax=axes, label=unit, pad=0.01)
+    signs = map_signs(drivers, simulations["calibrated"])
+    maps.legend(handles=signs, loc="outside lower center", ncols=len(signs), fontsize=7, frameon=False)
+    ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
+    compared, single = noises(content, vocabulary)
+    panels.ranking(ranked, content, ending, compared)
+    floor_here = content["fit"][f"noise_floor_{ending}"]
+    skip = int("as adopted" in simulations)
+    without = other_name(content)
+    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, without)
+    followed = list(driver_panels.listeners(drivers).items())[:MOST]
+    grid = driver_panels.filled(bottom, len(followed))
+    for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
+        slow = label in driver_panels.SLOW
+        if slow and driver_panels.by_stroke(axes, drivers, signal, residuals, floor, label):
+            continue
+        kept = {name: residual[counts] for name, residual in residuals.items()}
+        driver_panels.by_driver(axes, signal[counts], kept, floor, label)
+    handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label=f"± {compared}")]
+    bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
+    bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)
+    return figure

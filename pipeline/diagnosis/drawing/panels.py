@@ -1,0 +1,148 @@
+"""The panels of a diagnosis' page: each draws one thing on the axes that it is given."""
+
+from textwrap import fill
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
+from ...ground.kinematics import Array
+from ..document.content import Part, Verdict
+from ..recording.drivers import Drivers
+from ..words import rivals
+from ..words.holdout import included
+from ..words.quantity import percent, size, times
+
+BEFORE, AFTER, TIED, OTHER, MORE = "#2166ac", "#b2182b", "#ef8a62", "0.65", "0.85"
+COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
+SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
+BAND = "0.92"  # the noise
+BINS = 24
+TITLE_WIDE = 34  # characters
+NAMED = "as diagnosed"
+STANDINGS = {
+    "named": (AFTER, "the best explanation"),
+    "tied": (TIED, "likely as well"),
+    "beaten": (OTHER, "less likely (details.txt: the likeliest of them)"),
+    "not needed": (MORE, "less likely, with more effects"),
+    "not enough": (TIED, "the best there is, and not enough"),
+    "nothing": (BEFORE, "no mechanism, only calibration"),
+}  # of an explanation: its colour, and what that means
+MORE_ALONE = "takes away too little to be named"  # where nothing is
+NOT_NAMED = "leaves least, and is not named"  # where none has to be
+WITH_DISCREPANCY = "left if its formulas may be a little wrong"
+NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
+MOTION = {"turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion"}  # by unit
+
+
+def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:
+    """Channels over time, thinned to what a page can show.
+
+    Each channel has the shape (samples,), in the unit that its label says.
+    """
+    step = max(1, len(drivers.time_s) // 5000)
+    show, breaks = slice(None, None, step), -(-drivers.breaks // step)  # no line leads from run to run
+    time_s = np.insert(drivers.elapsed_s[show], breaks, np.nan)
+    for name, (values, style) in lines.items():
+        axes.plot(time_s, np.insert(values[show], breaks, np.nan), label=name, **style)
+    axes.set(ylabel=label, xlim=(0.0, drivers.elapsed_s[-1]))
+    axes.legend(fontsize=7, ncols=len(lines), loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False)
+
+
+def ways(drivers: Drivers) -> tuple[str, str]:
+    """The two directions of motion, as an axis calls them."""
+    return ("winding", "unwinding") if drivers.units.motion == "turns" else ("up", "down")
+
+
+def briefly(explanation: Part) -> str:
+    """What stands beside an explanation's point: its probability, and why a probable one is none."""
+    share = explanation.get("probability")
+    parts = [] if share is None else [percent(share) if share else "less than 1 %"]
+    return ", ".join(parts + ["its effects cancel"] * bool(explanation.get("balanced")))
+
+
+def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> None:
+    """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
+    adopted = set(included(content))
+    all_explanations = content["evidence"]["explanations"]
+    others = [explanation for explanation in all_explanations if not adopted & set(explanation["ids"])]
+    shown = sorted(others, key=lambda explanation: explanation.get("probability") or 0.0)
+    floor = content["evidence"][f"floor_{ending}"]
+    left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
+    colours = [STANDINGS[explanation["standing"]][0] for explanation in shown]
+    axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
+    axes.scatter(left, range(len(shown)), c=colours, s=55, zorder=2.5)
+    with_discrepancy = [
+        min(explanation[f"bent_{ending}"] / floor, rms) for explanation, rms in zip(shown, left, strict=True)
+    ]
+    decide = not rivals.all_below_noise(content, ending)
+    if decide:
+        axes.plot(with_discrepancy, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
+    axes.set_yticks(range(len(shown)), [rivals.called(explanation["ids"]) for explanation in shown], fontsize=7)
+    for place, (explanation, rms) in enumerate(zip(shown, left, strict=True)):
+        axes.text(1.15 * rms, place, briefly(explanation), va="center", fontsize=6.5, color="0.3")
+    line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
+    shown_standings = {explanation["standing"] for explanation in shown}
+    standings = [name for name in STANDINGS if name in shown_standings]
+    meanings = {name: STANDINGS[name][1] for name in STANDINGS}
+    meanings |= {} if "named" in shown_standings else {"not needed": MORE_ALONE}
+    meanings |= {} if content.get("verdict") == "unknown" else {"not enough": NOT_NAMED}
+    handles: list[Any] = [Patch(color=STANDINGS[name][0], label=meanings[name]) for name in standings]
+    if decide:
+        handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=WITH_DISCREPANCY))
+    handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
+    axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
+    axes.set(
+        xscale="log",
+        xlim=(0.5 * min(1.0, *left, *(with_discrepancy if decide else [])), 2.6 * max(2.0, *left)),
+        xlabel="rms left ÷ noise",
+    )
+    plain(axes.xaxis)
+    likely = any(explanation.get("probability") is not None for explanation in shown)
+    no_more = bool(content.get("simulation")) and not shown_standings & {"named", "tied", "not enough"}
+    title = NO_MORE if no_more else f"explanations: what each leaves{', and its probability' * likely}"
+    axes.set_title(title, fontsize=10)
+
+
+def plain(axis: Axis) -> None:
+    """A logarithmic axis with plain numbers: 0.5, 1, 2, 5, 10."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
+def held_out(
+    axes: Axes, held: Part | None, floor: float, ending: str, unit: str, noise: str = "noise",
+    title: str = "Error on unseen strokes", skip: int = 0, without: str = "",
+) -> None:  # fmt: skip
+    """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys.
+
+    `without` is what was named without those strokes, where the verdict names other effects: the last error is its.
+    """
+    axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
+    if not held:
+        axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
+        axes.set(xticks=[], yticks=[])
+        return
+    values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
+    names = list(SHADES)[skip : 2 if values[2] == values[1] else 3]  # what is the same is drawn once
+    values, places = values[skip : skip + len(names)], range(len(names))
+    colours = [SHADES[name] for name in names]
+    axes.vlines(places, floor, values, colors=colours, lw=2.5)
+    axes.scatter(places, values, c=colours, s=55, zorder=2.5)
+    for place, value in enumerate(values):
+        label = f"{size(value, unit)}\n{times(value / floor)} × noise"
+        axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
+    other = {NAMED: f"{NAMED}*"} if without else {}
+    if without:
+        axes.set_xlabel(fill(f"* named without them: {without}", TITLE_WIDE), fontsize=8)
+    axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
+    axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
+    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
+    axes.tick_params(axis="x", labelsize=8)
+    plain(axes.yaxis)
+    axes.legend(fontsize=7, frameon=False)

@@ -1,0 +1,46 @@
+"""How far effects move the reading: from the lowest value to the highest, and in the course of time.
+
+Effects are given by their ids, each of shape (samples,), in the reading's unit.
+"""
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ..mechanisms.library import mechanisms
+from ..recording.working_samples import Record
+
+TOP = 0.02  # of the motion's range: what is nearer to its highest value is the top
+
+
+def spans(effects: dict[str, Array]) -> dict[str, float]:
+    """From the lowest to the highest value of each effect, a few samples aside, in the reading's unit.
+
+    Each effect has the shape (samples,).
+    """
+    return {id_: float(np.subtract(*np.percentile(effect, [99.9, 0.1]))) for id_, effect in effects.items()}
+
+
+def trends(effects: dict[str, Array]) -> dict[str, float]:
+    """By how much each effect moves the reading from the first third to the last, on average, in the reading's unit.
+
+    Each effect has the shape (samples,).
+    """
+    thirds = {id_: max(len(effect) // 3, 1) for id_, effect in effects.items()}
+    return {
+        id_: float(np.mean(effect[-thirds[id_] :]) - np.mean(effect[: thirds[id_]])) for id_, effect in effects.items()
+    }
+
+
+def tops(effects: dict[str, Array], record: Record) -> dict[str, float]:
+    """By how much each slow effect moves the reading at the highest motion from the first stroke to the last.
+
+    Dimensions cannot do it: they are the same in every stroke. Each effect has the shape (samples,), in the reading's
+    unit.
+    """
+    high = record.motion >= record.motion.max() - TOP * np.ptp(record.motion)
+    strokes = [high & (record.stroke == stroke) for stroke in np.unique(record.stroke[high & (record.stroke > 0)])]
+    return {
+        id_: float(np.mean(effect[strokes[-1]]) - np.mean(effect[strokes[0]]))
+        for id_, effect in effects.items()
+        if mechanisms()[id_].slow and len(strokes) > 1
+    }

@@ -1,0 +1,29 @@
+"""How much of each named effect moved dimensions cannot do, and which dimensions moved in its place."""
+
+from typing import Any
+
+from ..choice.disguise import beyond
+from ..choice.outcome import Study, rms
+from ..fit import discrepancy
+from ..fit.linear import Linear
+from ..numerics.noise import white
+
+
+def look_alikes(study: Study, ending: str) -> dict[str, Any]:
+    """What dimensions leave of each effect, rms, by id; and by how many tolerances each moved where nothing is named.
+
+    `ending` is that of the keys. Nothing where nothing is named.
+    """
+    problem = study.problem
+    ids = [act.id for act in study.state.acts if act not in problem.included and act.id not in study.random]
+    if not ids:
+        return {}
+    dimensions = Linear(problem, study.base, white(1.0), {})
+    left = {id_: rms(beyond(discrepancy.effect(problem, study.state, id_)[: problem.rows], dimensions)) for id_ in ids}
+    moved = {
+        problem.parameters[i].name: float(
+            (study.base.values[i] - problem.parameters[i].nominal) / problem.parameters[i].sigma
+        )
+        for i in problem.movable
+    }
+    return {f"beyond_dimensions_{ending}": left, "moved_alone_sigma": moved}

@@ -1,0 +1,38 @@
+"""A diagnosis without the mechanisms that came out with no strength: what does nothing explains nothing."""
+
+from typing import Any
+
+from ..mechanisms.library import mechanisms
+
+
+def without_zero_effects(content: dict[str, Any], ending: str) -> dict[str, Any]:
+    """The content without named mechanisms of size 0, whose ids `evidence.idle` lists.
+
+    Where no physics would remain they stay named, but for `simulation`.
+
+    The best explanation is then the smaller one, which may stand among the others too: there it goes. `ending` is that
+    of the keys.
+    """
+    idle = [entry["id"] for entry in content["mechanisms"] if not entry[f"rms_{ending}"]["value"]]
+    kept = [entry for entry in content["mechanisms"] if entry["id"] not in idle]
+    content = content | {"simulation": [entry for entry in content["simulation"] if entry["id"] not in idle]}
+    if not idle or all(entry["id"].startswith("x_") for entry in kept):
+        return content
+    ids = {entry["id"] for entry in kept}
+    others = [other for other in content["alternatives"] if set(other) != ids]
+    shown: list[dict[str, Any]] = []
+    twins = [explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == ids]
+    for explanation in content["evidence"]["explanations"]:
+        if explanation["standing"] == "named":
+            shares = [each["probability"] for each in (explanation, *twins) if each.get("probability") is not None]
+            kept_ids = [id_ for id_ in explanation["ids"] if id_ not in idle]
+            shown.append(explanation | {"ids": kept_ids, "probability": sum(shares) if shares else None})
+        elif set(explanation["ids"]) != ids:
+            shown.append(explanation)
+    made = content | {"mechanisms": kept, "alternatives": others}
+    if content["mismatch"]:
+        made["mismatch"] = content["mismatch"] | {"driver": [mechanisms()[entry["id"]].driver for entry in kept]}
+    made["evidence"] = content["evidence"] | {"explanations": shown, "idle": idle}
+    if content["verdict"] == "ambiguous" and not others:
+        made |= {"verdict": "explained", "next_run": None}
+    return made

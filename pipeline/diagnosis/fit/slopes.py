@@ -1,0 +1,70 @@
+"""How the reading of a simulator moves with its dimensions and with what acts in it: one linearisation at a state."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ..mechanisms.interface import Term
+from .problem import Problem, State
+
+STEPS = {"twist": 1e-4, "radius": 1e-5, "length": 1e-3, "resistance": 1e-3}  # of what acts at a port
+
+
+@dataclass(frozen=True)
+class Linearised:
+    """A simulator at a state: its channel before operators, its prediction, and the slopes of its reading.
+
+    `slopes` are per unit at each port and of each movable parameter, by name. All of shape (samples,), in the channel's
+    unit.
+    """
+
+    state: State
+    clean: Array
+    predicted: Array
+    slopes: dict[str, Array]
+
+
+def linearised(problem: Problem, state: State) -> Linearised:
+    """A simulator at a state, and how its reading moves with whatever may move it; what it costs is paid once."""
+    added, operators = problem.ports(state.acts)
+    clean = problem.simulated(state.values, added)
+    before, nothing = problem.read(clean, added, operators), np.zeros(len(clean))
+    slopes = {"sensor": np.ones_like(before)}
+    known: dict[tuple[str, float], Array] = {}  # two ports may be one place of the system
+    for port, step in STEPS.items():
+        if port in problem.system.ports:
+            place = problem.system.ports[port]
+            if (place, step) not in known:
+                moved = {**added, place: added.get(place, nothing) + step}
+                known[place, step] = (problem.reading(state.values, moved, operators) - before) / step
+            slopes[port] = known[place, step]
+    for index in problem.movable:
+        values = state.values.copy()
+        step = 1e-3 * problem.parameters[index].sigma
+        values[index] += step
+        slopes[problem.parameters[index].name] = (problem.reading(values, added, operators) - before) / step
+    return Linearised(state, clean, before + state.zeros[problem.record.run_index], slopes)
+
+
+def column(problem: Problem, term: Term, at: Linearised) -> Array:
+    """How the reading moves with the coefficient of a term.
+
+    Shape (samples,), in the channel's unit per unit of the coefficient.
+    """
+    if callable(term.signal):
+        return term.signal(at.clean)
+    if problem.system.remembers and term.port != "sensor":
+        return pushed(problem, term.port, term.signal, at)
+    return at.slopes[term.port] * term.signal
+
+
+def pushed(problem: Problem, port: str, signal: Array, at: Linearised) -> Array:
+    """How the simulated channel moves, at once and later, with a small share of a signal at a port.
+
+    Shape (samples,), in the channel's unit per unit at the port.
+    """
+    step = STEPS[port] / max(float(np.sqrt(np.mean(np.square(signal)))), 1e-300)
+    added, place = problem.ports(at.state.acts)[0], problem.system.ports[port]
+    moved = added[place] + step * signal if place in added else step * signal
+    return (problem.simulated(at.state.values, {**added, place: moved}) - at.clean) / step

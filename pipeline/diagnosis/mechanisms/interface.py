@@ -1,0 +1,122 @@
+"""What a mechanism is: it offers terms, and a term acts at a port of the simulator."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+from ...ground.kinematics import Array
+from ..recording.drivers import Drivers
+
+Port = Literal["twist", "radius", "length", "resistance", "sensor"]
+DRIFT = "absolute time"  # driver of what goes on whatever the rig does
+SWINGS = ("acceleration", "angle within the turn", "slow motion")  # drivers of what moves to and fro within a stroke
+AT_REST = ("time under load", DRIFT)  # of what goes on while the rig stands
+FOR_GOOD = ("sudden events on the length", "sudden events on the twist")  # of what happens once and stays
+SLOW = (*AT_REST, "worked strokes", "load x worked strokes", "travel")  # of what goes on over a whole recording
+PACE = ("rate", "time", "speed", "slow", "acceleration", "temperature")  # words of a driver that another speed changes
+Nonlinear = dict[str, float]  # values of the parameters that enter a law nonlinearly, by name
+
+
+@dataclass(frozen=True)
+class Term:
+    """One way in which a mechanism acts: what a coefficient of 1 adds at a port of the system.
+
+    Ports: `twist` in turns, `radius` as a relative change, `length` in mm of lengthening, `resistance` in mm of output
+    that resisting costs, `sensor` in mm on the reading. A sensor term may be an operator instead: a function of the
+    simulated reading that returns what it adds. Names and units are written for a string, in mm, turns and 10 N; on
+    another system they are read in its own units (`naming`). Coefficients of terms with one `total` are also reported
+    as their sum, under that name.
+    """
+
+    name: str
+    port: Port
+    signal: Array | Callable[[Array], Array]
+    unit: str = "mm"
+    low: float = 0.0
+    high: float = float("inf")
+    total: str | None = None
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """One piece of physics that a simulator may lack: data and two pure functions of the drivers.
+
+    `candidates` lists values of the nonlinear parameters (at least one set, possibly empty; none when the recording
+    cannot show the mechanism at all); `terms` gives the terms at one of them. `steps` > 1: the mechanism may act
+    several times (sudden events), each with nonlinear parameters of its own. `suggest` adds the candidates that a
+    residual of calibration makes plausible. `random` gives nonlinear parameters where a residual shows an effect whose
+    every move is chance.
+    `mark` says how clearly a residual of calibration, beside the prediction, shows what only this mechanism leaves:
+    about 0 without it, and never more than about 6; where it is less than `least_mark`, no explanation names the
+    mechanism. An id that begins with `x_` is no physics of the library: alone it
+    names nothing.
+
+    `meaning` is a line of the glossary, in the words of a string: what a person would see; left out, what it follows.
+    `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
+    value of the effect), {loop} (by how much both ways differ at one place), {times} (its time constants),
+    {temperature}, {lowers} and {grows} (whether it lowers or raises the reading, and so the radius falls or grows, in
+    the course of the recording), and the rig's words: {string} {motion} {rate} {reading} {up} {down}. `details` follow
+    it: of these the first all of whose parameters were found, each said as its value. `names` says what a word in its
+    coefficients' names multiplies, for who reads them in run.yaml.
+    `derived` gives constants that follow from several of its parameters, by a name that ends in their unit; each is as
+    uncertain as the effect's size.
+    """
+
+    id: str
+    driver: str
+    equation: str
+    source: str
+    confused_with: str
+    told_apart_by: str
+    sentence: str
+    candidates: Callable[[Drivers], list[Nonlinear]]
+    terms: Callable[[Drivers, Nonlinear], list[Term]]
+    steps: int = 1
+    details: tuple[str, ...] = ()
+    meaning: str = ""
+    remembers_turns: bool = False  # acts otherwise after a way back from the middle than after one from an end
+    helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
+    names: dict[str, str] = field(default_factory=dict)
+    derived: dict[str, Callable[[Nonlinear], float]] = field(default_factory=dict)  # of all parameters, by their names
+    units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
+    suggest: Callable[[Drivers, Array], list[Nonlinear]] = lambda drivers, residual: []
+    tells: Callable[[Drivers, Nonlinear], bool] = lambda drivers, nonlinear: True  # whether it can be seen
+    random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None
+    mark: Callable[[Drivers, Array, Array], float] | None = None
+    least_mark: float = 0.0
+
+    @property
+    def acts_at_rest(self) -> bool:
+        """Whether it goes on while the rig stands."""
+        return self.driver in AT_REST
+
+    @property
+    def swings(self) -> bool:
+        """Whether it moves the reading to and fro within a stroke."""
+        return self.driver in SWINGS
+
+    @property
+    def drifts(self) -> bool:
+        """Whether it goes on whatever the rig does."""
+        return self.driver == DRIFT
+
+    @property
+    def paced(self) -> bool:
+        """Whether it does otherwise in the same motion at another speed: it follows a rate, heat, or time in use."""
+        return not self.drifts and any(word in PACE for word in re.findall(r"[a-z]+", self.driver))
+
+    @property
+    def stays(self) -> bool:
+        """Whether the string after a recording is another one than before it."""
+        return self.slow or self.driver in FOR_GOOD
+
+    @property
+    def slow(self) -> bool:
+        """Whether it goes on over a whole recording."""
+        return self.driver in SLOW
+
+
+def physics(ids: tuple[str, ...]) -> bool:
+    """Whether a set of mechanisms names any physics of the library."""
+    return not all(id_.startswith("x_") for id_ in ids)

@@ -1,0 +1,140 @@
+"""Small helpers that mechanisms share: growth laws, hinges, grids of candidates. They know no mechanism."""
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ..recording.drivers import Drivers
+from .interface import Nonlinear
+
+BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
+WITHIN_S = 0.4  # in which a slip that is not sudden is over, but for a third
+GROWTHS = (0.03, 0.1, 0.3, 1.0)  # of the whole: after how much of it a saturating growth has done 63 %
+
+
+def saturations(amount: Array, whole: float) -> dict[str, Array]:
+    """Growth laws 1 − exp(−amount / (share · whole)) by name, and the straight one.
+
+    `amount` and `whole` have one unit, the laws have none; each of shape (samples,).
+    """
+    grown = {f"within_{share:g}": 1.0 - np.exp(-amount / (share * whole)) for share in GROWTHS}
+    return {**grown, "steady": amount / whole}
+
+
+def growths(amount: Array, whole: float) -> dict[str, Array]:
+    """The growth laws of `saturations` by name, and one that gets faster. Each of shape (samples,), without a unit."""
+    return {**saturations(amount, whole), "faster": (amount / whole) ** 2}
+
+
+def half_waves(share: Array, nonlinear: Nonlinear, first: int) -> dict[int, Array]:
+    """Cosines of `first` to `half_waves` half waves over a recording, of whose length `share` has passed, by number.
+
+    None where the shape has no `half_waves`. Each of shape (samples,), without a unit; `share` in shares of 1.
+    """
+    last = int(nonlinear.get("half_waves", 0.0))
+    return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}
+
+
+def hinge(signal: Array, onset: float, softness: float) -> Array:
+    """Rises with slope 1 beyond an onset; softplus of the given width. All in one unit; shape (samples,)."""
+    return np.asarray(softness * np.logaddexp(0.0, (signal - onset) / softness))
+
+
+def time_constants(drivers: Drivers, candidates: tuple[float, ...]) -> list[float]:
+    """Those candidates (s) that a recording of this length and rate can show; the nearest one when there is none."""
+    whole_s = float(drivers.elapsed_s[-1])
+    fitting = [tau for tau in candidates if 2.0 * drivers.step_s <= tau <= 2.0 * whole_s]
+    return fitting or [min(candidates, key=lambda tau: abs(np.log(tau / whole_s)))]
+
+
+def within(candidates: tuple[float, ...], nonlinear: Nonlinear) -> list[float]:
+    """Those candidates (s) that nonlinear parameters say their recording could show."""
+    return [tau for tau in candidates if nonlinear["fastest_s"] <= tau <= nonlinear["slowest_s"]]
+
+
+def grid(name: str, low: float, high: float, count: int) -> list[Nonlinear]:
+    """Candidates of one parameter, evenly spaced in its logarithm, rounded to six digits."""
+    return [{name: float(f"{value:.6g}")} for value in np.geomspace(low, high, count)]
+
+
+def slips(drivers: Drivers) -> list[Nonlinear]:
+    """Candidate times of a slip that is over at once, and fewer of one that takes `within_s`; none in a break."""
+    at_once, slowly = ([time for time in times(drivers, count) if happens_within(drivers, time)] for count in (60, 30))
+    return [time | {"within_s": 0.0} for time in at_once] + [time | {"within_s": WITHIN_S} for time in slowly]
+
+
+def happens_within(drivers: Drivers, nonlinear: Nonlinear) -> bool:
+    """Whether a slip lies within a run, with samples of it on both sides: what changed in a break a person may change.
+
+    A slip at every stroke does.
+    """
+    at_s, last = nonlinear["at_s"], len(drivers.elapsed_s) - 1
+    near = ((max(begin - 1 - BESIDE, 0), min(begin + BESIDE, last)) for begin in drivers.breaks)
+    return not any(drivers.elapsed_s[before] < at_s < drivers.elapsed_s[after] for before, after in near)
+
+
+def jumps(drivers: Drivers, residual: Array) -> Array:
+    """How far a residual jumps at each sample: the mean after it less the mean before it; 0 between two runs.
+
+    In the residual's unit, both of shape (samples,).
+    """
+    size = np.convolve(residual, np.concatenate([np.ones(BESIDE), -np.ones(BESIDE)]) / BESIDE, mode="same")
+    size[:BESIDE] = size[len(size) - BESIDE :] = 0.0
+    for begin in drivers.breaks[drivers.breaks < len(residual)]:
+        size[max(begin - BESIDE, 0) : begin + BESIDE] = 0.0
+    return np.abs(size)
+
+
+def jump_mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
+    """How far the largest jump of a residual stands out from the usual ones.
+
+    A number from 0 to 6 without a unit; residual and prediction of shape (samples,), in the channel's unit.
+    """
+    height = jumps(drivers, residual)
+    usual = 1.4826 * float(np.median(height)) / 0.6745
+    return float(np.clip(np.log(max(height.max() / max(usual, 1e-300) / 4.0, 1.0)) * 2.0, 0.0, 6.0))
+
+
+def slips_seen(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+    """Times at which a residual jumps most, to the sample: at once, and within a while that began then or before.
+
+    The residual has the shape (samples,), in the channel's unit; times in s.
+    """
+    height = jumps(drivers, residual)
+    apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
+    candidates: list[Nonlinear] = []
+    for _ in range(SEEN):
+        place = int(np.argmax(height))
+        if height[place] <= 0.0:
+            break
+        at_s = float(f"{drivers.elapsed_s[place]:.8g}")
+        candidates += [{"at_s": at_s, "within_s": within_s} for within_s in (0.0, WITHIN_S)]
+        height[max(place - apart, 0) : place + apart] = 0.0
+    return candidates
+
+
+def slipped(drivers: Drivers, nonlinear: Nonlinear) -> Array:
+    """0 before a slip, 1 after it; a sample that holds a sudden one is a mean, and so between.
+
+    Shape (samples,), without a unit; times of the shape in s.
+    """
+    since_s = drivers.elapsed_s - nonlinear["at_s"]
+    if nonlinear["within_s"] > 0.0:
+        return np.asarray(1.0 - np.exp(-np.maximum(since_s, 0.0) / nonlinear["within_s"]))
+    return np.asarray(np.clip(since_s / drivers.step_s + 0.5, 0.0, 1.0))
+
+
+def times(drivers: Drivers, count: int, name: str = "at_s") -> list[Nonlinear]:
+    """Candidate times of a sudden event, evenly spread over the samples."""
+    index = np.unique(np.linspace(0, len(drivers.motion) - 1, count + 2).astype(int)[1:-1])
+    return [{name: float(f"{drivers.elapsed_s[i]:.6g}")} for i in index]
+
+
+def varied(options: list[Nonlinear]) -> int:
+    """How many nonlinear parameters were chosen among several values, in the candidate that has most."""
+    values: dict[str, set[float]] = {}
+    for nonlinear in options:
+        for name, value in nonlinear.items():
+            values.setdefault(name, set()).add(value)
+    in_all = set.intersection(*map(set, options)) if options else set()
+    apart = {name for name, tried in values.items() if len(tried) > 1 or name not in in_all}
+    return max((len(apart & set(nonlinear)) for nonlinear in options), default=0)

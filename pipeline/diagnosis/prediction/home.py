@@ -1,0 +1,83 @@
+"""The motor's zero of a run that a diagnosis was not made of: homed anew, on the first stroke of its recording.
+
+A motor that was switched off in between counts its turns from elsewhere, and a string's contraction grows ever faster
+with them: a diagnosis of one recording is far off in another until that zero is found.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize_scalar
+
+from ...ground.errors import BadInput
+from ...ground.kinematics import Array
+from ..document.content import Simulated
+from ..fit.problem import Problem
+from .simulation import TARE_S, simulated, value_of
+
+HOME = "--home"  # the option
+BOUND, TRIED = 3.0, 25  # sigma that the zero may lie from that of run.yaml; places that are tried first
+
+
+@dataclass(frozen=True)
+class Home:
+    """A motor's zero, homed: `value` in turns, `before` in the diagnosis.
+
+    The errors, rms in the reading's unit, are those of the rest of the recording, its zero set on the first second.
+    """
+
+    value: float
+    before: float
+    error: float
+    error_before: float
+    at_bound: bool
+
+
+def homed(problem: Problem, content: Simulated, path: Path, run: str) -> tuple[Simulated, Home]:
+    """The simulator with the motor's zero that leaves least of the first stroke of a run, and that zero.
+
+    Raises BadInput for a rig that has no such zero, and for a run that the diagnosis was made of.
+    """
+    name, runs = problem.system.homed, content.get("run")
+    if name is None:
+        raise BadInput(HOME, problem.system.name, "has no motor's zero that shifts its motion", "leave it out")
+    if run == runs or (isinstance(runs, list) and run in runs):
+        known = "is one that the diagnosis was made of, which holds its motor's zero"
+        raise BadInput(HOME, run, known, "leave it out")
+    parameter = next(parameter for parameter in problem.parameters if parameter.name == name)
+    first = _first_stroke(problem)
+
+    def at(value: float) -> Simulated:
+        return cast(Simulated, {**content, "parameters": {**content["parameters"], name: {"value": value}}})
+
+    def left(value: float) -> Array:
+        return problem.measured - simulated(problem, at(value), path, run)
+
+    def of_first(value: float) -> float:
+        return float(np.std(left(value)[first]))
+
+    reach = BOUND * parameter.sigma
+    places = np.linspace(parameter.nominal - reach, parameter.nominal + reach, TRIED)
+    best, step = float(min(places, key=of_first)), float(places[1] - places[0])
+    if step > 0.0:
+        ends = max(best - step, float(places[0])), min(best + step, float(places[-1]))
+        best = float(minimize_scalar(of_first, bounds=ends, method="bounded", options={"xatol": 1e-3 * step}).x)
+    before = value_of(content, name, path, parameter.nominal)
+    error, error_before = (_rest(problem, left(value), first) for value in (best, before))
+    return at(best), Home(best, before, error, error_before, abs(best - parameter.nominal) > 0.99 * reach)
+
+
+def _first_stroke(problem: Problem) -> NDArray[np.bool_]:
+    """Rows from the start to the end of the first stroke, shape (samples,)."""
+    stroke = problem.record.stroke
+    return np.arange(len(stroke)) <= int(np.flatnonzero(stroke == stroke[stroke > 0].min())[-1])
+
+
+def _rest(problem: Problem, left: Array, first: NDArray[np.bool_]) -> float:
+    """Error after the first stroke, or of all where there is no more, rms, about the zero of the first second."""
+    time_s = problem.record.time_s
+    rows = ~first if not first.all() else first
+    return float(np.sqrt(np.mean(np.square(left[rows] - np.median(left[time_s - time_s[0] <= TARE_S])))))

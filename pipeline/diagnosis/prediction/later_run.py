@@ -1,0 +1,71 @@
+"""A later run of a joint diagnosis: it is simulated after the runs before it, for what goes on does not begin anew."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ...ground.complaint import key_name
+from ...ground.kinematics import Array
+from ...ground.names import RUN_NAME
+from ...run.folder import has_recording
+from ...run.samples import read_strokes
+from ..document.content import Simulated
+from ..fit.problem import Problem
+from ..recording.recorded_run import RecordedRun
+from ..study.own_rate import at_own_rate
+from .simulation import tared
+
+
+def names_before(content: Simulated, run: str) -> list[str]:
+    """The runs before one in the diagnosis of several, in their order."""
+    together = content.get("run")
+    return together[: together.index(run)] if isinstance(together, list) and run in together else []
+
+
+def places_beside(folder: Path, names: Sequence[Any]) -> list[Path]:
+    """The folders of other runs that lie beside a run's folder and hold a recording, in the order of their names."""
+    beside = (folder.resolve().parent / name for name in names if isinstance(name, str) and RUN_NAME.fullmatch(name))
+    return [place for place in beside if has_recording(place)]
+
+
+def simulated_before(content: Simulated, run: str, folder: Path) -> list[RecordedRun]:
+    """The runs before one in its joint diagnosis, as they lie beside its folder; none unless all of them do.
+
+    Raises BadInput for a recording that cannot be read.
+    """
+    names = names_before(content, run)
+    places = places_beside(folder, names)
+    return [RecordedRun(*read_strokes(place)) for place in places] if len(places) == len(names) else []
+
+
+def before_of(content: Simulated, run: str, beside: Sequence[RecordedRun]) -> list[RecordedRun]:
+    """As `simulated_before`, of the recordings of its joint diagnosis that were read `beside` it."""
+    held = {each.run.run: each for each in beside}
+    names = names_before(content, run)
+    return [held[name] for name in names] if all(name in held for name in names) else []
+
+
+def predicted_after(
+    before: Sequence[RecordedRun], recorded: RecordedRun, problem: Problem, content: Simulated, source: Path
+) -> Array:
+    """What a diagnosis simulates for a run after those before it; `problem` is the run's own, at its own rate.
+
+    Shape (samples,) of the run, in the channel's unit; raises BadInput as `tared` does.
+    """
+    whole = at_own_rate([*before, recorded], thin=False, to_fit=False) if before else problem
+    return tared(whole, content, source, recorded.run.run)[-len(problem.record) :]
+
+
+def said_of(content: Simulated, run: str, before: Sequence[RecordedRun], source: Path) -> list[str]:
+    """What a person must know of the runs before one in its joint diagnosis; nothing where there are none."""
+    names = [key_name(name) for name in names_before(content, run)]
+    if not names:
+        return []
+    listed = " and ".join(names)
+    if before:
+        return [f"it is simulated after {listed}, as they were diagnosed together"]
+    return [
+        f"beware: {source} was made of {listed} and {run} together, and here {listed} does not go before. What goes on "
+        "over time or strokes begins anew, so the reading may be far off. Mend: keep the runs in one folder, and give "
+        "a planned motion --after-recording"
+    ]

@@ -1,0 +1,148 @@
+"""A motion that nobody recorded, and what a simulator says of it: alone, or after the recorded motion of its run."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+import pandas as pd
+
+from ...ground.errors import BadInput
+from ...ground.kinematics import Array
+from ...run.continued import continued
+from ...run.course import Mask, Recorded
+from ...run.description import Run
+from ...run.outside import Outside, outside
+from ...run.samples import read_strokes
+from ..choice.outcome import rms
+from ..document.content import Simulated, Verdict
+from ..fit.problem import Problem
+from ..mechanisms.library import mechanisms
+from ..recording.recorded_run import RecordedRun
+from ..study.own_rate import at_own_rate
+from .later_run import places_beside
+from .prediction_band import Foretold, band, curves
+from .simulation import has_zero, simulated, tare, tared
+
+SHARE = 0.01  # of the reading's range: where no error is expected, a smaller difference is not worth a word
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A planned motion of a run: its samples, whether corners drew it, what was recorded, and what to simulate it by.
+
+    `content`, from the file `source`, is the simulator. `after`: whether the recorded motion goes before the plan.
+    `tied`: the explanations that are as likely as what acts, by their mechanisms. `beside`: the other recordings that
+    were diagnosed together with the run's own; `before`: those of them that go before it, and before the plan.
+    """
+
+    run: Run
+    samples: pd.DataFrame
+    drawn: bool
+    recorded: RecordedRun | None
+    content: Simulated
+    source: Path
+    after: bool = False
+    tied: Sequence[Sequence[str]] = ()
+    beside: Sequence[RecordedRun] = ()
+    before: Sequence[RecordedRun] = ()
+
+    @cached_property
+    def outside(self) -> Outside | None:
+        """Where it leaves what was recorded; None where nothing was."""
+        if self.recorded is None:
+            return None
+        known, acting = mechanisms(), [entry["id"] for entry in self.content["simulation"]]
+        remembers = any(known[id_].remembers_turns for id_ in acting if id_ in known)
+        likely = dict.fromkeys([*acting, *(id_ for ids in self.tied for id_ in ids)])
+        paced = [id_ for id_ in likely if id_ in known and known[id_].paced]
+        all_recorded = [each for each in (self.recorded, *self.beside) if each.strokes is not None]
+        tables, strokes = [each.samples for each in all_recorded], [each.strokes for each in all_recorded]
+        recorded = Recorded(tables, cast(list[pd.DataFrame], strokes), self.run.system.driver)
+        return outside(self.run, self.samples, recorded, remembers, paced)
+
+    @cached_property
+    def problem(self) -> Problem:
+        """What is simulated: the plan's samples, which are the last ones."""
+        samples = self.samples
+        if self.after and self.recorded is not None:
+            samples = continued(self.run.system, samples, self.recorded.samples, self.drawn)
+        problem = at_own_rate([*self.before, RecordedRun(self.run, samples)], thin=False, to_fit=False)
+        if self.drawn:
+            problem = replace(problem, drivers=replace(problem.drivers, drawn=True), _terms={})
+        return problem
+
+    def own(self, values: Array) -> Array:
+        """The plan's rows of what was simulated: shape (samples,), in the channel's unit."""
+        return values[-len(self.samples) :]
+
+    @cached_property
+    def predicted(self) -> Array:
+        """The reading, of shape (samples,) in the channel's unit; raises BadInput as `tared` does."""
+        return self.own(tared(self.problem, self.content, self.source, self.run.run))
+
+    @cached_property
+    def without_effects(self) -> Array:
+        """The reading with the same dimensions and the same zero, if no effect acted.
+
+        Shape (samples,), in the channel's unit.
+        """
+        bare: Simulated = {**self.content, "simulation": []}
+        whole, alone = (simulated(self.problem, content, self.source, self.run.run) for content in (self.content, bare))
+        return self.predicted - self.own(whole) + self.own(alone)
+
+    def band(self, diagnosis: Verdict, path: Path) -> Foretold | None:
+        """How well the plan is foretold by what `diagnosis` leaves open; None where it does not say."""
+        width = band(self.problem, diagnosis, path, self.run.run)
+        return width and replace(width, sigma=self.own(width.sigma))
+
+    def curves(self, diagnosis: Verdict, path: Path) -> dict[str, Array]:
+        """What each explanation that ties says, by its mechanisms: of shape (samples,), in the channel's unit."""
+        return {ids: self.own(curve) for ids, curve in curves(self.problem, diagnosis, path, self.run.run).items()}
+
+    def inside(self) -> Mask:
+        """The rows within what was recorded, all where nothing was. Shape (samples,)."""
+        return np.ones(len(self.samples), bool) if self.outside is None else ~self.outside.rows
+
+    def changed_by_recording(self, expected: float | None) -> Array | None:
+        """What the reading would be more after the recorded motion, of shape (samples,) in the channel's unit.
+
+        None where that is not more than the error that is `expected`, or where nothing was recorded or acts.
+        """
+        if self.after or self.recorded is None or not self.content["simulation"]:
+            return None
+        try:
+            gap = replace(self, after=True).predicted - self.predicted
+        except BadInput:  # what cannot be simulated after the recording is no reason to refuse the plan alone
+            return None
+        if not has_zero(self.content, self.run.system, self.run.run, self.problem.runs) and self.run.system.free_zero:
+            gap = gap - tare(np.zeros_like(gap), gap, self.samples["time_s"].to_numpy())
+        limit = SHARE * float(np.ptp(self.predicted)) if expected is None else expected
+        return gap if rms(gap) > limit else None
+
+
+def expected_error(width: Foretold | None, rows: Mask) -> float | None:
+    """The error that is expected in some rows, rms in the channel's unit; None without a band, or without rows."""
+    return None if width is None or not rows.any() else width.expected(rows)
+
+
+def tied_with(run: Run, content: Simulated, adopted: bool) -> list[list[str]]:
+    """The explanations that tie with what is simulated: those of a diagnosis, or of what a run has `adopted` last."""
+    tied: Any = run.adopted[-1].tied if adopted and run.adopted else cast(Verdict, content).get("alternatives", [])
+    return (
+        [[id_ for id_ in ids if isinstance(id_, str)] for ids in tied if isinstance(ids, list)]
+        if isinstance(tied, list)
+        else []
+    )
+
+
+def recorded_beside(folder: Path, run: Run, content: Simulated, adopted: bool) -> list[RecordedRun]:
+    """The other recordings that a diagnosis was made of together with that of `folder`, as far as they lie beside it.
+
+    `adopted`: those of what the run has adopted last. Raises BadInput for a recording that cannot be read.
+    """
+    runs: Any = (run.adopted[-1].runs if run.adopted else None) if adopted else content.get("run")
+    others = [name for name in runs if name != run.run] if isinstance(runs, list) and run.run in runs else []
+    return [RecordedRun(*read_strokes(place)) for place in places_beside(folder, others)]

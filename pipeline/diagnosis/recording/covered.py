@@ -1,0 +1,64 @@
+"""What a recording covers: the loads that hung, how fast it moved, how long it stood, wound and at rest."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ...run.course import Course, longest_s
+from ...run.limits import NEAR
+from ...run.strokes import label, of_samples
+from .recorded_run import RecordedRun
+from .working_samples import PHASES, Record
+
+ENDS = (1.0, 99.0)  # per cent of the samples: what is beyond is noise or a moment
+
+
+def covered(record: Record) -> dict[str, Any]:
+    """Lowest and highest load, slowest and fastest stroke; as `diagnosis.json` holds them.
+
+    Loads in the load channel's unit, speeds in the motion's unit per second. `temperature_c`, where one was logged, is
+    its lowest and highest in °C.
+    """
+    moving = np.isin(record.phase, [PHASES.index("winding"), PHASES.index("unwinding")])
+    speeds = [
+        float(np.median(np.abs(record.velocity[moving & (record.stroke == stroke)])))
+        for stroke in np.unique(record.stroke[moving])
+    ]
+    logged = record.temperature_c
+    warm = {} if logged is None else {"temperature_c": [float(end) for end in np.percentile(logged, ENDS)]}
+    return warm | {
+        "load": [float(end) for end in np.percentile(record.load, ENDS)],
+        "speed_per_s": [min(speeds, default=0.0), max(speeds, default=0.0)],
+    }
+
+
+def pauses(recorded: Sequence[RecordedRun]) -> dict[str, float]:
+    """The longest hold and the longest rest of some runs, in s, at their own rate: as a planned motion is told them."""
+    longest: dict[str, list[float]] = {"hold": [], "rest": []}
+    for each in recorded:
+        time_s, motion = (each.samples[name].to_numpy() for name in ("time_s", each.run.system.driver))
+        phase = (label(time_s, motion) if each.strokes is None else of_samples(each.strokes))[1]
+        for name, lasted_s in longest.items():
+            lasted_s.append(longest_s(time_s, phase == name))
+    return {f"longest_{name}_s": max(lasted_s) for name, lasted_s in longest.items()}
+
+
+def reversals(recorded: Sequence[RecordedRun]) -> dict[str, dict[str, list[list[float]]]]:
+    """Where the motion of some runs turned, at its tops and at its bottoms, in the motion's unit.
+
+    Each place is its lowest and its highest reversal: those so near each other that a plan may turn anywhere between.
+    """
+    courses = [Course.of(each.samples, each.run.system.driver) for each in recorded]
+    whole = max(float(course.way.max()) for course in courses) - min(float(course.way.min()) for course in courses)
+    turned = [course.turns(whole)[1] for course in courses]
+    at_end = {end: np.concatenate([each[top] for each in turned]) for end, top in (("top", True), ("bottom", False))}
+    return {"turned": {end: _places(values, whole) for end, values in at_end.items()}}
+
+
+def _places(values: Array, whole: float) -> list[list[float]]:
+    """Values, of shape (reversals,), as stretches whose neighbours are within reach of each other."""
+    ordered = np.sort(values)
+    cuts = np.flatnonzero(np.diff(ordered) > 2.0 * NEAR * whole) + 1
+    return [[float(part[0]), float(part[-1])] for part in np.split(ordered, cuts) if len(part)]

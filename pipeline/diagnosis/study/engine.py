@@ -1,0 +1,185 @@
+"""The diagnosis, step by step: calibrate, noise, search, refine, judge, decide. It knows no mechanism by name."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from ...ground.counts import counted
+from ...ground.errors import BadInput
+from ...systems import System
+from ...systems.interface import PORTS
+from ..choice import candidates, chance
+from ..choice.judged import NOTHING, judged
+from ..choice.kept import kept
+from ..choice.outcome import Study, bare, decide, rms
+from ..choice.search import Search
+from ..fit import calibrate, discrepancy, generic
+from ..fit.adopt import acts_from
+from ..fit.linear import Linear
+from ..fit.problem import Problem, State, placed
+from ..mechanisms.library import mechanisms
+from ..numerics.judge import Judge, judge
+from ..numerics.noise import Noise, estimate, robust, white
+from ..recording.drivers import Drivers, drivers_of
+from ..recording.recorded_run import RecordedRun
+from ..recording.working_samples import DRIVES_SAMPLES, WORKING_SAMPLES, joined
+from . import homes
+from .tempered import tempered
+
+ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
+SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
+LEAST_SAMPLES, LEAST_STROKES = 200, 2  # samples of the record, and worked strokes, without which nothing is decided
+Progress = Callable[[str], None]
+
+
+def make_problem(
+    recorded: list[RecordedRun],
+    most: int | None = None,
+    without: frozenset[str] = frozenset(),
+    thin: bool = True,
+    by: Judge | None = None,
+    to_fit: bool = True,
+) -> Problem:
+    """The problem of one or more runs of one rig, averaged to `most` samples (the working number); raises BadInput.
+
+    No explanation of it may name the mechanisms in `without`. Unless `thin`, a working rate is no reason to average.
+    `by` judges in place of the library's own judge. Unless `to_fit`, it may be too short to be diagnosed.
+    """
+    runs, where = [each.run for each in recorded], recorded[0].place
+    system = runs[0].system
+    record = joined(recorded, most or (WORKING_SAMPLES if system.levered else DRIVES_SAMPLES), thin)
+    worked = len(np.unique(record.stroke[record.stroke > 0]))
+    mend = "record at least three strokes, with a pause between them"
+    if to_fit and worked < LEAST_STROKES:
+        few = f"holds {worked} stroke{'s' * (worked != 1)}: what comes with time cannot be told from what comes with "
+        raise BadInput(where, "recording", f"{few}the motion", mend)
+    if to_fit and len(record) < LEAST_SAMPLES:
+        raise BadInput(
+            where, "recording", f"holds {counted(len(record), 'sample')}, of which {LEAST_SAMPLES} are needed", mend
+        )
+    drivers = drivers_of(system, record, runs[0])
+    zeros = homes.of_runs(system, runs)
+    nowhere = unplaced(system, drivers)
+    for number, entry in enumerate(runs[0].simulation):
+        if entry.get("id") in nowhere:
+            problem = f"{entry['id']} acts where a {system.name} has nothing"
+            raise BadInput(where / "run.yaml", f"simulation[{number}].id", problem, "remove it")
+    included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
+    return Problem(
+        system, record, drivers, (*system.parameters(runs[0]), *zeros), record.measured, len(record), included,
+        len(zeros), without | nowhere, by or judge(), homes.one_string(runs),
+    )  # fmt: skip
+
+
+def unplaced(system: System, drivers: Drivers) -> frozenset[str]:
+    """Mechanisms all of whose candidates act where a system has no port."""
+    if set(system.ports) == set(PORTS):
+        return frozenset()
+    library = [(id_, mechanism, mechanism.candidates(drivers)) for id_, mechanism in mechanisms().items()]
+    return frozenset(
+        id_
+        for id_, mechanism, options in library
+        if options and not any(placed(system, mechanism.terms(drivers, nonlinear)) for nonlinear in options)
+    )
+
+
+def fine_floor(fine: Problem, studied: Study) -> float:
+    """Noise floor at the recording's own rate: the working floor and what averaging took off it."""
+    if len(fine.record) == len(studied.problem.record):
+        return studied.noise.floor
+    own = robust(fine.measured - fine.simulate(studied.best))
+    averaged = robust(studied.problem.measured - studied.problem.simulate(studied.best))
+    return float(np.sqrt(max(rms(own) ** 2 - rms(averaged) ** 2, 0.0) + studied.floor**2))
+
+
+def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, trim: float = 0.0) -> Noise:
+    """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do.
+
+    `smooth` is the dictionary, shape (columns, samples), in any unit, if it is made already: one made here is let go.
+    """
+    acts = tuple(act for act in state.acts if act not in problem.included)
+    catalogue = {act.id: list(act.nonlinear) for act in acts}
+    more = generic.dictionary(problem.drivers) if smooth is None else smooth
+    linear = Linear(problem, state, white(1.0), catalogue, more)
+    del more
+    columns = linear.table[:-1]
+    target = (problem.measured - problem.simulate(state))[: problem.rows]
+    return estimate(target, columns, problem.drivers.first[: problem.rows], problem.drivers.step_s, trim)
+
+
+def study(problem: Problem, say: Progress = lambda _: None) -> Study:
+    """The whole procedure on the rows that the problem lets it see; twice where a break between runs may mislead it."""
+    if not (problem.homed and problem.stays):
+        return studied_once(problem, say)
+    held = studied_once(homes.held(problem), say)
+    return studied_once(problem, say) if homes.moved(problem, held) else held
+
+
+def studied_once(problem: Problem, say: Progress) -> Study:
+    """The whole procedure, with the motor's zeros of later runs as free as the problem has them."""
+    say("calibrating")
+    nominal = problem.nominal()
+    base = calibrate.base(problem)
+    problem, _ = calibrate.without_outliers(problem, base)
+    base = calibrate.base(problem)
+    more = candidates.suggested(problem, base)
+    smooth = candidates.without_physics(problem, more)
+    say("noise floor and colour")
+    noise = noise_of(problem, base, smooth, SURPRISES)
+    catalogue = candidates.catalogue(problem, more)
+    random = chance.seen(problem, base)
+    least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
+    if problem.included:  # what was adopted is as inexact as any formula
+        least = max(least, ADOPTED * bare(problem, noise))
+    say("searching explanations")
+    search = Search(Linear(problem, base, noise, catalogue), least)
+    chosen, best = search.select(noise.floor, largest=1), base
+    if chosen.ids:
+        for step in ("one mechanism", "several mechanisms"):
+            say(f"refining {step}")
+            states = [search.linear.state_of(leader.fit, leader.keys) for leader in search.leaders(chosen)]
+            refined = [calibrate.refine(problem, noise, state) for state in states]
+            own = [noise_of(problem, state, smooth) for state in refined]
+            place = min(range(len(own)), key=lambda i: bic(problem, own[i], refined[i]))
+            best, noise = refined[place], own[place]
+            catalogue = candidates.with_refined(problem, catalogue, refined)
+            deviations = discrepancy.columns(problem, [best, *(state for state in refined if state is not best)])
+            del search  # it is large, and the next one is as large
+            search = Search(Linear(problem, best, noise, catalogue, deviations=deviations), least)
+            before, chosen = chosen, search.select(noise.floor)
+            if len(chosen.ids) in (0, len(before.ids)):
+                break
+    say("judging")
+    judgement = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
+    best, judgement = kept(search, judgement, base)
+    still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
+    random = {id_: nonlinear for id_, nonlinear in random.items() if id_ in still}
+    return decide(problem, nominal, base, noise, best, judgement, search, random)
+
+
+def polished(studied: Study, fine: Problem) -> Study:
+    """The study with its simulator refitted to what `to_polish` gives, and trusted as far as it may be."""
+    fine = replace(fine, parameters=studied.problem.parameters)  # a zero of the motor that the study held stays
+    return tempered(_refitted(studied, fine), fine)
+
+
+def _refitted(studied: Study, fine: Problem) -> Study:
+    """The study with its explanation refitted to what `to_polish` gives: averaging flattens ripples."""
+    acts = tuple(act for act in studied.best.acts if act not in fine.included and act.id not in studied.random)
+    if not acts or len(fine.record) == len(studied.problem.record):
+        return studied
+    fine, _ = calibrate.without_outliers(fine, studied.best)
+    noise = noise_of(fine, studied.best)
+    best = calibrate.calibrate(fine, noise, studied.best, acts)
+    best = replace(best, acts=(*best.acts, *(act for act in studied.best.acts if act.id in studied.random)))
+    return replace(studied, best=best, state=best if studied.state is studied.best else studied.state)
+
+
+def bic(problem: Problem, noise: Noise, state: State) -> float:
+    """Bayesian information criterion of a state: minus twice its log-likelihood, and ln n for each number that acts.
+
+    The likelihood is under the noise that the state itself leaves (Schwarz, 1978).
+    """
+    active = sum(value != 0.0 for act in state.acts for value in act.coefficients)
+    return 2.0 * problem.rows * float(np.log(noise.innovation)) + active * float(np.log(problem.rows))

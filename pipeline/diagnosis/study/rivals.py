@@ -1,0 +1,39 @@
+"""What ties with the best explanation, as simulators of their own: a motion that nobody recorded tells them apart."""
+
+from ...run.description import Included
+from ..choice.outcome import Study
+from ..choice.search import Explanation
+from ..document.content import Part, Rival
+from ..fit.adopt import DIGITS, entries
+from ..fit.calibrate import calibrate
+from ..fit.problem import Problem, State
+
+
+def refitted(study: Study, explanation: Explanation) -> State:
+    """An explanation as the search found it, its dimensions, zeros and coefficients refitted through the simulator."""
+    state = study.search.linear.state_of(explanation.fit, explanation.keys)
+    acts = tuple(act for act in state.acts if act not in study.problem.included)
+    return calibrate(study.problem, study.noise, state, acts)
+
+
+def rivals(study: Study, ending: str) -> list[Rival]:
+    """The explanations that tie with the best, in the order of `alternatives`; `ending`: of the channel.
+
+    Each is refitted through the simulator: the search's straight lines miss the recording where dimensions moved far.
+    """
+    problem, made = study.problem, []
+    for explanation in study.sets[1:]:
+        state = refitted(study, explanation)
+        parameters, simulation = as_simulator(problem, state, ending)
+        made.append(Rival(ids=list(explanation.ids), parameters=parameters, simulation=simulation))
+    return made
+
+
+def as_simulator(problem: Problem, state: State, ending: str) -> tuple[dict[str, Part], list[Included]]:
+    """A state as a diagnosis writes a simulator: dimensions with the zero of each run, and what acts."""
+    values = {problem.parameters[index].name: float(state.values[index]) for index in problem.movable}
+    if problem.system.free_zero:
+        several = problem.runs > 1
+        values |= {f"zero{f'_{run + 1}' * several}_{ending}": float(zero) for run, zero in enumerate(state.zeros)}
+    parameters: dict[str, Part] = {name: {"value": float(f"{value:.{DIGITS}g}")} for name, value in values.items()}
+    return parameters, entries(state.acts, problem.drivers)

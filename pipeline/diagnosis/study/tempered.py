@@ -1,0 +1,76 @@
+"""A simulator fitted again, that trusts a recording only as far as what the fit leaves of it is noise.
+
+What is left and is no noise goes the same way for many samples on end, which then say little more than one. A fit that
+takes each of them for a witness moves dimensions far along ways that hardly show, to take off what no dimension can
+explain: on another motion such a simulator is worse than the ruler. Here that costs more than it brings, and a
+dimension that the recording does not tell stays near to where it was measured.
+
+Source: Geyer, "Practical Markov chain Monte Carlo", Statistical Science 7, 1992 (how much correlated samples say);
+Müller, "Risk of Bayesian inference in misspecified models", Econometrica 81, 2013 (how far to trust a wrong model).
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ..choice.outcome import Study
+from ..fit.calibrate import calibrate, without_outliers
+from ..fit.linear import Linear
+from ..fit.problem import Problem, State
+from ..numerics.noise import Noise, white
+from ..numerics.recursions import whiten
+
+TOO_SURE = 2.0  # times the variance that noise would bring: what moves a fit by more is to a half or more no noise
+ROUNDS = 3  # fits, each of which trusts as much as what the one before left
+
+
+def long_run_variance(signal: Array) -> float:
+    """Variance by which a mean of samples errs, times their number: of white noise its own variance.
+
+    Of shape (samples,), in any unit. Autocovariances are added in pairs while these are positive.
+    """
+    centred = signal - signal.mean()
+    spectrum = np.fft.rfft(centred, 2 * len(centred))
+    covariance = np.fft.irfft(np.square(np.abs(spectrum)))[: len(centred)] / len(centred)
+    pairs = covariance[: len(centred) // 2 * 2].reshape(-1, 2).sum(axis=1)
+    end = int(np.argmax(pairs <= 0.0)) if (pairs <= 0.0).any() else len(pairs)
+    return max(float(2.0 * pairs[:end].sum() - covariance[0]), float(covariance[0]) / len(centred))
+
+
+def too_sure(problem: Problem, noise: Noise, state: State) -> float:
+    """How many times farther, squared, what a state leaves moves a fit than the noise alone would."""
+    left = (problem.measured - problem.simulate(state))[: problem.rows]
+    return long_run_variance(whiten(left[None], noise.ar, problem.drivers.first[: problem.rows])[0] / noise.innovation)
+
+
+def tempered(studied: Study, fine: Problem) -> Study:
+    """The study, its simulator fitted again to `fine` where what it leaves is mostly no noise; verdicts stay.
+
+    All samples weigh alike in that fit, and each says as little as what is left allows. Nonlinear parameters are kept.
+    """
+    if too_sure(studied.problem, studied.noise, studied.state) <= TOO_SURE:
+        return studied
+    fine, _ = without_outliers(fine, studied.state)
+    chance = tuple(act for act in studied.state.acts if act.id in studied.random)
+    state = replace(studied.state, acts=tuple(act for act in studied.state.acts if act not in chance))
+    for _ in range(ROUNDS):
+        acts = tuple(act for act in state.acts if act not in fine.included)
+        weights = white(float(np.sqrt(long_run_variance((fine.measured - fine.simulate(state))[: fine.rows]))))
+        state = calibrate(fine, weights, state, acts)
+    spreads = _spreads(fine, weights, state)
+    state = replace(state, acts=(*state.acts, *chance))
+    base = state if studied.state is studied.base else studied.base
+    best = state if studied.state is studied.best else studied.best
+    return replace(studied, state=state, base=base, best=best, spreads=spreads)
+
+
+def _spreads(problem: Problem, noise: Noise, state: State) -> dict[str, float]:
+    """The standard deviation of each dimension after such a fit, in its unit, by name."""
+    acts = {act.id: list(act.nonlinear) for act in state.acts if act not in problem.included}
+    linear = Linear(problem, state, noise, acts)
+    columns = linear.columns_of(tuple((id_, number) for id_, sets in acts.items() for number in range(len(sets))))
+    gram = linear.gram[np.ix_(columns, columns)]
+    sigma = np.sqrt(np.maximum(np.diag(np.linalg.pinv(gram, hermitian=True)), 0.0))
+    places = enumerate(problem.movable, start=problem.runs)  # behind the zeros
+    return {problem.parameters[index].name: float(sigma[place]) for place, index in places}

@@ -1,0 +1,94 @@
+"""What a verdict holds of what was weighed, and what is not weighed at all."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis.choice import cross_validation, judged, weigh
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.numerics.judge import Weighed
+from pipeline.diagnosis.numerics.noise import white
+
+
+def explanation(*ids):
+    """An explanation that names these, with one column each."""
+    return SimpleNamespace(ids=ids, fit=SimpleNamespace(columns=np.arange(len(ids))))
+
+
+@pytest.mark.parametrize(("jerks", "weighed"), [(1.9, ["creep"]), (2.1, ["stick_slip", "creep"])])
+def test_stick_slip_is_weighed_only_where_its_jerks_are_seen(monkeypatch, jerks, weighed):
+    monkeypatch.setattr(weigh, "candidates", lambda search: [explanation("stick_slip"), explanation("creep")])
+    monkeypatch.setattr(weigh, "marked", lambda problem, base: {"stick_slip": jerks})
+    monkeypatch.setattr(weigh, "signs", lambda search, one, some, floor: {})
+    search = SimpleNamespace(linear=SimpleNamespace(problem=SimpleNamespace(library=mechanisms())))
+    assert [one.ids[0] for one in weigh.weighed(search, None, 0.01)] == weighed
+
+
+def judge_of(shares):
+    """A search of a string whose judge gives these probabilities, the last that of none."""
+    judge = SimpleNamespace(probabilities=lambda some: np.array(shares))
+    problem = SimpleNamespace(drivers=SimpleNamespace(levered=True), judge=judge)
+    return SimpleNamespace(linear=SimpleNamespace(problem=problem), explain=lambda ids: explanation(*ids))
+
+
+@pytest.mark.parametrize(
+    ("some", "shares", "held", "likely"),
+    [
+        (["creep", "creep jam wear"], [0.7, 0.2, 0.1], "creep jam wear", 0.9),  # worth a third effect
+        (["creep", "jam"], [0.85, 0.05, 0.1], "creep", 0.85),  # no set of three was weighed
+    ],
+)
+def test_a_third_effect_is_taken_where_one_was_weighed(monkeypatch, some, shares, held, likely):
+    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(tuple(name.split()), {}) for name in some])
+    found = judged.judged(judge_of(shares), None, explanation("creep", "jam", "wear"), 0.01)
+    ids = tuple(held.split())
+    assert [one.ids for one in found.sets] == [ids] and found.likely[ids] == pytest.approx(likely)
+
+
+def test_a_set_without_physics_of_the_library_counts_as_none_of_them(monkeypatch):
+    sets = [("x_clock",), ("sensor_lag",), ("sensor_lag", "x_clock")]
+    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in sets])
+    found = judged.judged(judge_of([0.5, 0.3, 0.1, 0.1]), None, explanation("sensor_lag"), 0.01)
+    assert found.none == pytest.approx(0.6) and [one.ids for one in found.sets] == [("x_clock",), ("sensor_lag",)]
+    assert found.confidence("sensor_lag") == pytest.approx(0.4)
+
+
+def test_a_number_that_the_other_stretches_hardly_show_stays_nothing():
+    """A column acts in the last stretch; what little there is of it before would tell a number of any size."""
+    rows, draw = 1000, np.random.default_rng(0)
+    target = draw.standard_normal(rows)
+    late = np.where(np.arange(rows) >= 900, 1.0, 1e-5) * draw.standard_normal(rows)
+    free = np.full(1, np.inf)
+    linear = SimpleNamespace(
+        table=np.vstack([late, target]), rows=rows, noise=white(1.0), gram=np.array([[late @ late]]), low=-free,
+        high=free, begin=np.zeros(1), problem=SimpleNamespace(drivers=SimpleNamespace(first=np.arange(rows))),
+    )  # fmt: skip
+    (error,) = cross_validation.left_out_errors(linear, [explanation("late")])
+    assert error == pytest.approx(1.0, abs=0.2)
+
+
+@pytest.mark.parametrize(("shares", "places"), [([0.8, 0.2], [0]), ([0.2, 0.79], [1, 0]), ([0.3, 0.3, 0.4], [2, 0, 1])])
+def test_sets_are_held_until_they_have_four_fifths_of_the_probability(shares, places):
+    assert judged.held(np.array(shares)) == places
+
+
+def test_where_nothing_is_wound_the_sets_that_foretell_alike_are_equally_likely(monkeypatch):
+    sets = [explanation("backlash"), explanation("stick_slip"), explanation("creep")]
+    monkeypatch.setattr(judged.compare, "unbeaten", lambda *_: sets)
+    monkeypatch.setattr(judged.cross_validation, "by_prediction", lambda linear, some: some[:2])
+    search = SimpleNamespace(linear=SimpleNamespace(problem=SimpleNamespace(drivers=SimpleNamespace(levered=False))))
+    found = judged.judged(search, None, sets[0], 0.01)
+    assert found.sets == sets[:2] and found.none == 0.0
+    assert found.likely == {("backlash",): 0.5, ("stick_slip",): 0.5}
+
+
+def test_a_single_effect_is_no_reason_to_take_a_set_of_three(monkeypatch):
+    sets = [(), ("creep", "jam", "wear")]
+    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in sets])
+    found = judged.judged(judge_of([0.85, 0.05, 0.1]), None, explanation("creep"), 0.01)
+    assert [one.ids for one in found.sets] == [()] and found.likely[sets[1]] == pytest.approx(0.05)
+
+
+def test_where_nothing_was_found_that_it_is_none_of_them_is_certain():
+    assert judged.NOTHING.none == 1.0 and not judged.NOTHING.sets and judged.NOTHING.confidence("creep") == 0.0

@@ -1,0 +1,327 @@
+"""The page of figures: what its panels show can be read, and legends lie on no curve."""
+
+import copy
+from dataclasses import replace
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from pipeline.diagnosis.choice.judged import HELD
+from pipeline.diagnosis.document.bounds import BOUND
+from pipeline.diagnosis.drawing import driver_panels, figures, mismatch_map, panels
+from pipeline.diagnosis.fit.adopt import adoptions
+from pipeline.diagnosis.in_memory import diagnosed
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem, study
+from pipeline.diagnosis.verdict import diagnosis
+from pipeline.diagnosis.words import to_do
+from pipeline.diagnosis.words.holdout import heading
+from pipeline.diagnosis.words.quantity import percent
+from pipeline.diagnosis.words.unseen import noises
+from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.run.description import Adopted
+from pipeline.run.samples import read_samples
+from pipeline.systems import systems
+
+MARK = (
+    "recorded by ci.yaml (checksum of its settings abc1234) on another synthetic rig: set-up small (5 strokes, 4 to 20 "
+    "turns under 20 N, then 1 to 16 turns under 30 N)"
+)
+
+
+@pytest.fixture(scope="module")
+def drawn(studied, tmp_path_factory, request):
+    """The page of a run with creep, or with what the parameter says, and its diagnosis. Tests leave both alone."""
+    found, run, _ = studied(*getattr(request, "param", ("creep",)))
+    content = diagnosis(found, found.problem, None, [run], None, frozenset())
+    kept, draw, page = [], figures.drawn, tmp_path_factory.mktemp("drawn") / "page"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(figures, "drawn", lambda *told: kept.append(draw(*told)) or kept[-1])
+        figures.page(found, content, page, MARK)
+    assert page.with_suffix(".png").is_file() and page.with_suffix(".pdf").is_file()
+    return kept[0], content
+
+
+def test_the_figure_wears_the_mark_of_what_recorded_it_and_its_numbers_do_not_crowd(drawn) -> None:
+    figure, _ = drawn
+    warned = figure.subfigs[0].get_suptitle()
+    assert " ".join(warned.split()).startswith(MARK)
+    width = figure.subfigs[0]._suptitle.get_window_extent(FigureCanvasAgg(figure).get_renderer()).width
+    assert width < 0.95 * figure.bbox.width, "a line of the mark runs to the edge of the page or over it"
+    for axes in figure.subfigs[-1].axes:
+        low, high = axes.get_xlim()
+        assert sum(low <= place <= high for place in axes.get_xticks()) <= 6
+
+
+def test_a_simulator_has_one_colour_in_every_panel_and_the_signs_of_the_maps_are_explained(drawn) -> None:
+    figure, _ = drawn
+    top, maps, _, bottom = figure.subfigs
+    lines = [line for part in (top, bottom) for axes in part.axes for line in axes.get_lines()]
+    for name in ("calibrated", "as diagnosed"):
+        named = {(line.get_color(), line.get_linestyle()) for line in lines if line.get_label() == name}
+        assert {colour for colour, _ in named} == {panels.SHADES[name]} and {style for _, style in named} <= {
+            "-",
+            "None",
+        }
+    (legend,) = maps.legends
+    signs = [text.get_text() for text in legend.get_texts()]
+    assert signs[0] == "the turn: right of it unwinding" and "between two runs" not in signs
+    assert legend.get_window_extent().y1 <= min(axes.get_window_extent().y0 for axes in maps.axes)
+
+
+def test_a_cell_of_a_map_without_samples_is_not_white_and_runs_are_parted(studied) -> None:
+    problem = studied("creep")[0].problem
+    seen = problem.drivers
+    half = len(seen.first) // 2
+    begin = int(np.flatnonzero(np.diff(seen.stroke[half:]))[0]) + half + 1
+    runs = replace(
+        seen, first=np.where(np.arange(len(seen.first)) < begin, seen.first, np.arange(len(seen.first)) - begin)
+    )
+    low = replace(runs, motion=np.where(seen.stroke == seen.stroke.max(), 0.5 * seen.motion, seen.motion))
+    first = int(seen.stroke[begin])
+    assert mismatch_map.begins_of_runs(seen) == [] and mismatch_map.begins_of_runs(low) == [first]
+    labels = [sign.get_label() for sign in mismatch_map.map_signs(low, problem.measured)]
+    assert labels == ["the turn: right of it unwinding", "between two runs", "nothing recorded"]
+    _, axes = plt.subplots()
+    mismatch_map.mismatch_map(axes, low, problem.measured, "map", 1.0)
+    assert axes.get_facecolor()[:3] == (0.8, 0.8, 0.8) and axes.get_lines()[1].get_ydata() == [first - 0.5] * 2
+
+
+@pytest.mark.long
+def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what_the_words_say(drawn) -> None:
+    figure, content = drawn
+    bottom = figure.subfigs[-1]
+    small = [axes for axes in bottom.axes if axes.get_lines()]
+    assert small and all(axes.get_legend() is None for axes in small)
+    assert "time (s), means of whole strokes" in [axes.get_xlabel() for axes in small], "in bins of time it would beat"
+    (legend,) = bottom.legends
+    labels = [text.get_text() for text in legend.get_texts()]
+    assert labels[:2] == ["calibrated", "as diagnosed"] and labels[2].startswith("± noise")
+    box = legend.get_window_extent()
+    assert all(box.y1 <= axes.get_window_extent().y0 for axes in small)
+    ranking = figure.subfigs[-2].axes[0]
+    evidence = content["evidence"]
+    alone = next(place for place, one in enumerate(evidence["explanations"]) if not one["ids"])
+    ends = ranking.collections[1].get_offsets()[:, 0]
+    assert ends[alone] == pytest.approx(evidence["calibrated_mm"] / evidence["floor_mm"])
+    diamonds = next(line for line in ranking.get_lines() if line.get_marker() == "D").get_xdata()
+    assert all(x <= end + 1e-9 for x, end in zip(diamonds, ends, strict=True))
+
+
+@pytest.mark.parametrize(("drawn", "names"), [((), ["nominal", "calibrated"])], indirect=["drawn"])
+def test_where_nothing_is_named_nothing_is_drawn_twice_and_no_legend_names_what_is_not_drawn(drawn, names) -> None:
+    figure, content = drawn
+    assert not content["mechanisms"] and content["verdict"] in ("consistent", "parameters")
+    top, maps, _, bottom = figure.subfigs
+    for axes, shown in zip(top.axes, (["recording", *names], names), strict=True):
+        lines = [line for line in axes.get_lines() if not line.get_label().startswith("_")]
+        assert (
+            [line.get_label() for line in lines] == [text.get_text() for text in axes.get_legend().get_texts()] == shown
+        )
+        assert panels.AFTER not in [line.get_color() for line in lines]
+    assert [axes.get_title() for axes in maps.axes if axes.images] == [
+        f"recording − simulation, {name} (own scale)" for name in names
+    ]
+    assert [text.get_text() for text in bottom.legends[0].get_texts()][:2] == names
+    _, axes = plt.subplots()
+    panels.held_out(axes, {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.2}, 0.02, "mm", "mm")
+    assert [label.get_text() for label in axes.get_xticklabels()] == names
+    assert len(axes.collections[1].get_offsets()) == len(names)
+
+
+def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_point(drawn) -> None:
+    figure, _ = drawn
+    ranking = figure.subfigs[-2].axes[0]
+    stems, points = ranking.collections[:2]
+    assert not ranking.patches and {line[0][0] for line in stems.get_segments()} == {1.0}
+    assert [line[1][0] for line in stems.get_segments()] == pytest.approx(list(points.get_offsets()[:, 0]))
+    _, axes = plt.subplots()
+    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    panels.held_out(axes, held, 0.02, "mm", "mm")
+    assert not axes.patches and [line[0][1] for line in axes.collections[0].get_segments()] == [0.02] * 3
+
+
+def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_them() -> None:
+    _, axes = plt.subplots()
+    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
+    panels.held_out(axes, held, 0.02, "mm", "mm", without="creep + wear")
+    assert axes.get_xticklabels()[2].get_text() == "as diagnosed*"
+    assert axes.get_xlabel() == "* named without them: creep + wear"
+
+
+def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_ruled_out(drawn) -> None:
+    figure, content = drawn
+    evidence = content["evidence"]
+    held = [one["probability"] for one in evidence["explanations"] if one["standing"] in ("named", "tied")]
+    assert len(held) == 1 + len(content["alternatives"])
+    assert sum(held) >= HELD * (1.0 - evidence["probability_of_none"]) - 1e-4 > sum(held) - min(held)
+    others = [one for one in evidence["explanations"] if one["standing"] in ("beaten", "not needed")]
+    assert others and all((one["probability"] or 0.0) <= min(held) for one in others)
+    shown = [text.get_text() for text in figure.subfigs[-2].axes[0].texts]
+    likeliest_last = sorted(evidence["explanations"], key=lambda one: one["probability"] or 0.0)
+    assert shown == ["" if one["probability"] is None else percent(one["probability"]) for one in likeliest_last]
+    assert likeliest_last[-1]["standing"] == "named", "the uppermost is the best"
+    names = [label.get_text() for label in figure.subfigs[-2].axes[0].get_yticklabels()]
+    assert names == [" + ".join(one["ids"]) or "calibration alone" for one in likeliest_last]
+
+
+def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_words(drawn) -> None:
+    figure, content = drawn
+    words = Vocabulary.of(systems()["separator"])
+    content = copy.deepcopy(content) | {"fit": content["fit"] | {"noise_floor_mm": 0.032}}
+    content["evidence"] |= {"floor_mm": 0.018, "step_s": 0.04}
+    compared, single = noises(content, words)
+    assert (compared, single) == ("noise of averages of 0.04 s: 0.018 mm", "noise of single samples: 0.032 mm")
+    _, (left, right) = plt.subplots(1, 2)
+    panels.ranking(left, content, "mm", compared)
+    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    panels.held_out(right, held, 0.032, "mm", "mm", single)
+    for axes, said in ((left, compared), (right, single)):
+        assert said in [text.get_text() for text in axes.get_legend().get_texts()]
+    drawn_ = figure.subfigs[-2].axes[0].get_legend().get_texts() + figure.subfigs[-1].legends[0].get_texts()
+    assert not [text for text in drawn_ if "floor" in text.get_text()]
+
+
+def test_the_title_of_the_error_on_held_out_strokes_says_whether_a_fit_has_seen_them(drawn) -> None:
+    figure, content = drawn
+    assert " ".join(figure.subfigs[-2].axes[1].get_title().split()) == "Error on unseen strokes"
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": [content["run"]]}
+    _, axes = plt.subplots()
+    held = {"split": "last 2 strokes", "nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    made = content | {"adopted": [one], "fit": content["fit"] | {"heldout": held}}
+    panels.held_out(axes, held, 0.02, "mm", "mm", title=heading(made))
+    said = " ".join(axes.get_title().split())
+    assert said == "Error on the last 2 strokes, which the adopted effects have seen"
+    assert max(map(len, axes.get_title().splitlines())) <= panels.TITLE_WIDE
+
+
+def test_the_page_says_each_colour_of_the_figure_in_the_words_of_its_legend() -> None:
+    page = " ".join((Path(__file__).parents[3] / "docs" / "diagnosis.md").read_text(encoding="utf-8").split())
+    for colour, label in panels.STANDINGS.values():
+        start = "In an `unknown` verdict orange is" if "not enough" in label else panels.COLOUR[colour]
+        assert f"{start}: {label}" in page, label
+
+
+def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_json(conceal) -> None:
+    run, samples = read_samples(conceal()[0])
+    sure = {"radius": 0.001, "separator_mm": 0.01, "torsion_zone_mm": 0.01, "length_mm": 0.01}
+    wide = run.model_copy(update={"tolerance": sure})
+    more = samples.assign(displacement_mm=1.05 * samples["displacement_mm"])  # 3 sigma of the gain are 1.5 %
+    for one, table, bound in ((wide, more, "upper"), (run, samples, None)):
+        found = study(make_problem([RecordedRun(one, table)]))
+        content = diagnosis(found, found.problem, None, [one], None, frozenset())
+        assert content["parameters"]["scale"].get("at_bound") == bound
+        far = [name for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= BOUND]
+        assert far == [name for name, entry in content["parameters"].items() if "at_bound" in entry]
+
+
+@pytest.mark.parametrize("count", range(1, 7))
+def test_the_small_panels_leave_no_hole(count) -> None:
+    figure = plt.figure(layout="constrained").subfigures(1, 1)
+    made = driver_panels.filled(figure, count)
+    figure.canvas.draw()
+    rows = {round(axes.get_position().y0, 2) for axes in made}
+    assert len(made) == count and len(rows) == min(count, 2)
+    for row in rows:
+        across = [axes.get_position() for axes in made if round(axes.get_position().y0, 2) == row]
+        assert min(box.x0 for box in across) < 0.2 and max(box.x1 for box in across) > 0.8
+        assert sum(box.width for box in across) > 0.5
+    plt.close("all")
+
+
+def test_a_load_that_is_constant_but_for_noise_drives_nothing(problem) -> None:
+    for loaded in (True, False):
+        shown = driver_panels.listeners(replace(problem.drivers, loaded=loaded))
+        assert any(label.startswith("load (") for label in shown) == loaded
+
+
+def test_each_map_has_the_scale_of_its_own_residual(drawn) -> None:
+    figure, _ = drawn
+    limits = [axes.images[0].get_clim()[1] for axes in figure.subfigs[1].axes if axes.images]
+    assert len(limits) == 2 and limits[1] < limits[0]
+    maps = [axes for axes in figure.subfigs[1].axes if axes.images]
+    assert [axes.get_title() for axes in maps] == [
+        f"recording − simulation, {name} (own scale)" for name in ("calibrated", "as diagnosed")
+    ]
+    assert [label.get_text() for label in maps[0].get_xticklabels()][1::2] == ["winding →", "→ unwinding"]
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best(named) -> None:
+    one = {"left_mm": 0.1, "bent_mm": 0.1, "probability": None}
+    shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
+    shown += [{**one, "ids": ["creep"], "standing": "named"}] if named else []
+    _, axes = plt.subplots()
+    panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": []}, "mm")
+    said = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert ("less likely, with more effects" in said) is named
+    assert ("takes away too little to be named" in said) is not named
+
+
+@pytest.mark.parametrize(("bent", "below"), [(0.04, True), (0.06, False)])
+def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_where_no_more_effect_is_named(
+    bent, below
+) -> None:
+    one = {"left_mm": 0.1, "bent_mm": bent, "probability": None}
+    shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
+    shown += [{**one, "ids": ["creep"], "standing": "not needed"}]
+    shown += [{**one, "ids": ["slack"], "standing": "not needed"}]
+    content = {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": [], "simulation": [{"id": "slack"}]}
+    _, axes = plt.subplots()
+    panels.ranking(axes, content, "mm")
+    said = " ".join(text.get_text() for text in axes.get_legend().get_texts())
+    assert ("left if its formulas may be a little wrong" in said) is not below
+    assert axes.get_title() == "one more effect: none takes enough away"
+    drawn_ = [label.get_text() for label in axes.get_yticklabels()]
+    assert drawn_ == ["calibration alone", "wear", "creep"], "what is adopted already is no further effect"
+    panels.ranking(axes, content | {"simulation": []}, "mm")
+    assert axes.get_title() == "explanations: what each leaves"
+
+
+def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_above_the_figure(drawn) -> None:
+    content = copy.deepcopy(drawn[1])
+    words = Vocabulary.of(systems()["separator"])
+    content["simulation"] = [{"id": "slack", "parameters": {}}]
+    content["evidence"] |= {"nominal_mm": 1.0, "calibrated_mm": 0.02, "moved_sigma": {"radius": BOUND}}
+    content["parameters"] = {"radius": {}}
+    content["adopted"] = []
+    first, second = figures.warning(content, words).split("\n")
+    assert first.startswith("do not predict with run.yaml as it stands: it errs by 1.0 mm rms")
+    assert second == "calibration moved radius far: measure it again first (verdict.txt)"
+    content["evidence"]["nominal_mm"] = 0.03
+    assert figures.warning(content, words) == second
+
+
+def test_the_figures_headline_says_that_nothing_is_to_be_adopted_where_the_verdict_says_it(drawn) -> None:
+    content = copy.deepcopy(drawn[1])
+    words = Vocabulary.of(systems()["separator"])
+    content["evidence"]["moved_sigma"] = {}
+    assert figures.warning(content, words) == ""
+    errors = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.1}
+    content["fit"]["heldout"] = {"split": "last 2 strokes", **errors}
+    said = figures.warning(content, words)
+    assert said == "adopt nothing: on the unseen strokes the explanation makes the simulator worse"
+    assert said.capitalize() in " ".join(" ".join(to_do.lines(content, words, [], None, short=True)).split())
+    unknown = content | {"verdict": "unknown"}
+    assert figures.warning(unknown, words) == "adopt nothing: no effect of the library is named"
+
+
+@pytest.mark.long
+def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_that_nobody_uses(conceal) -> None:
+    folder = conceal("creep")[0]
+    run, samples = read_samples(folder)
+    first, _ = diagnosed([RecordedRun(run, samples, folder=folder)])
+    adopted = [Adopted.model_validate(one) for one in adoptions(first, "a.json", run.run)]
+    again = run.model_copy(update={"simulation": first["simulation"], "adopted": adopted})
+    verdict, studied = diagnosed([RecordedRun(again, samples, folder=folder)])
+    assert verdict["verdict"] in ("consistent", "parameters")
+    kept = figures.as_adopted(studied, verdict)
+    assert kept is not None
+    left = studied.problem.measured - kept
+    assert np.sqrt(np.mean(left**2)) == pytest.approx(verdict["evidence"]["adopted_mm"], rel=1e-3)
+    top = figures.drawn(studied, verdict).axes[0]
+    assert [text.get_text() for text in top.get_legend().get_texts()] == ["recording", "calibrated", "as adopted"]
+    assert figures.as_adopted(studied, {**verdict, "adopted": []}) is None

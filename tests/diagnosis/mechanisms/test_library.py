@@ -1,0 +1,96 @@
+"""The interface test: every mechanism in the folder keeps to `diagnosis/mechanisms/interface.py`, whoever wrote it."""
+
+import ast
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from imported import imported
+
+import pipeline.diagnosis
+from pipeline.diagnosis.fit.adopt import acts_from, entries
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.proposal.legs import Rig
+from pipeline.diagnosis.proposal.nextrun import appended
+from pipeline.diagnosis.recording.drivers import drivers_of
+from pipeline.systems import systems
+
+KNOWN_PHYSICS = [  # the names that a verdict may give; any other begins with x_
+    *("plastic_elongation", "creep", "stiffening", "axial_elasticity", "thermal", "radius_compaction", "wear"),
+    *("friction_hysteresis", "viscous_loss", "stick_slip", "backlash", "shaft_windup", "count_slip", "slack", "jam"),
+    *("overtwist", "sensor_lag", "sensor_drift", "sensor_offset", "eccentricity", "clamp_slip", "end_stop"),
+    "load_swing",
+]
+HERE = Path(pipeline.diagnosis.__file__).parent
+PUBLISHED = re.compile(r"[A-Z][a-zé]+.*\b(1[6-9]|20)\d\d\b")  # an author or a standard, then its year
+
+
+def test_all_known_physics_is_there_and_what_is_new_begins_with_x() -> None:
+    assert sorted(id_ for id_ in mechanisms() if not id_.startswith("x_")) == sorted(KNOWN_PHYSICS)
+
+
+def test_a_mechanism_is_in_the_file_of_its_name_and_says_what_it_is() -> None:
+    for id_, mechanism in mechanisms().items():
+        assert (HERE / "mechanisms" / f"{id_}.py").is_file()
+        for text in (mechanism.driver, mechanism.equation, mechanism.source, mechanism.told_apart_by):
+            assert text
+        assert "{size}" in mechanism.sentence
+
+
+@pytest.mark.parametrize("id_", mechanisms())
+def test_a_mechanism_names_whom_to_read_by_author_and_year(id_: str) -> None:
+    source = mechanisms()[id_].source
+    assert PUBLISHED.search(source), source
+    assert not re.search(r"text ?book|^none\b", source, re.IGNORECASE), source
+
+
+@pytest.mark.parametrize("id_", mechanisms())
+def test_terms_are_finite_named_once_and_as_long_as_the_recording(id_: str, problem) -> None:
+    mechanism = mechanisms()[id_]
+    for nonlinear in mechanism.candidates(problem.drivers)[:40:7]:
+        terms = mechanism.terms(problem.drivers, nonlinear)
+        assert len({term.name for term in terms} | set(nonlinear)) == len(terms) + len(nonlinear)
+        for term in terms:
+            signal = term.signal(problem.measured) if callable(term.signal) else term.signal
+            assert signal.shape == problem.measured.shape and np.isfinite(signal).all()
+            assert term.low < term.high and term.high > 0.0
+
+
+def test_the_engine_names_no_mechanism_and_no_system_and_mechanisms_know_no_other() -> None:
+    names = set(mechanisms()) | set(systems())
+    for path in HERE.rglob("*.py"):
+        tree = ast.parse(path.read_text())
+        told = [node.value for node in ast.walk(tree) if isinstance(node, ast.keyword) and node.arg == "confused_with"]
+        words = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and node not in told}
+        assert not words & (names - {path.stem}), path
+
+
+def test_diagnosis_imports_nothing_of_rig_models_or_torch() -> None:
+    for path in HERE.rglob("*.py"):
+        never = ("pipeline.rig", "pipeline.models", "torch")
+        assert not any(name.startswith(never) for name in imported(path)), path
+
+
+@pytest.mark.parametrize("id_", mechanisms())
+def test_a_shape_means_the_same_on_a_longer_recording(id_: str, one_load) -> None:
+    """Its terms keep their names, and their values on what was recorded, whatever is recorded after it."""
+    problem, run = one_load
+    mechanism, rows, rig = mechanisms()[id_], len(problem.record), Rig(problem.record)
+    longer = appended(problem.record, [*rig.stroke(load=2.0), *rig.stroke(slower=0.25, dwell_s=300.0)])
+    drivers = drivers_of(problem.system, longer, run)
+    for nonlinear in mechanism.candidates(problem.drivers)[:40:7]:
+        before, after = mechanism.terms(problem.drivers, nonlinear), mechanism.terms(drivers, nonlinear)
+        assert [term.name for term in after] == [term.name for term in before]
+        for old, new in zip(before, after, strict=True):
+            was = old.signal(problem.measured) if callable(old.signal) else old.signal
+            now = new.signal(longer.measured) if callable(new.signal) else new.signal
+            early = slice(0, rows - 20)
+            np.testing.assert_allclose(now[early], was[early], atol=0.02 * np.abs(was).max() + 1e-12, err_msg=old.name)
+
+
+def test_what_the_recording_cannot_show_can_be_adopted_all_the_same(one_load) -> None:
+    problem, _ = one_load
+    given = {"axial_elasticity": {"from_load": 1.0, "straight_mm_per_10_n": 0.1}, "x_wave": {"hz": 0.5, "sine_mm": 0.1}}
+    acts = acts_from([{"id": id_, "parameters": values} for id_, values in given.items()], problem.drivers)
+    assert [entry["parameters"] for entry in entries(acts, problem.drivers)] == list(given.values())

@@ -1,0 +1,122 @@
+"""The motor's zero is another in each run that names no string: found in runs together, and on a first stroke after."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import programs
+import pytest
+
+from pipeline.diagnosis.prediction.simulation import read_diagnosis
+from pipeline.real.about import About
+from pipeline.rig.others import cable_drive
+from pipeline.rig.others.made import write_run
+from pipeline.string.from_raw import read
+
+TURNS = 0.1  # by which the motor counts from elsewhere, two tolerances
+
+
+@pytest.fixture(scope="module")
+def runs(conceal, remembered, tmp_path_factory) -> tuple[Path, Path, Path]:
+    """A run, the same one after the motor was switched off and on, and the diagnosis of the first."""
+    first, root = conceal("creep")[0], tmp_path_factory.mktemp("raw")
+    later = root / "later"
+    shutil.copytree(first, later)
+    (later / "run.yaml").write_text((first / "run.yaml").read_text().replace(first.name, "later"))
+    samples = pd.read_parquet(later / "recording.parquet")
+    samples.assign(motor_turns=samples["motor_turns"] + TURNS).to_parquet(later / "recording.parquet")
+    with remembered():
+        done = programs.run("pipeline.diagnose", first, "--out", root / "out")
+    assert done.returncode == 0, done.stderr
+    return first, later, root / "out" / first.name / "diagnosis.json"
+
+
+def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> tuple[float, str]:
+    """The rms by which `simulate` misses a recording, in mm, about the zero of all; and what it says."""
+    done = programs.run("pipeline.simulate", folder, "--simulation", diagnosis, *words, "--out", out)
+    assert done.returncode == 0, done.stderr
+    left = pd.read_parquet(folder / "recording.parquet")["displacement_mm"] - pd.read_csv(out)["displacement_mm"]
+    return float(left.std()), " ".join(done.stdout.split())
+
+
+def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tmp_path):
+    first, later, diagnosis = runs
+    best, _ = simulated(first, diagnosis, tmp_path / "own.csv")
+    astray, said = simulated(later, diagnosis, tmp_path / "astray.csv")
+    assert astray > 1.6 * best and "homed" not in said
+    again, said = simulated(later, diagnosis, tmp_path / "homed.csv", "--home")
+    assert again < 1.1 * best
+    before = json.loads(diagnosis.read_text())["parameters"]["angle_turns"]["value"]
+    home = float(said.partition("first stroke of the recording, is ")[2].partition(" turns")[0])
+    assert home == pytest.approx(before - TURNS, abs=0.02)
+    assert f"where the diagnosis has {before:.3g}" in said and "as far as its tolerance" not in said
+
+
+def test_what_was_learnt_elsewhere_is_homed_before_it_is_judged_and_so_is_the_nominal_simulator(runs, tmp_path):
+    first, later, diagnosis = runs
+
+    def missed(folder, content):
+        predicted, measured, _ = About(read(folder)).simulated(content, diagnosis)
+        return float(np.std(measured - predicted))
+
+    content = read_diagnosis(diagnosis)
+    best, _ = simulated(first, diagnosis, tmp_path / "own.csv")
+    assert missed(later, content) < 1.1 * best
+    bare = {"parameters": {}, "simulation": []}
+    shutil.copytree(later, tmp_path / "named")
+    described = (later / "run.yaml").read_text().replace("later", "named")
+    (tmp_path / "named" / "run.yaml").write_text(described.replace("string:", "string:\n  id: s-1", 1))
+    assert missed(tmp_path / "named", content) > 1.4 * best, "a string that is named keeps its zero"
+    assert missed(later, bare) < 0.98 * missed(tmp_path / "named", bare)
+
+
+def test_it_reads_no_more_of_the_recording_than_the_first_stroke(runs, tmp_path):
+    _, later, diagnosis = runs
+    cut = Path(shutil.copytree(later, tmp_path / "later"))
+    samples = pd.read_parquet(cut / "recording.parquet")
+    half = samples.index > len(samples) // 2
+    samples["displacement_mm"] = samples["displacement_mm"].where(~half, 3.0)
+    samples.to_parquet(cut / "recording.parquet")
+    for folder, name in ((later, "whole.csv"), (cut, "cut.csv")):
+        simulated(folder, diagnosis, tmp_path / name, "--home")
+    whole, half_only = (pd.read_csv(tmp_path / name)["displacement_mm"] for name in ("whole.csv", "cut.csv"))
+    assert whole.to_numpy() == pytest.approx(half_only.to_numpy(), abs=1e-9)
+
+
+def test_a_zero_that_lies_beyond_its_tolerance_is_said_to(runs, tmp_path):
+    _, later, diagnosis = runs
+    far = Path(shutil.copytree(later, tmp_path / "later"))
+    samples = pd.read_parquet(far / "recording.parquet")
+    samples.assign(motor_turns=samples["motor_turns"] + 0.3).to_parquet(far / "recording.parquet")
+    _, said = simulated(far, diagnosis, tmp_path / "far.csv", "--home")
+    assert "as far as its tolerance lets it: give angle_turns a wider one" in said
+
+
+def test_where_nothing_is_to_be_homed_it_is_refused_with_the_mend(runs, tmp_path):
+    first, later, diagnosis = runs
+    made = cable_drive.record(3)
+    drive = write_run(made, tmp_path / "raw" / made.run["run"])
+    out = ("--out", tmp_path / "out.csv")
+    for words, says in (
+        ((first, "--simulation", diagnosis), "is one that the diagnosis was made of, which holds its motor's zero"),
+        ((drive, "--simulation", diagnosis), "--home: cable_drive: has no motor's zero that shifts its motion"),
+        ((later, "--simulation", diagnosis, "--motion", tmp_path / "plan.csv"), "goes without --motion"),
+    ):
+        done = programs.run("pipeline.simulate", *words, "--home", *out)
+        assert done.returncode == 2 and says in done.stderr and not (tmp_path / "out.csv").exists()
+
+
+@pytest.mark.long
+def test_runs_that_are_learnt_together_have_each_a_zero_of_their_own(runs, tmp_path):
+    first, later, _ = runs
+    done = programs.run("pipeline.diagnose", first, later, "--together", "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    content = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
+    own = content["parameters"]["angle_turns_2"]
+    assert own["low"] <= -TURNS <= own["high"] and own["value"] == pytest.approx(-TURNS, abs=0.02)
+    diagnosis, errors = tmp_path / "out" / "diagnosis.json", []
+    for folder in (first, later):
+        errors.append(simulated(folder, diagnosis, tmp_path / "more.csv")[0])
+    assert errors[1] == pytest.approx(errors[0], rel=0.1), "both are simulated with their own zero"

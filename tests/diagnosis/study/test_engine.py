@@ -1,0 +1,104 @@
+"""The diagnosis of recordings made by another hand: names, abstention, no false alarm."""
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis.choice.search import Search
+from pipeline.diagnosis.proposal import design, nextrun
+from pipeline.diagnosis.proposal.legs import Rig
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem, study
+from pipeline.run.samples import read_samples
+
+
+def verdict(folder) -> tuple[str, tuple[str, ...]]:
+    run, samples = read_samples(folder)
+    found = study(make_problem([RecordedRun(run, samples)]))
+    return found.verdict, found.best_ids
+
+
+LONG = [pytest.param(kind, marks=pytest.mark.long) for kind in ("backlash", "sensor_lag")]
+
+
+@pytest.mark.parametrize("kind", ["axial_elasticity", "jam", *LONG])
+def test_one_effect_is_named(kind: str, conceal) -> None:
+    assert verdict(conceal(kind)[0]) == ("explained", (kind,))
+
+
+def test_two_effects_are_both_named(conceal) -> None:
+    assert verdict(conceal("axial_elasticity", "backlash", seed=11)[0]) == (
+        "explained",
+        ("axial_elasticity", "backlash"),
+    )
+
+
+@pytest.mark.parametrize("nuisance", ["plain", "colour", "outliers", "jitter"])
+def test_no_false_alarm(nuisance: str, conceal) -> None:
+    assert verdict(conceal(nuisance=nuisance, seed=21)[0])[0] in ("consistent", "parameters")
+
+
+def test_what_no_mechanism_makes_is_unknown(conceal) -> None:
+    assert verdict(conceal("u_bump", kappa=3.0, seed=5)[0])[0] == "unknown"
+
+
+def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_load, monkeypatch) -> None:
+    problem, run = one_load
+    found = study(problem)
+    rivals = found.search.all_of(1)[:3]
+    assert any(problem.ports(found.search.linear.state.acts))
+    proposal = nextrun.best(problem, run, found.noise, found.search, rivals)
+    possible = design.parts(Rig(problem.record), loads=True, faster=True)
+    assert set(proposal.title.split("; ")) <= set(possible) and all(leg[0] > 0 for leg in proposal.legs)
+    entry = proposal.entry(run, fixed_load=True)
+    assert entry["gap_then"] >= entry["gap_now"] > 0.0 and all(entry["parts"])
+    assert len(entry["pairs"]) == 3, "each two of three"
+    assert min(pair["gap_then"] for pair in entry["pairs"]) == entry["gap_then"]
+    assert min(pair["gap_now"] for pair in entry["pairs"]) == entry["gap_now"]
+    assert [leg["seconds"] for leg in entry["legs"]] == [leg[0] for leg in proposal.legs]
+    asked, plain = [], nextrun.separations
+
+    def counted(*told):
+        asked.append(len(told[-1]))
+        return plain(*told)
+
+    monkeypatch.setattr(nextrun, "separations", counted)
+    first = nextrun.best(problem, run, found.noise, found.search, rivals)
+    alone = len(asked)
+    every = nextrun.options(problem, run, found.noise, found.search, rivals)
+    assert (first.title, first.legs, first.then) == (proposal.title, proposal.legs, proposal.then)
+    assert (every[0].title, every[0].then) == (first.title, first.then)  # the best is the first, for less
+    assert 0 < alone < len(asked) - alone
+
+
+def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
+    run, samples = read_samples(conceal(seed=31)[0])
+    sway = samples.assign(displacement_mm=samples["displacement_mm"] + 0.1 * np.sin(4.1 * samples["time_s"]))
+    found = study(make_problem([RecordedRun(run, sway)]))
+    assert found.verdict == "unknown" and found.best_ids == ("x_wave",)
+
+
+@pytest.mark.parametrize("kind", [pytest.param("u_clock", marks=pytest.mark.long), "u_swelling"])
+def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(kind: str, conceal) -> None:
+    found, ids = verdict(conceal(kind, kappa=3.0, seed=5)[0])
+    helper = {"u_clock": "x_clock", "u_swelling": "x_swelling"}[kind]
+    assert found == "unknown" and helper in ids
+
+
+def test_nothing_acts_twice_in_an_explanation_whose_jerks_are_seen_as_well(conceal) -> None:
+    run, samples = read_samples(conceal("stick_slip", kappa=3.0, seed=5)[0])
+    found = study(make_problem([RecordedRun(run, samples)]))
+    assert "stick_slip" in found.best_ids
+    assert len(found.best.acts) == len({act.id for act in found.best.acts})
+
+
+def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
+    select, calls = Search.select, []
+
+    def fickle(self, floor, largest=3):
+        calls.append(floor)
+        return select(self, floor, largest) if len(calls) == 1 else self.nothing
+
+    monkeypatch.setattr(Search, "select", fickle)
+    run, samples = read_samples(conceal("creep")[0])
+    found = study(make_problem([RecordedRun(run, samples)]))
+    assert len(calls) == 2 and found.sets == [] and found.best is found.base and found.verdict == "unknown"
