@@ -121,7 +121,8 @@ class Geometry:
 def point_contraction_mm(points: Any) -> Array:
     """Contraction for each point's `motor_turns`, in mm (eq. 4, or the pair); `points` as `schemas.DATASET`.
 
-    Shape (points,). A pair wound beyond θr = L, where its equation has no real value, is taken as wound up: L.
+    Shape (points,); its columns by name do as well. A pair wound beyond θr = L, where its equation has no real value,
+    is taken as wound up: L.
     """
     contraction = _of_points(points, "motor_turns", Geometry.contraction_mm)
     return np.where(np.isnan(contraction), np.asarray(points["length_mm"]), contraction)
@@ -134,8 +135,8 @@ def point_motor_turns(points: Any) -> Array:
 
 def _of_points(points: Any, given: str, equation: Callable[[Geometry, Values, Values], Array]) -> Array:
     """An equation's value for every row of a table, whose rows may be of several strings and actuators."""
-    result = np.empty(len(points))
     actuators = np.asarray(points["actuator"]).astype(str)
+    result = np.empty(len(actuators))
     column = {name: np.asarray(points[name], float) for name in (given, "load_n", *DIMENSIONS)}
     for actuator in np.unique(actuators):
         is_actuator = actuators == actuator

@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import least_squares
 
+from ..ground.kinematics import DIMENSIONS as EVERY_DIMENSION
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from .about import About
 from .parts.saved import read_json, write_json
@@ -71,9 +72,12 @@ class Calibrated:
         measured_mm = rows["displacement_mm"].to_numpy()
         sigmas_mm = np.array([float(sigma_mm(rows, name).iloc[0]) for name in names])
         bounds = np.array([LARGEST_MOVE] * len(names) + [np.inf])  # the sensor's zero is arbitrary: no prior
+        # arrays, for a table of which some columns are moved takes as long as all the rest, thousands of times
+        columns = {name: rows[name].to_numpy() for name in ("motor_turns", "load_n", *EVERY_DIMENSION)}
+        columns["actuator"] = rows["actuator"].to_numpy().astype(str)
 
         def errors_mm(state: Array) -> Array:
-            moved = self._moved(rows, dict(zip(names, state[:-1] * sigmas_mm, strict=True)))
+            moved = columns | {name: columns[name] + by for name, by in zip(names, state[:-1] * sigmas_mm, strict=True)}
             return np.asarray(point_contraction_mm(moved) + state[-1] - measured_mm)
 
         state = np.zeros(len(names) + 1)

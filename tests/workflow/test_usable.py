@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import ready
@@ -12,6 +13,17 @@ from pipeline.workflow import usable
 from pipeline.workflow.usable import answers, refusals
 
 ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture
+def quick(monkeypatch):
+    """The program that reads has its imports made; the first test and those in which it dies start it bare."""
+
+    def run(command, **_):
+        assert command[:2] == [sys.executable, "-m"]
+        return ready.run(*command[2:], cwd=Path.cwd())
+
+    monkeypatch.setattr(usable, "subprocess", SimpleNamespace(run=run))
 
 
 def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_run, tmp_path, capsys, monkeypatch):
@@ -33,7 +45,7 @@ def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_r
 
 
 @pytest.mark.parametrize("kept", [None, [], {"a-01": 5}, {"a-01": ["1", "code", "[{"]}, {"a-01": ["1", "code", 5]}])
-def test_what_was_kept_and_is_damaged_is_read_again(make_run, tmp_path, kept):
+def test_what_was_kept_and_is_damaged_is_read_again(make_run, tmp_path, quick, kept):
     make_run("a-01")
     refused, known = refusals(tmp_path / "raw", {"a-01": "1"}, "code", kept)
     assert refused == {} and known == {"a-01": ["1", "code", "[]"]}
@@ -72,7 +84,7 @@ WILD.loc[777, "displacement_mm"] = 1e6  # a warning of the reading
 
 
 @pytest.mark.long
-def test_what_the_plan_read_is_taken_over_and_the_recording_is_not_read_again(make_run, tmp_path, monkeypatch):
+def test_what_the_plan_read_is_taken_over_and_the_recording_is_not_read_again(make_run, tmp_path, quick, monkeypatch):
     monkeypatch.chdir(tmp_path)
     folder, ahead = make_run("a-01", WILD), tmp_path / "processed" / ".read_ahead"
     plain = ingested(tmp_path, "a-01")
@@ -92,7 +104,7 @@ def test_what_the_plan_read_is_taken_over_and_the_recording_is_not_read_again(ma
         assert ingested(tmp_path, "a-01", *other) == plain and made(tmp_path, "a-01") == files
 
 
-def test_a_refused_recording_and_one_that_is_gone_leave_nothing_behind(make_run, tmp_path):
+def test_a_refused_recording_and_one_that_is_gone_leave_nothing_behind(make_run, tmp_path, quick):
     ahead = tmp_path / "processed" / ".read_ahead"
     make_run("a-01")
     make_run("b-01", recording(4).assign(displacement_mm=1.0))
@@ -102,7 +114,7 @@ def test_a_refused_recording_and_one_that_is_gone_leave_nothing_behind(make_run,
     assert not list(ahead.iterdir())
 
 
-def test_no_recording_is_refused_because_nothing_can_be_kept(make_run, tmp_path):
+def test_no_recording_is_refused_because_nothing_can_be_kept(make_run, tmp_path, quick):
     make_run("a-01")
     (tmp_path / "processed").write_text("a file, not a folder")
     refused, _ = refusals(tmp_path / "raw", {"a-01": "1"}, "code", None, tmp_path / "processed" / ".read_ahead")
