@@ -10,7 +10,6 @@ import pytest
 import ready
 import scipy.io
 import yaml
-from forked import fork_the_reader
 from formats.foreign_files import CHANNELS, SERIES, struct_of, workbook
 from made_recording import content
 from shares import shares
@@ -41,7 +40,6 @@ MAKERS = {
 @shares
 @pytest.mark.parametrize("name", MAKERS)
 def test_a_damaged_file_is_read_or_refused_in_words(tmp_path, monkeypatch, name, share):
-    fork_the_reader(monkeypatch)
     MAKERS[name](tmp_path / name)
     good, random = (tmp_path / name).read_bytes(), np.random.default_rng(len(name))
     mapping, raw = tmp_path / "map.yaml", tmp_path / "raw"
@@ -62,7 +60,6 @@ def test_a_damaged_file_is_read_or_refused_in_words(tmp_path, monkeypatch, name,
 
 
 def test_a_fork_that_crashes_ends_as_a_process_does(tmp_path, monkeypatch):
-    fork_the_reader(monkeypatch)
     monkeypatch.setattr(scipy.io, "loadmat", lambda *_, **__: os.kill(os.getpid(), signal.SIGSEGV))
     MAKERS["a.mat"](tmp_path / "a.mat")
     with pytest.raises(BadInput, match="what reads such files fails on it"):

@@ -191,6 +191,7 @@ def test_the_model_to_take_is_drawn_beside_another_that_errs_less(material, tmp_
     words = ["figures", str(material / "dataset.parquet"), str(tmp_path / "metrics.parquet"), "--predictions"]
     words += [*predictions, "--titles", *(f"{model}={title}" for model, title in TITLES.items())]
     monkeypatch.setattr(sys, "argv", [*words, "--out-dir", str(tmp_path)])
+    monkeypatch.setattr(figures, "save", lambda *_: None)
     with pytest.raises(SystemExit) as end:
         figures.main()
     assert end.value.code == 0 and list(drawn[0][1]) == ["INN model", "MLP model", "Spline model"]

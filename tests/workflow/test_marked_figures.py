@@ -7,7 +7,6 @@ import sys
 
 import pytest
 
-
 SMALL = ("--configfile", "pipeline/config/ci.yaml")
 ASKED = ("reports/diagnosis/synthetic-01", "reports/index.html")
 
