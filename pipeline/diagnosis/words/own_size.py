@@ -29,9 +29,10 @@ def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool) ->
     if not known["value"]:
         return ["none", *["–"] * parts]
     whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
-    doubt = POORLY if certainty.wide(known) or doubt_of(entry, content, words) == HIDDEN else ""
-    own = own_part(entry, content, words) or known["value"]
-    return [f"{whole}{doubt}", *[size(own, words.unit)] * parts]
+    part = own_part(entry, content, words)
+    hidden = not part and doubt_of(entry, content, words) == HIDDEN  # a part says it by itself
+    doubt = POORLY if certainty.wide(known) or hidden else ""
+    return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
 
 
 def with_interval(entry: Part, words: Vocabulary, factor: float = 1.0) -> str:

@@ -944,3 +944,17 @@ def test_an_effect_that_is_far_smaller_than_the_steps_of_the_sensor_is_not_calle
         made
     )
     assert sure or f"Probable while {why}: creep" in details(made)
+
+
+def test_a_page_calls_a_size_poorly_known_where_its_interval_is_wide_or_nothing_else_says_that_it_is_hidden():
+    made = confident(0.93, 0.96)
+    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
+
+    def row():
+        return next(line for line in page(copy.deepcopy(made)).splitlines() if line.strip().startswith("creep "))
+
+    assert row().endswith("1.5 mm (1.4 to 1.6 mm), poorly known"), "three times what is missing, and more"
+    made["evidence"]["beyond_dimensions_mm"] = {"creep": 0.031}
+    assert "poorly" not in row() and row().endswith("0.031 mm"), "the part that no dimension could do says it"
+    made["mechanisms"][1]["rms_mm"]["low"] = 0.4
+    assert "1.5 mm (0.40 to 1.6 mm), poorly known" in row()
