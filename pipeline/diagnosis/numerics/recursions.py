@@ -104,7 +104,8 @@ def whiten_from(columns: Array, ar: Array, first: NDArray[np.intp], start: int, 
     In the columns' unit.
     """
     taps = np.zeros(6 * ((ar.size + 5) // 6))  # six at a time: a pass over the samples costs more than a product
-    taps[: ar.size] = ar
+    for k in range(ar.size):  # here and below one by one: sooner, and compiled in half the time
+        taps[k] = ar[k]
     order, stop = taps.size, start + out.shape[1]
     before, predicted = np.zeros(order + CACHED), np.empty(CACHED)
     at = start
@@ -115,7 +116,9 @@ def whiten_from(columns: Array, ar: Array, first: NDArray[np.intp], start: int, 
         known = min(first[at], order, at)
         for j in range(columns.shape[0]):
             before[: order - known] = 0.0
-            before[order - known : order + count] = columns[j, at - known : at + count]
+            kept, given = before[order - known : order + count], columns[j, at - known : at + count]
+            for i in range(known + count):
+                kept[i] = given[i]
             predicted[:count] = 0.0
             for k in range(0, order, 6):
                 a, b, c, d, e, f = taps[k], taps[k + 1], taps[k + 2], taps[k + 3], taps[k + 4], taps[k + 5]
