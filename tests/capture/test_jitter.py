@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from pipeline.capture import holes as judged
 from pipeline.capture.holes import PIECE, Steps, find
 
 STEP_MS, COUNT = 20.0, 6000
@@ -93,10 +94,12 @@ def test_a_hole_is_as_long_as_it_was_and_hides_none_beside_it():
         assert kind != "steady" or sizes[3] == 500
 
 
-def test_the_pieces_that_are_judged_together_leave_no_seam():
-    for number in range(PIECE - 70, PIECE + 5, 3):
+@pytest.mark.parametrize("piece", [PIECE // 8, pytest.param(PIECE, marks=pytest.mark.long)])
+def test_the_pieces_that_are_judged_together_leave_no_seam(piece, monkeypatch):
+    monkeypatch.setattr(judged, "PIECE", piece)
+    for number in range(piece - 70, piece + 5, 3):
         for kind in ("steady", "stamps jitter"):
-            keep = np.ones(2 * PIECE, bool)
+            keep = np.ones(2 * piece, bool)
             keep[number] = False
-            count, holes = holes_of(clock(kind, 2 * PIECE, 2)[keep])
+            count, holes = holes_of(clock(kind, 2 * piece, 2)[keep])
             assert count == 1 and abs(holes[0]["after_samples"] - number) <= 4, (kind, number, holes)
