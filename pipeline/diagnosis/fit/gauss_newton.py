@@ -8,7 +8,7 @@ import numpy as np
 
 from ..numerics.noise import Noise
 from ..numerics.recursions import whiten
-from .linear import ZERO_SIGMA, Key, Linear
+from .linear import Key, Linear
 from .problem import Act, Problem, State
 
 SHORTER, LONGER = 0.25, 3.0  # times the reach of a step, after one that failed and after one that did not
@@ -19,15 +19,15 @@ ROUNDING = 1e-9  # of a misfit
 def misfit_of(problem: Problem, noise: Noise, state: State) -> float:
     """What a state leaves of the rows that a fit sees, whitened, with the price of the moved dimensions; inf for NaN.
 
-    It is what `Linear` minimises, but of the simulator itself and not of a straight line beside it.
+    It is what `Linear` minimises, but of the simulator itself, not of a straight line beside it. A zero has no price:
+    where the reading begins to count is arbitrary.
     """
     residual = (problem.measured - problem.simulate(state))[: problem.rows]
     if not np.isfinite(residual).all():
         return float("inf")
     innovations = whiten(residual[None], noise.ar, problem.drivers.first[: problem.rows])[0] / noise.innovation
     moved = [(state.values[i] - problem.parameters[i].nominal) / problem.parameters[i].sigma for i in problem.movable]
-    zeros = state.zeros / ZERO_SIGMA if problem.system.free_zero else np.zeros(0)
-    return float(innovations @ innovations + np.sum(np.square(moved)) + zeros @ zeros)
+    return float(innovations @ innovations + np.sum(np.square(moved)))
 
 
 class Steps:

@@ -55,7 +55,7 @@ class Linear(Products):
         run_index = problem.record.run_index[:rows]
         reach, spread = (np.inf, ZERO_SIGMA) if problem.system.free_zero else (0.0, FIXED_SIGMA)
         for run in range(problem.runs):
-            columns.add((run_index == run).astype(float), -reach, reach, spread, float(state.zeros[run]))
+            columns.add((run_index == run).astype(float), -reach, reach, spread, 0.0)  # from where it stands
         for index in problem.movable:
             parameter = problem.parameters[index]
             least, most = (
@@ -167,4 +167,5 @@ class Linear(Products):
             coefficients.extend(float(value) for value in fit.coefficients[at : at + count])
             at += count
         acts_found = tuple(Act(id_, tuple(nonlinears), tuple(values_)) for id_, (nonlinears, values_) in acts.items())
-        return State(values, fit.coefficients[: problem.runs].copy(), problem.included + acts_found)
+        zeros = self.state.zeros + fit.coefficients[: problem.runs]
+        return State(values, zeros, problem.included + acts_found)

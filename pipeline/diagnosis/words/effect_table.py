@@ -2,7 +2,7 @@
 
 from ..document.content import Part, Verdict, mismatch_of
 from . import cancelling, certainty, probability
-from .dimensions import name_of
+from .dimensions import far_moved, name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
 from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, with_interval
@@ -62,7 +62,11 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     whose = ["Sizes are those of the best explanation."] if several else []
     if short:
         against = cancelling.lines(content, entries, words)
-        return [*table_lines, *_in_one([*certainty.needed(content), *whose, *against])]
+        return [
+            *table_lines,
+            *_in_one([*certainty.needed(content), *whose, *against]),
+            *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
+        ]
     return [
         *table_lines,
         *_in_all(content, entries, words),
