@@ -21,7 +21,7 @@ AS_LIKELY = 2.0  # misfits within this factor of the best cannot be told apart,
 SMALL = 0.04  # nor those below this share of the span
 UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of the range
 POINTS = 2000
-ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m")
+ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m", "um")
 INCH_MM = 25.4
 
 

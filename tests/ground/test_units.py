@@ -14,6 +14,7 @@ from pipeline.ground.units import conversion
         ("motor_deg", "rad", math.pi, 180.0),
         ("displacement_mm", "m", 0.0123, 12.3),
         ("displacement_mm", "cm", 1.5, 15.0),
+        ("displacement_mm", "um", 1500.0, 1.5),
         ("position_m", "mm", 250.0, 0.25),
         ("load_n", "kgf", 2.0, 19.6133),
         ("torque_nm", "Nmm", 12.0, 0.012),
@@ -36,3 +37,10 @@ def test_counts():
     assert factor * 4096 == pytest.approx(180.0)
     with pytest.raises(ValueError, match="counts belong to angles"):
         conversion("displacement_mm", "count", 100.0)
+
+
+@pytest.mark.parametrize("unit", ["\u00b5m", "\u03bcm", "micron", "micrometre"])
+def test_a_micrometre_is_not_mistaken_for_a_metre(unit):
+    """A column in micrometres was told: did you mean 'm'?"""
+    with pytest.raises(ValueError, match="did you mean 'um'"):
+        conversion("displacement_mm", unit)

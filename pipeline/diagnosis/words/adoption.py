@@ -118,12 +118,12 @@ def staying(ids: Sequence[str]) -> list[str]:
 
 
 def of_staying(ids: Sequence[str]) -> list[str]:
-    """Which string the command of a planned motion is of, where one of the effects stays in it; else nothing."""
+    """From where a planned motion goes on, where one of the effects stays in the string or the sensor; else nothing."""
     stay = staying(ids)
     if not stay:
         return []
-    what = f"{listing(stay)} {'stay' if len(stay) > 1 else 'stays'} in the string"
-    return [f"{what}; without {AFTER_RECORDING} a plan is of the string as it was before."]
+    what = f"{listing(stay)} {'go' if len(stay) > 1 else 'goes'} on from where the recording ended"
+    return [f"{what}; without {AFTER_RECORDING} a plan begins as the recording began."]
 
 
 def adopted_predictions(folder: Path, driver: str, load: str | None, ids: list[str]) -> list[str]:
