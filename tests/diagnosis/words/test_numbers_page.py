@@ -9,6 +9,7 @@ from pipeline.diagnosis.words import numbers_page
 from pipeline.diagnosis.words.numbers_page import DECIDE_NOTHING, ROOM, Number, by_module, numbers, page
 
 PAGE = Path(__file__).parents[3] / "docs" / "numbers.md"
+LISTED = by_module()  # once for all modules: every source of the diagnosis is parsed for it
 
 
 def test_the_page_is_what_the_modules_make() -> None:
@@ -16,14 +17,14 @@ def test_the_page_is_what_the_modules_make() -> None:
     assert PAGE.read_text(encoding="utf-8") == page(), mend
 
 
-@pytest.mark.parametrize("module", sorted(by_module()))
+@pytest.mark.parametrize("module", sorted(LISTED))
 def test_each_number_that_decides_says_what_it_means(module: str) -> None:
-    for number in by_module()[module]:
+    for number in LISTED[module]:
         assert len(number.meaning) > 5, f"{module}: write behind {number.names} what it means"
 
 
 def test_numbers_are_there_as_they_are_and_modules_that_decide_nothing_are_modules() -> None:
-    listed = {module: {number.names: number.value for number in held} for module, held in by_module().items()}
+    listed = {module: {number.names: number.value for number in held} for module, held in LISTED.items()}
     held = listed["choice/judged.py"]
     assert held["HELD"] == str(judged.HELD) and held["UNKNOWN"] == str(judged.UNKNOWN)
     assert listed["choice/search.py"]["LEAST_GAIN, EXPLAINED"] == f"{search.LEAST_GAIN}, {search.EXPLAINED}"
