@@ -60,7 +60,7 @@ METHOD = """
 import sys
 from pathlib import Path
 import numpy as np
-from pipeline.diagnosis import engine
+from pipeline.diagnosis.study import engine
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.proof.baselines import __main__ as command
 from pipeline.proof.baselines.learnt import calibrated
