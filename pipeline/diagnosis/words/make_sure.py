@@ -48,15 +48,15 @@ def of_what_is_missing(
     tie = content["verdict"] == "ambiguous"
     if unseen.nothing_new(content, words):
         return [[f"{LEAVE} {TIED if tie else NO_NAME} {MORE}"]]
-    again = commands.lines(folders, out, [""])
     run = content["next_run"]
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
+    if short:
+        where = f" (commands: {DETAILS}, {RUN})" if shown else f" (commands: {DETAILS})"
+        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where)]]
+    again = commands.lines(folders, out, [""])
     printed = {line.strip() for step in of_names(content, words, folders, out, False) for line in step}
     above = set(again) <= printed  # the step before has them
     where = f" (commands: {DETAILS}, {RUN})" if shown else ABOVE if above else ""
-    if short:
-        where = where if shown else f" (commands: {DETAILS})"
-        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where)]]
     typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
     return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
 

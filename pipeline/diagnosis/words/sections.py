@@ -26,12 +26,12 @@ def shortened(line: str, most: int) -> str:
     return kept
 
 
-def section(head: str, lines: list[str], wide: int = WIDE) -> str:
+def section(head: str, lines: list[str]) -> str:
     """A heading with its lines, wrapped."""
-    return "\n".join([*wrapped(head, "", wide), *(row for line in lines for row in wrapped(line, "  ", wide))])
+    return "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
 
 
-def wrapped(line: str, indent: str, wide: int = WIDE) -> list[str]:
+def wrapped(line: str, indent: str) -> list[str]:
     """A line within the width of a page, indented; a command stays whole."""
     bare = line.lstrip()
     if bare.startswith(START) and bare != line:
@@ -39,6 +39,6 @@ def wrapped(line: str, indent: str, wide: int = WIDE) -> list[str]:
     own = indent + " " * (len(line) - len(bare))
     hang = re.match(r"\d+\. ", bare)
     return textwrap.wrap(
-        bare, wide, initial_indent=own, subsequent_indent=own + " " * (len(hang[0]) if hang else 2),
+        bare, WIDE, initial_indent=own, subsequent_indent=own + " " * (len(hang[0]) if hang else 2),
         break_long_words=False, break_on_hyphens=False,
     )  # fmt: skip

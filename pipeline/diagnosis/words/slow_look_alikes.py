@@ -42,7 +42,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     sentences = [f"- {id_}: excluded in the place of {named} by this recording: {why}." for id_, why in out.items()]
     sentences += [f"- {id_}: open{_why_open(content, id_, words)}" for id_ in still_open(content, words)]
     meant = [EXCLUDED.format(named, named)] if out else []
-    head = f"Under one load slow effects look alike. {_how_sure(content, slow)} What {named} could be instead:"
+    sure = f" {_how_sure(content, slow)}" if still_open(content, words) else ""
+    head = f"Under one load slow effects look alike.{sure} What {named} could be instead:"
     return [head, *sentences, *meant]
 
 

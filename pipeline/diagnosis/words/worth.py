@@ -144,13 +144,6 @@ def raises(run: NextRun) -> bool:
     return design.raises(run["gap_now"], run["gap_then"])
 
 
-def undecided(run: NextRun) -> str:
-    """That no run can be expected to decide, and whether the one that is proposed is worth a try all the same."""
-    if raises(run):
-        return "No run that was tried is sure to decide; the one below is worth a try"
-    return "No run that was tried decides"
-
-
 def under_this_load(run: NextRun, words: Vocabulary) -> str:
     """The command that looks for a run without another load; nothing where no run of such a rig is looked for."""
     load = run.get("load")

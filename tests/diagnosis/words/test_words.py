@@ -1201,6 +1201,19 @@ def test_under_one_load_a_slow_effect_is_said_to_look_like_the_others(loaded, na
         assert certainty.asks(made, Vocabulary.of(SYSTEMS["mm"])) == []
 
 
+def test_a_name_is_not_called_unsure_where_the_recording_excludes_every_look_alike():
+    jumps = {"change": 0.5, "error": 0.01}
+    names = ("plastic_elongation", "sensor_drift", "stiffening", "wear")
+    kept = [{"id": "creep", "stands": {}}, *({"id": id_, "stands": {"hold": jumps}} for id_ in names)]
+    evidence = {"loaded": False, "moved_sigma": {}, "explanations": [], "not_kept": kept, "floor_mm": 0.05}
+    made = {"mechanisms": [{"id": "creep"}], "evidence": evidence, "alternatives": [], "verdict": "explained"}
+    words = Vocabulary.of(SYSTEMS["mm"])
+    head, *others = slow_look_alikes.lines(made, words)
+    assert slow_look_alikes.still_open(made, words) == [] and slow_look_alikes.doubts(made, words) == []
+    assert head == "Under one load slow effects look alike. What creep could be instead:"
+    assert [": excluded" in line for line in others] == [True] * 4 + [False]
+
+
 def test_tolerances_stand_in_the_keys_and_units_of_run_yaml_and_a_length_in_place_of_a_share_is_told():
     known = {"radius_mm": {"nominal": 0.4, "value": 0.436}, "scale": {"nominal": 1.0, "value": 1.01}}
     known |= {"separator_mm": {"nominal": 8.0, "value": 8.2}}
