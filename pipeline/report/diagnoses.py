@@ -8,6 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from ..ground.headline import headline
 from ..ground.units import unit_of
 from .web.glossary import word
 from .web.page import Text, link, paragraph, picture, together
@@ -113,8 +114,8 @@ def next_recording(folder: Path) -> str:
 def part(reports: Path, run: str, up: str = "") -> Markup:
     """One run's first words, its figure, the other words and its files; `up` leads from the page to `reports/`."""
     folder = reports / "diagnosis" / run
-    headline, _, rest = words_of(folder).partition("\n\n")
-    parts: list[Text] = [Markup("<pre>{}</pre>").format(headline)]
+    first, _, rest = words_of(folder).partition("\n\n")
+    parts: list[Text] = [Markup("<pre>{}</pre>").format(first)]
     if (folder / "diagnosis.png").is_file():
         parts.append(picture(up + link("diagnosis", run, "diagnosis.png"), f"Diagnosis of {run}"))
     parts.append(Markup("<pre>{}</pre>").format(rest) if rest.strip() else "")
@@ -140,6 +141,5 @@ def verdicts(folders: list[Path]) -> str:
             sets = [bracketed(ids) for ids in explanations(content_of(folder))]
             more = [f"{len(sets) - 1 - TIES} more"] if len(sets) > 1 + TIES else []
             named = " or ".join([*sets[: 1 + TIES], *more])
-            headline = " ".join(words_of(folder).partition("\n\n")[0].split())
-            lines.append(f"{headline} {named}".rstrip())
+            lines.append(f"{headline(words_of(folder))} {named}".rstrip())
     return "\n".join(lines)

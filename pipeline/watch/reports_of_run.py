@@ -4,6 +4,8 @@ import contextlib
 import os
 from pathlib import Path
 
+from ..ground.headline import headline
+
 LARGEST = 1_000_000  # bytes of a file that is looked into
 PAGES = ("diagnosis.html", "diagnosis.pdf", "verdict.txt")  # of a diagnosis, the first that is there
 MOST = 500  # runs that are listed
@@ -27,14 +29,13 @@ def names_in(folder: Path) -> list[str]:
 
 
 def verdicts(reports: Path) -> list[dict[str, str]]:
-    """Each diagnosed run with the first line of its verdict, and where its page lies below reports/."""
+    """Each diagnosed run with the first words of its verdict, and where its page lies below reports/."""
     verdict_list = []
     for name in names_in(reports / "diagnosis"):
         folder = reports / "diagnosis" / name
-        lines = text_of(folder / "verdict.txt").splitlines()
-        if lines:
+        if verdict := headline(text_of(folder / "verdict.txt")):
             page = page_of(folder).relative_to(reports).as_posix()
-            verdict_list.append({"run": name, "verdict": lines[0][:300], "page": page})
+            verdict_list.append({"run": name, "verdict": verdict, "page": page})
     return verdict_list
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
+from ..ground.headline import headline
 from .reports_of_run import names_in, newest_first, page_of, text_of
 
 HEAD = 4096  # bytes of a diagnosis.json, whose first key says of which runs it is
@@ -43,14 +44,13 @@ def _dated(paths: Iterator[Path]) -> list[tuple[int, Path]]:
 
 
 def newest_verdict(reports: Path, run: str) -> dict[str, str] | None:
-    """The first line of a run's newest verdict, its page by its path below reports/, and of what it is, in words."""
+    """The first words of a run's newest verdict, its page by its path below reports/, and of what it is, in words."""
     own = _dated(iter(newest_first(reports, run, FILE)))
     joint = [(changed, path) for changed, path in _dated(_joint(reports)) if run in _runs_of(path, changed)]
     for changed, path in sorted({*own, *joint}, reverse=True):
-        lines = text_of(path.parent / "verdict.txt").splitlines()
-        if lines:
+        if verdict := headline(text_of(path.parent / "verdict.txt")):
             page = page_of(path.parent).relative_to(reports).as_posix()
-            return {"verdict": lines[0][:300], "page": page, "of": _of(path, _runs_of(path, changed), run)}
+            return {"verdict": verdict, "page": page, "of": _of(path, _runs_of(path, changed), run)}
     return None
 
 

@@ -36,6 +36,15 @@ HELLO = Hello(
 )  # fmt: skip
 SAMPLE = np.dtype(HELLO.sample_type)
 
+# as a real verdict.txt begins: its first words go up to an empty line
+WORSE = """run-1: explained: physics is missing, and named; the explanation has a probability of 89 %. But
+  on the unseen strokes the simulator as diagnosed is worse than the nominal one (2.3 mm against 0.57 mm).
+
+What to know first
+  On the unseen strokes creep makes the calibrated simulator worse: adopt nothing.
+"""
+SAID = " ".join(WORSE.partition("\n\n")[0].split())
+
 
 def samples(first: int, count: int) -> bytes:
     """So many frames from number `first`, one a ms, the twist a slow sine."""
@@ -171,13 +180,13 @@ def test_printed_lines_are_shown_too(tmp_path: Path):
 def test_nothing_outside_reports_is_served_and_nothing_is_taken(tmp_path: Path):
     run, reports = folder(tmp_path), tmp_path / "reports"
     (reports / "diagnosis" / "run-1").mkdir(parents=True)
-    (reports / "diagnosis" / "run-1" / "verdict.txt").write_text("explained: creep\nmore\n")
+    (reports / "diagnosis" / "run-1" / "verdict.txt").write_text(WORSE)
     (tmp_path / "secret.txt").write_text("secret")
     (reports / ".hidden").write_text("secret")
     (reports / "link.txt").symlink_to(tmp_path / "secret.txt")
     with watched(run) as (port, _):
         status, body, headers = get(port, "/reports/diagnosis/run-1/verdict.txt")
-        assert status == 200 and body == b"explained: creep\nmore\n"
+        assert status == 200 and body == WORSE.encode()
         assert "script-src" not in headers["Content-Security-Policy"] and "default-src 'none'" in str(headers)
         absolute = f"/reports/{tmp_path}/secret.txt"
         for path in ("../secret.txt", "%2e%2e/secret.txt", "..%2fsecret.txt", "link.txt", ".hidden", "a%00b", ""):
@@ -190,7 +199,8 @@ def test_nothing_outside_reports_is_served_and_nothing_is_taken(tmp_path: Path):
         assert connection.getresponse().status == 405
         connection.close()
         found = told(port)
-    assert found["verdict"] == "explained: creep" and found["verdicts"][0]["page"].endswith("verdict.txt")
+    assert found["verdict"] == SAID and found["verdicts"][0]["verdict"] == SAID, "its warning stands on the second line"
+    assert found["verdicts"][0]["page"].endswith("verdict.txt")
 
 
 def test_another_host_needs_the_token(tmp_path: Path):
@@ -360,7 +370,7 @@ def test_a_diagnosis_and_a_forecast_are_shown_wherever_they_lie_in_reports_the_n
     def diagnosed(place: str, verdict: str, left: float, seconds: float) -> None:
         for name in ("run-1", "spool-1"):
             (reports / place / name).mkdir(parents=True)
-        (reports / place / "run-1" / "verdict.txt").write_text(f"{verdict}\nmore\n")
+        (reports / place / "run-1" / "verdict.txt").write_text(f"{verdict},\n  surely.\n\nmore\n")
         strokes = {"low": left - 1, "median": left, "high": left + 1}
         forecast = {"first": "a", "questions": {"a": {"strokes_left": strokes}}}
         for path, held in (("run-1/diagnosis.json", {}), ("spool-1/lifespan.json", forecast)):
@@ -371,11 +381,11 @@ def test_a_diagnosis_and_a_forecast_are_shown_wherever_they_lie_in_reports_the_n
     diagnosed("mine", "explained: friction", 5.0, 2e9)
     with watched(run) as (port, _):
         found = told(port)
-        assert (found["verdict"], found["verdict_page"]) == ("explained: friction", "mine/run-1/verdict.txt")
+        assert (found["verdict"], found["verdict_page"]) == ("explained: friction, surely.", "mine/run-1/verdict.txt")
         assert (found["left"]["median"], found["left"]["file"]) == (5.0, "mine/spool-1/lifespan.json")
         assert get(port, f"/reports/{found['verdict_page']}")[0] == 200
         (reports / "mine" / "run-1" / "diagnosis.json").unlink()
-        assert told(port, lambda found: found["verdict"] == "explained: creep")
+        assert told(port, lambda found: found["verdict"] == "explained: creep, surely.")
     diagnosed("mine/deep", "explained: wear", 3.0, 2e9)
     with watched(run, "--reports", reports / "mine" / "deep") as (port, _):
         assert told(port)["verdict_page"] == "run-1/verdict.txt"
