@@ -28,7 +28,7 @@ include: "pipeline/rules/plan.smk"
 TABLES = [f"table_{number}.{suffix}" for number in (1, 2) for suffix in ("csv", "csv-metadata.json", "md", "tex")]
 FIGURES = [f"figure_{number}.{suffix}" for number in (4, 5) for suffix in ("png", "pdf")]
 PAGES = ["comparison.md", "comparison.html", "models.md", "models.html", "models.csv", "models.csv-metadata.json"]
-PAGES += ["croissant.json", "index.html"]
+SHOWN = [*TABLES, *FIGURES, *PAGES, "croissant.json"]  # what the page of a material is made after
 STAGES = "marks record ingest dataset train floor evaluate leak report diagnose proof real campaign known said"
 
 
@@ -49,7 +49,7 @@ for stage in STAGES.split():
 rule all:
     default_target: True
     input:
-        expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
+        expand("reports/{material}/{file}", material=MATERIALS, file=OF_MATERIAL),
         LEAK_FIGURES,
         expand("processed/{run}/strokes.parquet", run=PLAN.others),
         expand("reports/diagnosis/{run}", run=DIAGNOSED),

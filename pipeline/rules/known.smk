@@ -21,7 +21,7 @@ elif not COPY:
 ASKED = [*MATERIALS, *(one.material for one in PLAN.refused if one.material)]
 REPORTED = [*DIAGNOSED, *(one.run for one in PLAN.left_out)]
 REPORTS = [
-    *expand("reports/{material}/{file}", material=ASKED, file=[*TABLES, *FIGURES, *PAGES]),
+    *expand("reports/{material}/{file}", material=ASKED, file=OF_MATERIAL),
     *LEAK_FIGURES,
     *(f"reports/diagnosis/{run}" for run in REPORTED),
 ]

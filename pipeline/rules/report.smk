@@ -3,7 +3,7 @@ from pipeline.report.stale_reports import WORDS
 from pipeline.run.left_out import to_json
 
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
-OF_MATERIAL = [*TABLES, *FIGURES, *PAGES[:-1]]  # of every material: what its own page, the last of PAGES, shows
+OF_MATERIAL = [*SHOWN, "index.html"]  # what is made of every material
 
 
 # Functions, whose words Snakemake leaves as they are: a folder's name may look like a wildcard.
@@ -129,7 +129,7 @@ rule figures:
 
 rule material_page:
     input:
-        expand("reports/{{material}}/{file}", file=OF_MATERIAL),
+        expand("reports/{{material}}/{file}", file=SHOWN),
     output:
         "reports/{material}/index.html",
     log:
@@ -186,7 +186,7 @@ def words_of_left_out(wildcards):
 rule index:
     input:
         rules.metrics.output,
-        expand("reports/{material}/{file}", material=MATERIALS, file=[*TABLES, *FIGURES, *PAGES]),
+        expand("reports/{material}/{file}", material=MATERIALS, file=OF_MATERIAL),
         LEAK_FIGURES,
         expand("reports/diagnosis/{run}", run=DIAGNOSED),
         LEFT_OUT,

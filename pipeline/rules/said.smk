@@ -62,9 +62,7 @@ onerror:
     jobs = list(workflow.dag.needrun_jobs())
     lost = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
     last = [job for name in ("metrics", "index") for job in jobs if job.rule.name == name]
-    wrong = (
-        [] if COPY else rewrite([job.shellcmd for job in last], lost, [*TABLES, *FIGURES, *PAGES], workflow.basedir)
-    )
+    wrong = [] if COPY else rewrite([job.shellcmd for job in last], lost, OF_MATERIAL, workflow.basedir)
     print(ELSEWHERE or summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
     for line in wrong + [one.why for one in lost]:
         print(line)
