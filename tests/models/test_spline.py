@@ -134,18 +134,12 @@ def test_two_strokes_ahead_it_nears_the_floor_under_each_law_of_growth(law: str)
 
 
 @pytest.mark.parametrize(
-    ("name", "seeds", "forward", "inverse"),
-    [
-        ("spline", 1, 1.05, 1.15),
-        pytest.param("spline", 5, 1.05, 1.10, marks=pytest.mark.long),
-        pytest.param("cinn", 1, 1.10, 1.15, marks=pytest.mark.long),
-    ],
+    ("name", "forward", "inverse"),
+    [("spline", 1.05, 1.10), pytest.param("cinn", 1.10, 1.15, marks=pytest.mark.long)],
 )
-def test_with_the_direction_known_it_nears_the_floor_of_the_data(
-    name: str, seeds: int, forward: float, inverse: float
-) -> None:
+def test_with_the_direction_known_it_nears_the_floor_of_the_data(name: str, forward: float, inverse: float) -> None:
     ratios = []
-    for seed in range(100, 100 + seeds):
+    for seed in range(100, 105 if name == "spline" else 101):
         points = grown_dataset("power", seed, points=6700)
         test = points[points["within"] == "test"]
         model = make_model(name)
