@@ -14,13 +14,22 @@ from ..ground.kinematics import Array
 LATER = {"stroke_loss": 1.1, "model_error": 4.0}
 
 
+def middle_of(when: Array) -> float:
+    """The median of when futures pass a limit, infinite where half of them do not. Shape (futures,), in strokes."""
+    return float(np.quantile(when, 0.5, method="inverted_cdf")) if len(when) else np.inf
+
+
+def put_later(times: Array, middle: float, power: float) -> Array:
+    """Strokes ahead, those after the median `middle` of the futures put later. Any shape, in strokes."""
+    if not 0.0 < middle < np.inf:
+        return times
+    return np.where(times > middle, middle * (times / middle) ** power, times)
+
+
 def later(when: Array, horizon: float, power: float) -> Array:
     """When futures pass a limit, those after the median put later; infinite beyond the horizon. Shape (futures,).
 
     In strokes.
     """
-    middle = float(np.quantile(when, 0.5, method="inverted_cdf")) if len(when) else np.inf
-    if not 0.0 < middle < np.inf:
-        return when
-    moved = np.where(when > middle, middle * (when / middle) ** power, when)
+    moved = put_later(when, middle_of(when), power)
     return np.where(moved > horizon, np.inf, moved)

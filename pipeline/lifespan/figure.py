@@ -12,24 +12,20 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from ..ground.figure_file import write_figure
+from .figure_words import NEGATIVE_LOOP, WHAT, footnote, no_claim, tail_of
 from .health import Health
 from .indicators import REFERENCE
-from .percent import percent
+from .percent import percent, tail
 from .questions import Answer
 from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
-from .strokes_left import BAND_LEVELS, LEAST_STROKES
+from .strokes_left import LEAST_STROKES
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 BEGINS = "0.4"  # where another recording begins
 OTHERS = (
-    ("rest_mm", "rest, drift (mm)"),
+    ("rest_mm", "displacement\nat rest (mm)"),
     ("loop_mm", "loop (mm)"),
     ("stiffness_n_per_mm", "stiffness (N/mm)"),
-)
-NEGATIVE_LOOP = "below 0: at equal twist the string\nis shorter while it unwinds"
-BAND = (
-    f"Shaded: {percent(1.0 - BAND_LEVELS[-1])} of the futures lie above and {percent(BAND_LEVELS[0])} below. Where the "
-    "shade falls, the wear goes back in some of them.\nA sudden end is drawn nowhere, but counts in the strokes left."
 )
 
 
@@ -86,15 +82,6 @@ def mark(axes: Axes, begins: list[tuple[str, float]], named: bool) -> None:
             )  # fmt: skip
 
 
-def footnote(answers: list[Answer], level: float) -> str:
-    """How to read the futures, where any are drawn."""
-    drawn = [answer.left for answer in answers if answer.left.band is not None]
-    if not drawn:
-        return ""
-    far = f" An arrow: the forecast does not look further than {at_least(drawn[0].horizon)} strokes."
-    return BAND + far * any(not np.isfinite(left.span(level).high) for left in drawn)
-
-
 def question(axes: Axes, answer: Answer, level: float) -> None:
     """Indicator, law with its band, limit and interval of one question."""
     left, span, scale = answer.left, answer.left.span(level), 100.0 if answer.unit == "1" else 1.0
@@ -103,9 +90,15 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
     axes.errorbar(
         answer.n, scale * answer.values, scale * answer.errors, fmt=".", ms=3.5, lw=0.6, color=SEEN, label="measured"
     )
-    axes.axhline(scale * answer.limit, color=LIMIT, lw=1.0, ls="--", label="limit")
+    axes.axhline(
+        scale * answer.limit,
+        color=LIMIT,
+        lw=1.0,
+        ls="--",
+        label=f"limit, {scale * answer.limit:g} {'%' if answer.unit == '1' else answer.unit}",
+    )
     axes.set_xlabel("stroke n")
-    axes.set_ylabel(f"{answer.what} ({'%' if answer.unit == '1' else answer.unit})")
+    axes.set_ylabel(f"{WHAT[answer.question]} ({'%' if answer.unit == '1' else answer.unit})")
     top = scale * 1.6 * max(answer.limit, float(np.nanmax(answer.values, initial=0.0)))
     axes.set_title(no_claim(left.reason) if span.state == "no claim" else "", fontsize=9, loc="left")
     if left.choice and left.band is not None:
@@ -113,14 +106,17 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
         end = seen + farthest(span.high, seen, left.horizon)
         past = np.linspace(answer.n[0], seen, 200)
         fitted = scale * left.choice.curve(past - answer.n[0] + 1.0)
-        axes.plot(past, fitted, color=FITTED, lw=1.2, label=f"laws fitted, most weight: {left.choice.best.law.name}")
-        n, values = left.band
+        axes.plot(past, fitted, color=FITTED, lw=1.2, label=f"law fitted (most weight: {left.choice.best.law.name})")
         least = -np.inf if answer.unit == "1" else 0.0  # a root mean square is not below 0
-        low, middle, high = np.maximum(values, least)
-        axes.plot(seen + n, scale * middle, color=LAW, lw=1.4, label="median of the futures")
+        out = tail_of(span, level)
+        low, middle, high = (
+            np.clip(scale * left.band.below(share), least, 2.0 * top) for share in (out, 0.5, 1.0 - out)
+        )
+        n = seen + left.band.ahead
+        axes.plot(n, middle, color=LAW, lw=1.4, label="median of the futures")
         axes.fill_between(
-            seen + n, scale * low, scale * high, color=LAW, alpha=0.18, lw=0,
-            label=f"{percent(BAND_LEVELS[-1] - BAND_LEVELS[0])} of the futures",
+            n, low, high, color=LAW, alpha=0.18, lw=0,
+            label=f"futures, without the highest and the lowest {tail(out)}",
         )  # fmt: skip
         axes.set_xlim(answer.n[0] - 0.02 * end, end)
         axes.set_ylim(min(0.0, scale * float(np.nanmin(answer.values))) - 0.03 * top, top)
@@ -129,14 +125,6 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
     axes.axvline(answer.n[-1], color="0.7", lw=0.8, label="last stroke seen")
     # beside the axes: on them it would lie over lines
     axes.legend(fontsize=7.5, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.1)
-
-
-def no_claim(reason: str) -> str:
-    """Why nothing is foretold, in a few words."""
-    why = reason.split(":")[0]
-    if "too few" not in why:
-        return f"no claim: {why}"
-    return f"no forecast yet: {' '.join(why.split()[:2])}, {LEAST_STROKES} needed"
 
 
 def nothing(axes: Axes, answer: Answer) -> None:

@@ -3,12 +3,13 @@
 Source: Lu and Meeker, "Using degradation measures to estimate a time-to-failure distribution", Technometrics 35, 1993.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ..ground.kinematics import Array
-from .calibrated import later
+from .band import Band, band_of
+from .calibrated import later, middle_of, put_later
 from .law_choice import Choice, choose
 
 LEAST_STROKES = 12  # 3 set the reference, 6 are fitted at least, 3 are left out at least
@@ -20,7 +21,6 @@ MARGIN = 1.5  # by which errors grow faster beyond the strokes seen than they di
 ACCELERATES, ACCELERATION = 0.2, 0.7  # chance that wear feeds itself; mean gain in speed as the strokes seen double
 HAZARD = 0.04  # exponent of the chance to see no sudden end until the strokes seen have grown by a factor
 PASSED_OF = 3  # strokes whose median must be past the limit
-BAND_LEVELS = (0.05, 0.5, 0.95)
 NOISE_SIGMAS = 3.0  # a drift smaller than so many of its standard errors is none
 
 
@@ -40,17 +40,14 @@ class Span:
 
 @dataclass(frozen=True)
 class Left:
-    """When the limit is passed in each future: strokes left, infinite beyond the horizon; or why nothing is said.
-
-    `band` holds strokes ahead and the futures' values there at BAND_LEVELS.
-    """
+    """When the limit is passed in each future: strokes left, infinite beyond the horizon; or why nothing is said."""
 
     reason: str = ""
     passed_at: float = np.nan
     when: Array = field(default_factory=lambda: np.zeros(0))  # (FUTURES,), in strokes
     horizon: float = np.nan
     choice: Choice | None = None
-    band: tuple[Array, Array] | None = None  # (steps,), in strokes; (levels, steps), in the indicator's unit
+    band: Band | None = None  # what is drawn of the futures
     drifts: bool = True  # whether it has changed by more than its noise
 
     def span(self, level: float) -> Span:
@@ -159,11 +156,13 @@ def strokes_left(
     ahead = np.concatenate([[0.0], np.geomspace(0.25, horizon, STEPS)])
     generator = np.random.default_rng(seed)
     paths = futures(choice, ahead, generator)
-    when = passages(paths, limit + limit_error * generator.standard_normal(FUTURES), ahead)
-    when = np.minimum(when, surprises(seen, generator))
-    when = later(np.where(when > horizon, np.inf, when), horizon, power)
-    band = ahead, np.quantile(paths, BAND_LEVELS, axis=0)
-    return Left("", np.nan, when, horizon, choice, band, drifts(n, values))
+    off = limit_error * generator.standard_normal(FUTURES)
+    ends = surprises(seen, generator)
+    when = np.minimum(passages(paths, limit + off, ahead), ends)
+    when = np.where(when > horizon, np.inf, when)
+    band = band_of(paths, off, ends, ahead)
+    band = replace(band, ahead=put_later(ahead, middle_of(when), power))
+    return Left("", np.nan, later(when, horizon, power), horizon, choice, band, drifts(n, values))
 
 
 def drifts(n: Array, values: Array) -> bool:

@@ -128,20 +128,41 @@ def test_the_axis_reaches_as_far_as_the_words_and_both_bounds_are_the_same_whole
 def test_the_median_future_begins_where_the_points_end_and_no_error_is_negative(tmp_path):
     health = strings([folder(tmp_path, "a-1", samples(24, 0.002))])[0]
     for answer in (stroke_loss(health, 0.1), model_error(health, 4.0)):
-        ahead, values = answer.left.band
-        answer = replace(answer, left=replace(answer.left, band=(ahead, values - 0.2 * ahead)))
+        band = answer.left.band
+        band = replace(band, values=band.values - 0.2 * band.ahead)
+        answer = replace(answer, left=replace(answer.left, band=band))
         axes = plt.figure().add_subplot()
         question(axes, answer, 0.9)
         lines = {line.get_label(): line for line in axes.get_lines()}
         assert min(lines["median of the futures"].get_xdata()) == 24
-        (fitted,) = [line for label, line in lines.items() if label.startswith("laws fitted")]
+        (fitted,) = [line for label, line in lines.items() if label.startswith("law fitted")]
         assert max(fitted.get_xdata()) == 24
         shade = axes.collections[-1].get_paths()[0].vertices
         assert answer.unit == "1" or shade[:, 1].min() >= 0.0
     plt.close("all")
 
 
-def test_the_picture_says_how_to_read_a_shade_that_falls_and_a_loop_below_0(tmp_path, monkeypatch):
+@pytest.mark.parametrize(("loss", "state"), [(0.002, "interval"), (0.0002, "one-sided")])
+def test_the_shade_meets_the_limit_where_the_bar_begins_and_ends(tmp_path, loss, state):
+    """The bar counted sudden ends and was put later, and an arrow left out 10 % where the shade left out 5 %."""
+    answer = stroke_loss(strings([folder(tmp_path, "a-1", samples(24, loss))])[0], 0.1)
+    span, axes = answer.left.span(0.9), plt.figure().add_subplot()
+    assert span.state == state
+    question(axes, answer, 0.9)
+    edge = axes.collections[-1].get_paths()[0].vertices
+    above = edge[(edge[:, 1] >= 10.0) & (edge[:, 0] > 24.0)][:, 0]
+    assert above.min() - 24.0 == pytest.approx(span.low, rel=0.05)
+    if state == "interval":
+        n = answer.left.band.ahead
+        lower = np.interp(24.0 + n, *edge[1 : len(n) + 1].T)
+        assert n[lower >= 10.0].min() == pytest.approx(span.high, rel=0.05)
+    outside = "5 %" if state == "interval" else "10 %"
+    legend = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert f"futures, without the highest and the lowest {outside}" in legend and "limit, 10 %" in legend
+    plt.close("all")
+
+
+def test_the_picture_says_what_its_lines_are_and_a_loop_below_0(tmp_path, monkeypatch):
     health = strings([folder(tmp_path, "a-1", samples(24, 0.002))])[0]
     monkeypatch.setattr(plt, "close", lambda figure: None)
     for sign in (1.0, -1.0):
@@ -151,7 +172,8 @@ def test_the_picture_says_how_to_read_a_shade_that_falls_and_a_loop_below_0(tmp_
         said = [text.get_text() for axes in plt.gcf().axes for text in axes.texts]
         assert any("shorter while it unwinds" in text for text in said) == (sign < 0.0)
         foot = plt.gcf().get_supxlabel()
-        assert "5 % of the futures lie above and 5 % below. Where the shade falls" in foot and "sudden end" in foot
+        for word in ("Blue: ", "Green: ", "Orange: ", "Black bar: ", "ends suddenly", "Loop: "):
+            assert word in foot
     monkeypatch.undo()
     plt.close("all")
 
