@@ -44,7 +44,7 @@ class Counts:
 
 
 class Source(Protocol):
-    """Bytes in, samples out; memory does not go by how much came."""
+    """Bytes in, samples out; memory does not go by how much came. `rate_hz` is by the device's clock."""
 
     columns: tuple[str, ...]
     rate_hz: float | None
@@ -123,7 +123,7 @@ class Printed:
         self.rate_hz: float | None = None
         self.device = "a rig that prints lines"
         self._splitter, self._lines, self._run = Splitter(), Lines(given), run
-        self._time_s, self._clock_s, self._jumps = 0.0, float("nan"), 0
+        self._time_s, self._clock_s, self._jumps, self._timed = 0.0, float("nan"), 0, 0
 
     def feed(self, chunk: bytes) -> Piece | None:
         """Samples whose lines end in a chunk, as they were printed."""
@@ -142,6 +142,8 @@ class Printed:
             values[:, at] *= conversion("time_s", TIMES.get(printed[at]))[0]
         self.columns = tuple(names[:at] + names[at + 1 :])
         time_s = [self._next(stamp) for stamp in values[:, at].tolist()]
+        self._timed += len(rows)
+        self.rate_hz = (self._timed - 1) / self._time_s if self._time_s else None
         return Piece(np.column_stack([time_s, np.delete(values, at, axis=1)]), [])
 
     def _next(self, clock_s: float | None) -> float:

@@ -26,11 +26,21 @@ def _count(least: str, median: float | None, low: float | None) -> str:
     return ", ".join([*words, *([] if low is None else [f"at least {math.floor(low)} in {least}"])])
 
 
+def _beside(questions: dict[str, Any], first: str, least: str) -> list[str]:
+    """What the other limits leave, each with its limit."""
+    others = []
+    for name, question in questions.items():
+        left = question["strokes_left"]
+        if name != first and "limit" in question and (words := _count(least, left["median"], left["low"])):
+            others.append(f"{words}, until {_limit(name, question)}")
+    return others
+
+
 def strokes_left(reports: Path, string: str) -> dict[str, Any] | None:
     """Low, median and high of the earliest question of a string's newest lifespan.json, and its path below reports/.
 
     `words` say how many in how many of the futures, `until` which limit is passed, `rests` on how many strokes of
-    which runs. None where there is none.
+    which runs, `beside` what the other limits leave. None where there is none.
     """
     for path in newest_first(reports, string, "lifespan.json"):
         try:
@@ -43,6 +53,7 @@ def strokes_left(reports: Path, string: str) -> dict[str, Any] | None:
             return {
                 **numbers,
                 "words": _count(least, numbers["median"], numbers["low"]),
+                "beside": _beside(content["questions"], str(content["first"]), least),
                 "until": _limit(str(content["first"]), question) if "limit" in question else "",
                 "rests": f"{counted(int(seen), 'stroke')} of {' and '.join(runs)}" if seen and runs else "",
                 "file": path.relative_to(reports).as_posix(),

@@ -15,6 +15,7 @@ from ..ground.kinematics import Array
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
 from .appended import Frames, Printed, Source
+from .coming import Coming
 from .envelope import Envelope
 from .named import stored_columns
 from .noise import Noise
@@ -48,7 +49,7 @@ class Followed:
         self.strokes: deque[Envelope] = deque(maxlen=KEPT)
         self._cut_s, self._told = 0.0, False
         self._nominal: Nominal | None = None
-        self._noise = Noise()
+        self._noise, self._coming = Noise(), Coming()
         self._new_s: float | None = None  # when the file was changed by the last sample, since the epoch
 
     def poll(self) -> None:
@@ -75,6 +76,7 @@ class Followed:
                 self._at += len(chunk)
                 self._take(chunk, stat.st_mtime)
             self.behind = max(0, os.fstat(file.fileno()).st_size - self._at)
+            self._coming.look(time.monotonic(), self.samples, self._growing and self.behind < PIECE)
 
     def _take(self, chunk: bytes, changed_s: float) -> None:
         piece = self.source.feed(chunk)
@@ -166,6 +168,7 @@ class Followed:
             "samples": self.samples,
             "unnamed": counts.unnamed,
             "rate_hz": self.source.rate_hz,
+            "come_hz": None if status else self._coming.rate_hz,
             "lost": counts.lost,
             "bad": counts.bad,
             "jumps": counts.jumps,

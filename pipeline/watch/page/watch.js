@@ -1,5 +1,5 @@
 "use strict";
-const EVERY_MS = 500, STALE_S = 3, BAND = 2; // sigma
+const EVERY_MS = 500, STALE_S = 3, BAND = 2 /* sigma */, OTHER_PACE = 0.1, FADES = 0.35 /* to, from stroke to stroke */;
 const COLOURS = ["#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b"];
 const ZONED = { year: "numeric", month: "2-digit", day: "2-digit", hour: "2-digit", minute: "2-digit", second: "2-digit", timeZoneName: "short" };
 const KEY = "watch-token";
@@ -17,20 +17,26 @@ function fact(name, text, id, bad) {
   return box;
 }
 
+// as capture says it: a synthetic rig at another pace than life sends more than its own rate
+function rate(d) {
+  if (!d.come_hz || Math.abs(d.come_hz / d.rate_hz - 1) < OTHER_PACE) return round(d.rate_hz, 6);
+  return round(d.come_hz, 3) + (d.rate_hz ? ` (${round(d.come_hz / d.rate_hz, 2)} times the ${round(d.rate_hz, 6)} of the rig's own clock)` : "");
+}
+
 function facts(d) {
   const stale = !d.ended && d.age_s !== null && d.age_s > STALE_S;
-  const left = d.left && d.left.words ? d.left.words : "no forecast";
+  const left = d.left && d.left.words ? d.left.words : "no forecast", until = d.left && d.left.words && d.left.until;
   // a program's strokes, not those of the rig's own motion; of an earlier step's run nothing tells any more
   const planned = d.loop?.moves?.winds || (d.loop && d.ended ? 0 : d.planned);
   at("facts").replaceChildren(
     fact("state", d.state, "state", stale),
     fact("samples", d.samples.toLocaleString("en") + (d.unnamed && !d.samples ? `; ${d.unnamed.toLocaleString("en")} lines without names are kept` : ""), "samples"),
-    fact("rate (Hz)", round(d.rate_hz, 6), "rate"),
+    fact(d.come_hz ? "samples per second" : "samples per second by the rig's clock", rate(d), "rate"),
     fact("frames lost, bad", d.lost === null ? `–, ${d.bad}` : `${d.lost}, ${d.bad}`, "lost", d.lost > 0 || d.bad > 0),
     d.ended && d.ended_utc ? fact("ended at", new Date(d.ended_utc).toLocaleString("sv", ZONED), "age") : fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
     fact("disk left", bytes(d.free_bytes), "disk", d.free_bytes < 1e9),
     fact("strokes", d.strokes === null ? "–" : planned ? `${d.strokes} of ${planned}` : `${d.strokes}`, "strokes"),
-    fact("strokes left, forecast", left, "left"),
+    fact(until ? `strokes left, forecast, until ${until}` : "strokes left, forecast", left, "left"),
     fact("clock jumps", `${d.jumps}`, "jumps", d.jumps > 0),
     ...(d.behind_bytes ? [fact("still to read", bytes(d.behind_bytes), "behind")] : []),
     ...(d.replaced ? [fact("recording replaced", `${d.replaced} times`, "replaced")] : []));
@@ -54,10 +60,11 @@ function draw(d) {
 function drawLoops(loops, d) {
   const plot = axes(at("loop"), loops.map((one) => one.motor_turns), loops.flatMap((one) => [one.low_mm, one.high_mm, one.simulated_mm]), "twist (turns)", "displacement (mm)");
   loops.forEach((one, k) => {
-    band(plot, one.motor_turns, one.low_mm, one.high_mm, "#2166ac", 0.25 + 0.75 * (k + 1) / loops.length);
+    const shade = FADES ** (loops.length - 1 - k);
+    band(plot, one.motor_turns, one.low_mm, one.high_mm, "#2166ac", shade);
     const turns = one.motor_turns.slice(0, one.simulated_mm.length);
     if (d.noise_mm) strip(plot, turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
-    band(plot, turns, one.simulated_mm, one.simulated_mm, "#d6604d", 0.8);
+    band(plot, turns, one.simulated_mm, one.simulated_mm, "#d6604d", 0.8 * shade);
   });
 }
 
@@ -69,7 +76,7 @@ function verdicts(d) {
   listed = text;
   const link = (name, path) => { const a = document.createElement("a"); a.textContent = name; a.href = "/reports/" + path.split("/").map(encodeURIComponent).join("/"); return a; };
   at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page), d.verdict_of ? `: ${d.verdict_of}` : ""] : []));
-  at("left-file").replaceChildren(...(d.left ? ["The strokes left", d.left.until && ` until ${d.left.until}`, d.left.rests && ` (by ${d.left.rests})`, " stand in ", link(`reports/${d.left.file}`, d.left.file)] : []));
+  at("left-file").replaceChildren(...(d.left ? ["The strokes left", d.left.until && ` until ${d.left.until}`, d.left.rests && ` (by ${d.left.rests})`, " stand in ", link(`reports/${d.left.file}`, d.left.file), ...d.left.beside.map((other) => `; ${other}`)] : []));
   at("index").replaceChildren(...(d.index ? [link("All reports", "index.html")] : []));
   at("verdicts").replaceChildren(...d.verdicts.map((one) => {
     const row = document.createElement("tr"), run = document.createElement("td"), said = document.createElement("td");

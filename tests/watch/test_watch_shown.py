@@ -1,0 +1,115 @@
+"""What a person sees on the page: strokes that fade, the rate at which samples come, and the limit of a forecast."""
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import ready
+from browser import CHROMIUM, browser
+from made_recording import content
+from scripted_rig import synthetic_rig
+from watch.test_watch import HELLO, ROOT, SAMPLE, folder, told, watched
+
+from pipeline.watch.appended import Printed
+from pipeline.watch.coming import Coming
+from pipeline.wire import Event, Kind, encode
+from pipeline.wire.frames import EVENT
+
+PACE = 5  # times as fast as life
+BLUEST = """((low, high) => {
+  const canvas = document.getElementById("loop"), pen = canvas.getContext("2d");
+  const rows = [low, high].map((part) => Math.round(part * canvas.height));
+  const dots = pen.getImageData(canvas.width / 2, rows[0], 40, rows[1] - rows[0]).data;
+  let most = 0;
+  for (let k = 0; k < dots.length; k += 4) most = Math.max(most, dots[k + 2] - dots[k]);
+  return most;
+})"""  # how blue the bluest dot of a strip of the canvas is
+
+
+def strokes(count: int, apart_mm: float) -> bytes:
+    """Strokes of equal length, each so much higher than the one before."""
+    each, frames = 400, [encode(Kind.HELLO, 0, HELLO.pack())]
+    for stroke in range(count):
+        first = 1 + stroke * (each + 1)
+        begins = EVENT.pack(first * 1000, Event.STROKE_START, stroke + 1)
+        frames.append(encode(Kind.EVENT, first, begins))
+        rows = np.zeros(each, SAMPLE)
+        rows["t_us"] = (first + 1 + np.arange(each)) * 1000
+        rows["motor_turns"] = np.arange(each) * 25
+        rows["displacement_mm"] = round(1000 * stroke * apart_mm)
+        frames += [encode(Kind.SAMPLE, first + 1 + at, row.tobytes()) for at, row in enumerate(rows)]
+    return b"".join(frames)
+
+
+@CHROMIUM
+def test_older_strokes_fade_so_that_a_person_sees_it(tmp_path: Path):
+    """They had half and three quarters of the newest one's colour, which nobody could tell apart."""
+    run = folder(tmp_path)
+    (run / "recording.frames").write_bytes(strokes(3, 40.0))
+    with watched(run) as (port, _), browser(tmp_path / "home") as page:
+        page.open(f"http://127.0.0.1:{port}/")
+        page.until("document.getElementById('samples')?.textContent === '1,200'")
+        newest, before, oldest = (page.run(f"{BLUEST}({low}, {low + 0.14})") for low in (0.0, 0.38, 0.74))
+    assert newest > 100 and 0 < before < 0.6 * newest and 0 < oldest < 0.75 * before
+
+
+@CHROMIUM
+def test_the_rate_is_that_at_which_samples_come_where_the_rig_goes_at_another_pace_than_its_clock(tmp_path: Path):
+    """It said 100, the rig's own rate, while capture said 498 samples/s."""
+    run, setup = folder(tmp_path), ROOT / "pipeline/rig/setups/small.yaml"
+    with (
+        synthetic_rig(tmp_path / "port", setup, "--pace", PACE),
+        watched(run) as (port, _),
+        browser(tmp_path / "home") as page,
+    ):
+        process = ready.start("pipeline.capture", tmp_path / "port", run)
+        page.open(f"http://127.0.0.1:{port}/")
+        page.until("document.getElementById('rate')?.textContent.includes('times')")
+        shown = page.text("rate")
+        process.communicate()
+        found = told(port, lambda found: found["ended"])
+        page.until("document.getElementById('state').textContent === 'complete'")
+        after = page.run("document.getElementById('rate').parentNode.textContent")
+    own_hz = found["rate_hz"]
+    said = re.fullmatch(rf"([\d.]+) \((\d\.?\d*) times the {own_hz:g} of the rig's own clock\)", shown)
+    assert said and 0.7 * PACE * own_hz < float(said[1]) < 1.4 * PACE * own_hz, shown
+    assert after == f"samples per second by the rig's clock{own_hz:g}"
+
+
+def test_samples_that_come_are_counted_over_the_last_looks_alone():
+    coming = Coming()
+    for look in range(40):
+        coming.look(0.5 * look, 50 * look, True)
+    assert coming.rate_hz == 100.0
+    for look in range(40, 60):
+        coming.look(0.5 * look, 2000, True)
+    assert coming.rate_hz is None, "none come any more"
+    coming.look(31.0, 2050, False)
+    coming.look(31.5, 9050, True)
+    assert coming.rate_hz is None, "what was read of the past did not come now"
+
+
+def test_printed_lines_have_a_rate_by_the_time_that_they_tell():
+    printed = Printed(("time_ms", "motor_turns"))
+    printed.feed(b"".join(b"%d,1.5\n" % (20 * at) for at in range(101)))
+    assert printed.rate_hz == 50.0
+
+
+@CHROMIUM
+def test_the_tile_of_the_strokes_left_names_its_limit_and_the_page_what_the_other_one_leaves(tmp_path: Path):
+    """18 strokes until a model is off stood for those that the string has left, of which there were 197."""
+    run = folder(tmp_path, string=content("run-1")["string"] | {"id": "spool-1"})
+    left = tmp_path / "reports" / "spool-1"
+    left.mkdir(parents=True)
+    model = {"limit": 1.0, "unit": "mm", "strokes_left": {"low": 12.5, "median": 18.2, "high": 30.0}}
+    stroke = {"limit": 0.1, "unit": "1", "strokes_left": {"low": 150.0, "median": 197.9, "high": None}}
+    forecast = {"first": "model_error", "questions": {"model_error": model, "stroke_loss": stroke}}
+    (left / "lifespan.json").write_text(json.dumps(forecast))
+    with watched(run) as (port, _), browser(tmp_path / "home") as page:
+        page.open(f"http://127.0.0.1:{port}/")
+        page.until("document.getElementById('left')?.textContent.startsWith('18')")
+        tile = page.run("document.getElementById('left').previousSibling.textContent")
+        file = page.text("left-file")
+    assert tile == "strokes left, forecast, until a model calibrated on the first strokes is off by 1 mm"
+    assert file.endswith("; 197 (median), at least 150 in 90 % of the futures, until 10 % of the stroke is lost")
