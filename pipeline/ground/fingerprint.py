@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+from .kept_imports import KeptImports
 from .modules import literal
 
 SOURCES = (".py", ".yaml", ".json")
@@ -50,10 +51,27 @@ def _absolute(node: ast.ImportFrom, path: Path) -> str:
 
 
 @cache
+def _source(path: Path) -> tuple[str, bytes]:
+    """Path inside the project and content of a source file, read once."""
+    return path.relative_to(HOUSE).as_posix(), path.read_bytes()
+
+
+@cache
+def _kept(house: Path) -> KeptImports:
+    """What earlier processes found that the source files of a package import."""
+    return KeptImports(house)
+
+
+@cache
 def _imports(path: Path) -> frozenset[str]:
+    """Modules of ours that a source file imports, as it was found now or by an earlier process."""
+    return _kept(HOUSE).of(*_source(path), lambda: _imports_anew(path))
+
+
+def _imports_anew(path: Path) -> frozenset[str]:
     """Modules of ours that a source file imports, at any depth of its code, parents included, or finds by name."""
     names: set[str] = set()
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    tree = ast.parse(_source(path)[1])
     for node in _statements(tree.body):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
@@ -93,6 +111,7 @@ def reachable(*modules: str) -> list[Path]:
         if path.name == "__init__.py" and main.is_file() and module in modules:
             waiting.append(f"{module}.__main__")
         waiting.extend(_imports(path))
+    _kept(HOUSE).keep()
     return sorted(paths)
 
 
@@ -106,5 +125,6 @@ def fingerprint(*modules: str) -> str:
             raise ModuleNotFoundError(f"{module} is not a module of this project")
     digest = hashlib.sha256()
     for path in reachable(*modules):
-        digest.update(path.relative_to(HOUSE).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+        name, content = _source(path)
+        digest.update(name.encode() + b"\0" + content + b"\0")
     return digest.hexdigest()[:16]

@@ -204,7 +204,7 @@ def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
     monkeypatch.setattr(module, "HOUSE", tmp_path / "pipeline")
 
     def now():
-        module._imports.cache_clear()
+        module._imports.cache_clear(), module._source.cache_clear()
         return fingerprint("pipeline.a")
 
     before = now()
