@@ -53,7 +53,8 @@ def main() -> int:
             if rig.poll() is not None:
                 return rig.returncode
             time.sleep(0.1)
-        if begin(place, "new_run", "poor-1", *STRING, "--out", run.parent).wait() != 0:
+        # what new_run says comes next this program does itself: it goes to a log
+        if begin(place, "new_run", "poor-1", *STRING, "--out", run.parent, log=place / "new_run.log").wait() != 0:
             return 2
         beside.append(begin(place, "watch", run, "--port", "0", "--settle", out))
         words = [run, "--port", port, "--approve", "auto", "--limits", LIMITS, "--out", out]

@@ -8,13 +8,12 @@ from typing import Any
 
 from markupsafe import Markup
 
-from ..ground.headline import headline
 from ..ground.units import unit_of
+from ..ground.verdict_text import headline, to_do
 from .web.glossary import word
 from .web.page import Text, link, paragraph, picture, together
 
 VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")
-TO_DO = "What to do"  # begins the heading under which a verdict says it
 UNDECIDED = "not decided"
 NAMING = ("explained", "ambiguous")  # verdicts that name physics
 WORSE = ", but worse on unseen strokes: do not adopt"
@@ -94,9 +93,8 @@ def words_of(folder: Path) -> str:
 
 
 def to_do_of(folder: Path) -> str:
-    """What a verdict says under `TO_DO`, on one line; empty where it has no such part."""
-    below = words_of(folder).partition(f"\n{TO_DO}")[2]
-    return " ".join(below.partition("\n\n")[0].partition("\n")[2].split())
+    """What a verdict says to do, on one line; empty where it has no such part."""
+    return " ".join(to_do(words_of(folder)).split())
 
 
 def why_nothing(folder: Path) -> str:

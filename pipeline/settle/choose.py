@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from ..capture.motion import LegJson, as_legs
 from ..ground.counts import counted
-from ..wire.motion import MOST_LEGS, Leg, Limits
-from .limits import beyond
+from ..wire.motion import Leg, Limits
+from .limits import ByHand, beyond
 from .proposed import ProposedRun, without_curves
 from .step import Step
 from .tie import FORETOLD, closest
@@ -136,7 +136,7 @@ def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, l
     for run in raising:
         legs = reachable(run, limits)
         proposal: ProposedRun = {**without_curves(run), "legs": [leg_json(leg) for leg in legs]}
-        if limits is not None and limits.legs <= MOST_LEGS:  # a rig's own: it says where its motor stands now
+        if limits is not None and not isinstance(limits, ByHand):  # the rig says where its motor stands now
             proposal |= {"from": limits.at_turns, "turns_per_s2": limits.turns_per_s2}
         step = Step(number, "proposed", proposal=proposal)
         why = beyond(legs, limits) or left.lacks(step)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.files import write_text
+from ..ground.verdict_text import record_asked
 from .choose import Budget
 from .step import Place, Step
 
@@ -35,8 +36,9 @@ def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: B
         f"  the last verdict: {folder / 'verdict.txt'}",
         f"  how it ended: {place.out / NAME}",
         f"  next: {_next(folder, verdict['verdict'], runs)}",
-        *(f"  or: {more}" for more in [going_on(sentence, budget)] if more and why != "verdict"),
     ]
+    if why != "verdict" and (more := going_on(sentence, budget)):
+        lines.append(f"  or: {more}")
     print("\n".join(lines), flush=True)
 
 
@@ -49,11 +51,14 @@ def going_on(sentence: str, budget: Budget) -> str:
 
 def _next(folder: Path, verdict: str, runs: Sequence[Path]) -> str:
     """What a person does after the loop."""
+    page = folder / "verdict.txt"
+    asked_for = record_asked(page.read_text(encoding="utf-8")) if page.is_file() else ""
+    recording = f"that verdict asks for another recording: {asked_for}" if asked_for else "nothing to record"
     if verdict in ("explained", "parameters"):
         adopt = shlex.join([*command("adopt").split(), str(folder / "diagnosis.json"), str(runs[0])])
-        return f"nothing to record. Where that verdict advises to adopt it, for each run: {adopt}"
+        return f"{recording}. Where that verdict advises to adopt it, for each run: {adopt}"
     if verdict == "consistent":
-        return "nothing: the simulator fits as it is"
+        return recording if asked_for else "nothing to record: the simulator fits as it is"
     names = [*map(str, runs), "NEW_RUN", "--together", "--out", "NEW_FOLDER"]
     diagnose = shlex.join([*command("diagnose").split(), *names])
     reads = "what it could be" if verdict == "unknown" else "what parts the explanations"

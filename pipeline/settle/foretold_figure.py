@@ -13,6 +13,7 @@ from .proposed import Curves, ProposedRun
 
 SIZE_INCHES, DOTS = (8.0, 7.0), 150
 TITLE_POINTS, TITLE_WIDE = 10, 90  # letters of a line that the width has room for
+LEGEND_COLUMNS = 3
 SAME = 0.01  # of a load: less is no other load
 COLOURS = ("#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b")
 STANDS_TURNS = 0.02
@@ -22,6 +23,7 @@ SMOOTH_S = 0.25  # over which a recording is averaged before the small differenc
 def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = None) -> None:
     """Draw a proposed run, and over it the samples that came, as PNG and PDF; `path` goes without an ending.
 
+    One legend below all panels says what each colour is, since no panel has room for it where curves go everywhere.
     Where no explanations tie yet the simulator is drawn alone.
     """
     curves = run["curves"]
@@ -34,7 +36,7 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
     motion, *hangs, reading = panels[:-1] if differ else panels
     apart = panels[-1] if differ else None
     time_s, base_mm = np.array(curves["time_s"]), np.array(curves["calibrated"])
-    motion.plot(time_s, curves["motor_turns"], "0.4", lw=1.2)
+    motion.plot(time_s, curves["motor_turns"], "0.4", lw=1.2, label="motion and load as planned")
     motion.set_ylabel("motor (turns)")
     for panel in hangs:
         panel.plot(time_s, curves["load"], "0.4", lw=1.2)
@@ -44,22 +46,23 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
     alone = {} if curves["rivals"] else {"the simulator of run.yaml": base_mm}
     for number, (name, curve) in enumerate((curves["rivals"] or alone).items()):
         colour = COLOURS[number % len(COLOURS)]
-        reading.plot(time_s, curve, color=colour, lw=1.2, label=name)
+        reading.plot(time_s, curve, color=colour, lw=1.2, label=f"{name}: foretold")
         if apart is not None:
-            apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5, label=name)
+            apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5)
     if came is not None:
         at_s = came["time_s"].to_numpy() - came["time_s"].iloc[0]
         turns = came["motor_turns"].to_numpy()
         came_mm = came["displacement_mm"].to_numpy() - zero_mm(turns, came["displacement_mm"].to_numpy())
-        reading.plot(at_s, came_mm, "k", lw=0.8)
+        motion.plot(at_s, turns, "k", lw=0.8)
+        reading.plot(at_s, came_mm, "k", lw=0.8, label=f"recorded (lowest panel: means over {SMOOTH_S:g} s)")
         beyond_mm = came_mm - simulated_mm(curves, at_s, turns)
         assert apart is not None
-        apart.plot(at_s, averaged(at_s, beyond_mm), "k", lw=1.2, label="what came")
+        apart.plot(at_s, averaged(at_s, beyond_mm), "k", lw=1.2)
     reading.set_ylabel("displacement since\nthe run began (mm)")
     if apart is not None:
-        apart.set_ylabel("beyond the simulator\nwithout a mechanism (mm)")
+        apart.set_ylabel("difference to the simulator\nwithout a mechanism (mm)")
     panels[-1].set_xlabel("time (s)")
-    panels[-1].legend(fontsize=8, frameon=False)
+    figure.legend(loc="outside lower center", ncols=LEGEND_COLUMNS, fontsize=8, frameon=False)
     write_page(figure, path)
 
 

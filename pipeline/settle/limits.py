@@ -54,6 +54,13 @@ class Allowed:
         )
 
 
+class ByHand(Limits):
+    """What a person may do who moves the rig: where its motor stands, and its ramps, nobody knows."""
+
+
+FREE = ByHand(10**6, (-1e6, 1e6), 1e6, 1e6, 1e9, 1.0, 0.0, (0.0, 1e9))  # where --limits say no less
+
+
 def _number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < 1e9
 

@@ -21,11 +21,11 @@ from .foretold_figure import draw
 from .limits import beyond
 from .motor import Motor
 from .proposed import ProposedRun, retimed, without_curves
-from .sheet import sheet
+from .sheet import hung_before, sheet
 from .step import Place, Step
 from .tie import so_far
 
-DONE, FAULT, STOPPED = 0, 1, 130
+DONE, FAULT, STOPPED, MAKES = 0, 1, 130, "the person who makes it"
 
 
 @dataclass(frozen=True)
@@ -121,8 +121,9 @@ class Loop:
 
     def _draw(self, step: Step, came: Path | None = None) -> None:
         path = self.place.folder(step.number) / ("came" if came else "proposed")
-        foretells = "each explanation foretells" if step.number else "the simulator foretells"
-        title = f"{step.proposal['title']}: what {foretells}"
+        who = "each explanation" if step.number else "the simulator of run.yaml"
+        what = f"what {who} foretold, and what came" if came else f"what {who} foretells"
+        title = f"Step {step.number}, {Path(step.run_dir or '').name}, {step.proposal['title']}: {what}"
         draw(self.place.proposed_run(step.number), path, title, self.reader(came).table if came else None)
 
     def _proposed(self, steps: list[Step]) -> Step | None:
@@ -163,12 +164,11 @@ class Loop:
         return (beyond(as_legs(step.legs), self.motor.bounds()) if step.legs else None) or left.lacks(step)
 
     def _approved(self, step: Step) -> Step | None:
+        by_hand = self.motor.takes() is None
+        step = hung_before(step) if by_hand else step
         print(told(step, self.place), flush=True)
-        if self.motor.takes() is not None:
-            approved_step = approved(step, self.way, self.answers)
-        else:
-            approved_step = step.at("approved", approved_by="the person who makes it")
-        return self.place.write(approved_step) if approved_step else None
+        yes = step.at("approved", approved_by=MAKES) if by_hand else approved(step, self.way, self.answers)
+        return self.place.write(yes) if yes else None
 
     def _recorded(self, step: Step) -> tuple[Step, int]:
         """The run is made; the step, and an exit status where the loop is to end here."""

@@ -26,7 +26,11 @@ def begins(step: Step) -> str:
     """Where the motor stands before a run, and what hangs then."""
     hangs = step.proposal.get("load")
     load = f", under {hangs:.4g} N" if hangs is not None else ""
-    return f"Before it the motor stands at {step.proposal.get('from', 0.0):.2f} turns{load}."
+    stands = f"Before it the motor stands at {step.proposal.get('from', 0.0):.2f} turns{load}."
+    if not step.number or len(step.legs) < 2:
+        return stands
+    rest_s = step.seconds - step.legs[0]["seconds"]
+    return f"{stands} Leg 1 leads to where the run begins; the legs after it take {rest_s:.0f} s, as the verdict says."
 
 
 def table(step: Step) -> list[Row]:

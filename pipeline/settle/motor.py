@@ -10,11 +10,9 @@ from ..capture.port import Port
 from ..capture.session import capture
 from ..ground.errors import BadInput
 from ..wire.motion import Limits
-from .limits import Allowed, beyond
+from .limits import FREE, Allowed, beyond
 from .step import Place, Step
 
-# of a person who moves the rig, where --limits say no less
-FREE = Limits(10**6, (-1e6, 1e6), 1e6, 1e6, 1e9, 1.0, 0.0, (0.0, 1e9))
 LONGER, AND_S = 2.0, 60.0  # than its legs take: then a recording is ended
 
 

@@ -17,10 +17,10 @@ def sheet(step: Step, like: Path, why: str) -> str:
     for number, leg in enumerate(step.legs, 1):
         to, load = leg["motor_turns"], leg.get("load_n")
         moves = abs(to - at) > STANDS
-        does = f"go from {at:.2f} to {to:.2f} turns" if moves else f"stand at {to:.2f} turns"
+        does = f"go from {at:.2f} to {to:.2f} turns in" if moves else f"stand at {to:.2f} turns for"
         pace = f", at {speed(to - at, leg['seconds'], None):.2f} turns/s" if moves else ""
         weight = f", under {load:g} N" if load is not None and load != hangs and len(step.loads_n) != 1 else ""
-        lines.append(f"  {number}. {does} in {leg['seconds']:.1f} s{pace}{weight}")
+        lines.append(f"  {number}. {does} {leg['seconds']:.1f} s{pace}{weight}")
         at, hangs = to, load if load is not None else hangs
     record = f"{command('capture')} PORT {shlex.quote(str(folder))}"
     lines += [
@@ -38,3 +38,11 @@ def before(step: Step) -> list[str]:
         return [f"Before it, hang {step.loads_n[0]:g} N, and leave it there."]
     sentence = "The load changes on the way: record it as load_n too, for run.yaml can give one load only."
     return [sentence] if step.loads_n else []
+
+
+def hung_before(step: Step) -> Step:
+    """A step whose one load hangs from the beginning on: a person hangs it before the run, and not while it goes."""
+    if len(step.loads_n) != 1:
+        return step
+    legs = [leg | {"load_n": step.loads_n[0]} for leg in step.legs]
+    return step.at(step.state, proposal={**step.proposal, "legs": legs, "load": step.loads_n[0]})

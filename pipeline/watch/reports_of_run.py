@@ -4,7 +4,7 @@ import contextlib
 import os
 from pathlib import Path
 
-from ..ground.headline import headline
+from ..ground.verdict_text import headline
 
 LARGEST = 1_000_000  # bytes of a file that is looked into
 PAGES = ("diagnosis.html", "diagnosis.pdf", "verdict.txt")  # of a diagnosis, the first that is there

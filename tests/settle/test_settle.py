@@ -147,6 +147,9 @@ def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_fo
         shutil.copy(place / "by-hand" / name, place / "raw" / "poor-1-s1" / name)
     said = one.communicate(timeout=60)[0]
     assert one.returncode == 0, said
+    table = said[said.index("Before it the motor stands") : said.index("Run poor-1-s1:")]
+    assert "under 40 N" in table and " 20\n" not in table, "the sheet hangs the load before the run, and the table too"
+    assert "stand at 0.00 turns for 2.0 s" in sheet
     assert settled(place)["mechanisms"] == ["friction_hysteresis"] and set(old.heard) == {Kind.GREET}
 
 

@@ -12,11 +12,25 @@ from pipeline.settle.step import Place, Step
 RUNS = [Path("raw/a"), Path("raw/a-s1")]
 
 
-def said(tmp_path, capsys, verdict: str, why: str, sentence: str) -> str:
+ASKS = """a, a-s1: explained: physics is missing, and named.
+
+What to do, in this order
+  1. Optional, to be surer of a name: before adopting, record the same 7 strokes, 0 to 20 turns under 20 N, at
+     3.95 turns/s, then as many at 1.98 turns/s.
+     Its tests, the numbers to expect of it and the commands: details.txt.
+  2. You may adopt this to predict motions like the recorded ones.
+
+More: details.txt
+"""
+
+
+def said(tmp_path, capsys, verdict: str, why: str, sentence: str, page: str = "") -> str:
     place, ids = Place(tmp_path / "out"), ["creep"] if verdict == "explained" else []
     place.folder(1).mkdir(parents=True)
     found = {"verdict": verdict, "mechanisms": [{"id": id_} for id_ in ids], "alternatives": []}
     (place.folder(1) / "diagnosis.json").write_text(json.dumps(found))
+    if page:
+        (place.folder(1) / "verdict.txt").write_text(page)
     settled(place, [Step(0, "diagnosed"), Step(1, "diagnosed")], RUNS, Budget(3, 30.0, 40), why, sentence)
     return capsys.readouterr().out
 
@@ -27,6 +41,21 @@ def test_a_settled_tie_ends_with_the_paths_and_the_command_that_adopts_it(tmp_pa
     assert text.startswith("settled: the verdict is explained: creep\n")
     assert f"the last verdict: {out}/step-1/verdict.txt\n" in text and f"how it ended: {out}/settled.json\n" in text
     assert f"pipeline.adopt {out}/step-1/diagnosis.json raw/a\n" in text and "nothing to record" in text
+
+
+def test_it_says_nothing_to_record_only_where_its_verdict_asks_for_no_recording(tmp_path, capsys):
+    """`next: nothing to record` stood above a verdict whose first step was to record strokes at two speeds."""
+    text = said(tmp_path / "a", capsys, "explained", "verdict", "the verdict is explained", ASKS)
+    assert "nothing to record" not in text and "pipeline.adopt" in text
+    optional = (
+        "Optional, to be surer of a name: before adopting, record the same 7 strokes, 0 to 20 turns under 20 N, at"
+    )
+    assert (
+        f"next: that verdict asks for another recording: {optional} 3.95 turns/s, then as many at 1.98 turns/s. Where"
+        in text
+    )
+    none = ASKS.replace("record the same", "wind the same")
+    assert "nothing to record" in said(tmp_path / "b", capsys, "explained", "verdict", "the verdict is explained", none)
 
 
 @pytest.mark.parametrize(
@@ -46,4 +75,5 @@ def test_a_budget_that_ended_it_says_how_to_go_on(sentence, option, tmp_path, ca
 def test_a_tie_by_construction_is_not_told_of_a_budget(tmp_path, capsys):
     text = said(tmp_path, capsys, "ambiguous", "no run", "as far as they show it is a tie by construction")
     assert "--runs" not in text and "not settled" in text
-    assert "nothing: the simulator fits" in said(tmp_path / "b", capsys, "consistent", "verdict", "it is consistent")
+    fits = said(tmp_path / "b", capsys, "consistent", "verdict", "it is consistent")
+    assert "nothing to record: the simulator fits" in fits

@@ -38,6 +38,7 @@ def test_the_example_goes_from_nothing_to_a_right_and_firm_verdict_with_the_page
     assert "http://127.0.0.1:" in done.stdout and "friction_hysteresis; settled rightly" in done.stdout
     out, run = tmp_path / "reports" / "settle" / "poor-1", tmp_path / "raw" / "poor-1"
     assert done.stdout.startswith(f"first recording: {run}\nsteps and verdicts: {out}\n")
+    assert "Next:" not in done.stdout, "what comes next this program does itself"
     assert "stays until this program ends" in done.stdout and f"runs: {run}, {run}-s1" in done.stdout
     assert f"drawn before it is made: {out}/step-1/proposed.png" in done.stdout
     assert f"the last verdict: {out}/step-" in done.stdout and "RUN_OF_RECORDING" not in done.stdout

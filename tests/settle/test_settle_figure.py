@@ -25,6 +25,27 @@ def drawn(monkeypatch, load_n: list[float], before_n: float | None, title: str =
     return figures[0]
 
 
+def legend(figure) -> list[str]:
+    """What the figure's legends say."""
+    inside = [panel.get_legend() for panel in figure.axes if panel.get_legend()]
+    return [entry.get_text() for each in (*figure.legends, *inside) for entry in each.get_texts()]
+
+
+def test_the_legend_says_what_is_foretold_and_what_came_and_lies_beside_the_panels(monkeypatch):
+    """It lay on the curves of the lowest panel, named no line of the others, and said: what came."""
+    came = pd.DataFrame({"time_s": [0.0, 1.0, 3.0], "motor_turns": [0.0, 0.1, 0.0], "displacement_mm": 0.0})
+    figure = drawn(monkeypatch, [20.0] * 4, 20.0, came=came)
+    assert legend(figure) == [
+        "motion and load as planned",
+        "creep: foretold",
+        "recorded (lowest panel: means over 0.25 s)",
+    ]
+    figure.canvas.draw()
+    below = figure.legends[0].get_window_extent()
+    assert all(not below.overlaps(panel.get_window_extent()) for panel in figure.axes)
+    assert [len(panel.lines) for panel in figure.axes] == [2, 2, 2], "what came in each panel, the motion too"
+
+
 def test_the_title_lies_within_the_figure(monkeypatch):
     figure = drawn(monkeypatch, [20.0] * 4, 20.0, LONG)
     figure.canvas.draw()
@@ -64,7 +85,10 @@ def test_a_first_recording_has_no_panel_of_a_line_at_0_before_it_is_made(monkeyp
     """The largest panel showed the simulator beyond itself: flat, while nothing was loaded or compared."""
     panels = drawn(monkeypatch, [20.0] * 4, 20.0, ties=False).axes
     assert [panel.get_ylabel().split()[0] for panel in panels] == ["motor", "displacement"]
-    assert panels[-1].get_xlabel() == "time (s)" and panels[-1].get_legend() is not None
+    assert panels[-1].get_xlabel() == "time (s)" and legend(panels[-1].figure) == [
+        "motion and load as planned",
+        "the simulator of run.yaml: foretold",
+    ]
     came = pd.DataFrame({"time_s": [0.0, 3.0], "motor_turns": [0.0, 0.0], "displacement_mm": 0.0})
     panels = drawn(monkeypatch, [20.0] * 4, 20.0, came=came, ties=False).axes
-    assert [panel.get_ylabel().split()[0] for panel in panels] == ["motor", "displacement", "beyond"]
+    assert [panel.get_ylabel().split()[0] for panel in panels] == ["motor", "displacement", "difference"]

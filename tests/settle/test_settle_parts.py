@@ -151,11 +151,13 @@ def test_a_sheet_says_each_leg_and_how_to_record_it():
     text = sheet(step, Path("raw/a"), "no --port was given")
     assert "Before it, hang 40 N, and leave it there." in text and "under" not in text
     assert (
-        "1. stand at 0.00 turns in 2.0 s\n" in text
+        "1. stand at 0.00 turns for 2.0 s\n" in text
         and "2. go from 0.00 to 20.00 turns in 5.0 s, at 4.00 turns/s\n" in text
     )
     assert "3. go from 20.00 to 0.00 turns in 5.0 s, at 4.00 turns/s\n" in text and "capture PORT raw/a-s1" in text
-    step.legs[2]["load_n"] = 10.0
+    changes = entry("one", load_n=40.0)
+    changes["legs"][2]["load_n"] = 10.0
+    step = chosen([changes], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
     text = sheet(step, Path("raw/a"), "no --port was given")
     assert "2. go from 0.00 to 20.00 turns in 5.0 s, at 4.00 turns/s, under 40 N" in text
     assert "turns/s, under 10 N" in text
