@@ -117,13 +117,13 @@ def made_by(
     return MadeBy(name, digest, kind, fits, tuple(changed), rig if "synthetic" in parts else "")
 
 
-def sentence(mark: MadeBy) -> str:
-    """What a reader must know of the configuration, in one or two plain sentences."""
+def sentence(mark: MadeBy, versioned: bool = True) -> str:
+    """What a reader must know of the configuration, in one or two plain sentences; `versioned` with the hash of it."""
     if mark.kind == "unknown":
         return "Made by hand: which configuration made its numbers is not known."
     rig = f" It records another synthetic rig: {mark.rig}." if mark.rig else ""
     fits = rig + (f" Fits: {mark.fits}." if mark.fits else "")
-    name = f"{mark.name} ({mark.version})"
+    name = f"{mark.name} ({mark.version})" if versioned else mark.name
     if mark.kind == "default":
         return f"Made by the default configuration, {name}.{fits}"
     if mark.kind == "small" and mark.fits:
@@ -131,14 +131,14 @@ def sentence(mark: MadeBy) -> str:
     rest = len(mark.changed) - SHOWN
     more = f" and {rest} more" if rest > 0 else ""
     differs = f"it differs from the default in {', '.join(mark.changed[:SHOWN])}{more}"
-    head = "Small fit, not a result" if mark.kind == "small" else "Your own configuration, not the default one"
+    head = "Small fit, not a result" if mark.kind == "small" else "Not the default configuration"
     return f"{head}: made by {name}; {differs}.{fits}"
 
 
 def warning(mark: MadeBy) -> str:
     """The few words that stand on a figure or in a caption; empty for the default configuration."""
-    heads = {"small": "small fit: not a result", "own": "your own configuration"}
-    return f"{heads[mark.kind]}, {mark.name}, {mark.version}" if mark.kind in heads else ""
+    heads = {"small": "small fit: not a result", "own": "not the default configuration"}
+    return f"{heads[mark.kind]}, made by {mark.name}" if mark.kind in heads else ""
 
 
 def called(files: list[str], options: bool) -> str:

@@ -11,7 +11,7 @@ from .made_by import MadeBy, sentence
 Column = tuple[str, str, str]  # head, datatype (string, integer, number or boolean), what it holds
 STATUS = {
     "default": "result of the default configuration", "small": "small fit: not a result",
-    "own": "your own configuration", "unknown": "configuration not known",
+    "own": "not the default configuration", "unknown": "configuration not known",
 }  # fmt: skip
 
 

@@ -22,7 +22,7 @@ def mark_of_run(wildcards):
     if wildcards.run not in SYNTHETIC or not OTHER_RIG:
         return []
     mark = unpacked(mark_of("synthetic"))
-    return ["--mark", f"recorded by {mark.name} ({mark.version}) on another synthetic rig: {mark.rig}"]
+    return ["--mark", f"recorded by {mark.name} on another synthetic rig: {mark.rig}"]
 
 
 def mark_of_material(wildcards):

@@ -12,6 +12,7 @@ from snakemake.utils import update_config
 from pipeline.report.made_by import MadeBy, called, made_by, sentence, unpacked, warning
 from pipeline.report.plain_markdown import note, plain
 from pipeline.report.sidecar import describe
+from pipeline.report.web.page import document, paragraph
 from pipeline.rig.setup_words import other_rig
 
 CONFIG = Path(__file__).parents[2] / "pipeline" / "config"
@@ -59,13 +60,29 @@ def test_what_ci_makes_is_a_small_fit(parts):
 def test_a_change_counts_where_it_matters(change, kind):
     mark = made_by(merged(change), DEFAULT, "mine.yaml", MODELS)
     assert mark.kind == kind
-    assert ("your own configuration, mine.yaml" in warning(mark)) == (kind == "own")
+    assert ("not the default configuration, made by mine.yaml" in warning(mark)) == (kind == "own")
+
+
+@pytest.mark.parametrize("parts", [["models"], ["synthetic"], ["models", "synthetic", "leak"]])
+def test_no_mark_calls_the_projects_own_configuration_the_readers(parts):
+    """A page of ci.yaml began with "Your own configuration"."""
+    mark = made_by(merged(CI), DEFAULT, "ci.yaml", parts)
+    assert "made by ci.yaml" in sentence(mark) and "made by ci.yaml" in warning(mark)
+    assert "own configuration" not in sentence(mark).lower() + warning(mark)
+
+
+def test_the_hash_of_a_configuration_stands_at_the_foot_of_a_page_alone():
+    mark = made_by(merged(CI), DEFAULT, "ci.yaml", MODELS)
+    assert mark.digest in sentence(mark) and mark.digest not in sentence(mark, versioned=False) + warning(mark)
+    page = document("a", paragraph("body"), mark)
+    assert page.count(mark.digest) == 1 and page.index(mark.digest) > page.index("body")
+    assert "checksum" not in document("a", paragraph("body"), MadeBy()) + document("a", paragraph("body"))
 
 
 def test_an_own_configuration_says_what_differs():
     mark = made_by(merged({"models": {"inn": {"settings": {"epochs": 48}}}}), DEFAULT, "mine.yaml", MODELS)
     assert "it differs from the default in models.inn.settings.epochs (48 instead of 24)." in sentence(mark)
-    assert "not the default one" in sentence(mark)
+    assert sentence(mark).startswith("Not the default configuration: made by mine.yaml")
 
 
 def test_a_small_fit_says_that_it_records_another_rig_where_it_does():

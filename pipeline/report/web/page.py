@@ -24,7 +24,7 @@ SHELL = Markup("""\
 </head>
 <body>
 {above}<h1>{title}</h1>
-{mark}{contents}{body}
+{mark}{contents}{body}{foot}
 <script>
 {script}</script>
 </body>
@@ -58,7 +58,14 @@ def band(mark: MadeBy | None) -> Markup:
     """The band that says which configuration made the page; none where no configuration is asked."""
     if mark is None:
         return Markup("")
-    return Markup('<p class="mark {}" role="note">{}</p>\n').format(mark.kind, sentence(mark))
+    return Markup('<p class="mark {}" role="note">{}</p>\n').format(mark.kind, sentence(mark, versioned=False))
+
+
+def foot(mark: MadeBy | None) -> Markup:
+    """Which state of its configuration made the page, for whoever compares two; none where it is not known."""
+    if mark is None or not mark.name:
+        return Markup("")
+    return Markup('\n<p class="soft">Made by {}, {}.</p>').format(mark.name, mark.version)
 
 
 def contents(places: Sequence[tuple[str, Text]]) -> Markup:
@@ -89,6 +96,6 @@ def document(
     return str(
         SHELL.format(
             title=title, style=STYLE, script=SCRIPT, mark=band(mark), contents=contents(places), body=body,
-            above=paragraph(above) + NEWLINE if above else Markup(""),
+            above=paragraph(above) + NEWLINE if above else Markup(""), foot=foot(mark),
         )
     )  # fmt: skip

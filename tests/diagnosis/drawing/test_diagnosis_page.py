@@ -27,8 +27,8 @@ from pipeline.run.samples import read_samples
 from pipeline.systems import systems
 
 MARK = (
-    "recorded by ci.yaml (checksum of its settings abc1234) on another synthetic rig: set-up small (5 strokes, 4 to 20 "
-    "turns under 20 N, then 1 to 16 turns under 30 N)"
+    "recorded by ci.yaml on another synthetic rig: set-up small (5 strokes, 4 to 20 turns under 20 N, then 1 to 16 "
+    "turns under 30 N)"
 )
 
 
