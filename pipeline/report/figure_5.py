@@ -37,7 +37,7 @@ BEST = (
     "{} is drawn because it has the least forward error on this material's held-out points, of all models beside the "
     "INN and the traditional one; for another material it may be another."
 )
-TAKEN = "{} is drawn because it is the model to take where nobody says which."
+TAKEN = "{} is drawn because it is the model to take, by the rule on the page of the models."
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
 

@@ -13,7 +13,7 @@ from .figure_4 import figure_4
 from .figure_5 import figure_5
 from .marks import add_mark, mark_from
 from .titles import titles_of
-from .usual_model import chosen_of
+from .usual_model import chosen_of, errors_of
 from .winding import with_median, with_nominal
 
 INN, TRADITIONAL = "inn", "traditional"
@@ -47,7 +47,7 @@ def main() -> None:
     by_model: dict[str, list[Path]] = {}
     for path in arguments.predictions:
         by_model.setdefault(path.parent.name, []).append(path)
-    best, taken = best_other(metrics, titles), chosen_of(model for model in by_model if model not in (INN, TRADITIONAL))
+    best, taken = best_other(metrics, titles), chosen_of(set(by_model) - {INN, TRADITIONAL}, errors_of(metrics))
     wanted = dict.fromkeys((INN, best, taken))
     shown = [model for model in wanted if model and model in by_model]
     learned = {titles[model]: with_median(dataset, by_model[model]) for model in shown}

@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 
 from .comparison import line
-from .usual_model import ALONE, chosen_of, uses
+from .usual_model import ALONE, chosen_of, errors_in, errors_of, uses
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 SPLITS = {"within": "within strokes", "later": "later strokes"}
@@ -15,7 +15,7 @@ SPLITS = {"within": "within strokes", "later": "later strokes"}
 def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
     """Lines of Markdown: the commands, and the file of every fit that metrics are of."""
     fits = metrics.loc[~metrics["model"].isin(FLOORS), ["model", "split", "seed"]].drop_duplicates()
-    chosen = chosen_of(fits["model"])
+    chosen = chosen_of(fits["model"], errors_of(metrics))
     if not chosen:
         return []
     heads = ["folder", *(f"files of the split `{split}`" for split in SPLITS)]
@@ -39,10 +39,11 @@ def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
     return [*text, *lines, ""]
 
 
-def lines_at_end(material: str, made: Iterable[Path]) -> list[str]:
-    """Lines for the end of the main job, of the fitted models among the files that it made."""
+def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[str]:
+    """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there."""
     files = [path for path in made if path.suffix == ".model" and path.parent.parent.name == material]
-    chosen = chosen_of(path.parent.name for path in files if path.name == "within-0.model")
+    saved = [path.parent.name for path in files if path.name == "within-0.model"]
+    chosen = chosen_of(saved, errors_in(models_csv))
     if not chosen:
         return []
     export, ask = uses(material, chosen)

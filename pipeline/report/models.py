@@ -19,7 +19,7 @@ from .sidecar import Column, describe
 from .strings_together import together
 from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
 from .titles import titles_of
-from .usual_model import USUAL, to_take, weighed
+from .usual_model import RULE, chosen_of, weighed
 
 WHERE = ["stroke", "phase", "angle_band"]
 COLUMNS: list[Column] = [
@@ -110,15 +110,13 @@ def table(chosen: pd.DataFrame) -> list[str]:
 
 
 def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
-    """Lines that name the model to take, and one that errs less on strokes like the recorded ones; none without it."""
+    """Lines that name the model to take, by which rule, and one that errs less on strokes like the recorded ones."""
     whole = table_of[(table_of["column"] == "all") & ~table_of["model"].isin(FLOORS)]
     titles = {row["model"]: plain(row["title"]) for _, row in whole.iterrows()}
-    if USUAL not in titles:
-        return []
     forward = whole[whole["map"] == "forward"]
     errors_mm = {(row["model"], row["split"]): float(row["median"]) for _, row in forward.iterrows()}
-    less = weighed(titles, errors_mm)
-    return [f"{to_take(f'**{titles[USUAL]}**')}. {less}".strip(), ""]
+    chosen = chosen_of(titles, errors_mm)
+    return [f"Take the **{titles[chosen]}**. {RULE} {weighed(titles, errors_mm)}".strip(), ""] if chosen else []
 
 
 def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = None) -> str:

@@ -34,7 +34,7 @@ def of_material(folder: Path, paths: set[Path]) -> list[str]:
     if figures:
         text.append(f"figures: {', '.join(figures)}")
     text += [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in paths]
-    return text + lines_at_end(folder.name, paths)
+    return text + lines_at_end(folder.name, paths, folder / "models.csv")
 
 
 def summary(made: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:

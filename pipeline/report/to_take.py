@@ -9,7 +9,7 @@ from markupsafe import Markup
 
 from .fitted import FLOORS
 from .stroke_conditions import APART
-from .usual_model import ALONE, USUAL, chosen_of, to_take, uses, weighed
+from .usual_model import ALONE, RULE, chosen_of, uses, weighed
 from .web.page import Text, paragraph, together
 from .web.table import table
 
@@ -40,17 +40,24 @@ class Models(NamedTuple):
                 models.errors[line["model"], line["split"], line["map"]] = rmse, f"{rmse:.3f}{times}"
         return models
 
+    def forward_mm(self) -> dict[tuple[str, str], float]:
+        """The forward errors by model and split, in mm."""
+        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[0]}
+
+    def chosen(self) -> str:
+        """The model to take."""
+        return chosen_of(self.titles, self.forward_mm())
+
     def row(self) -> list[str]:
         """Title of the model to take, its errors both ways on both splits, and the diagnosed simulator's forward."""
-        chosen = chosen_of(self.titles)
+        chosen = self.chosen()
         keys = [(chosen, split, way) for way in WAYS for split in SPLITS]
         keys += [(ALONE, split, WAYS[0]) for split in SPLITS]
         return [self.titles.get(chosen, ""), *(self.errors[key][1] if key in self.errors else "" for key in keys)]
 
     def weighed(self) -> str:
         """Which other model errs less than the one to take; empty where none does."""
-        forward_mm = {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[0]}
-        return weighed(self.titles, forward_mm)
+        return weighed(self.titles, self.forward_mm())
 
 
 def later_apart(models: Path) -> str:
@@ -60,21 +67,16 @@ def later_apart(models: Path) -> str:
 
 
 def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
-    """Why these models, the commands that use one, and what the simulator beside them is."""
-    chosen = {material: chosen_of(models.titles) for material, models in materials.items()}
-    usual = [material for material, model in chosen.items() if model == USUAL]
-    lines: list[Text] = []
-    if usual:
-        title = materials[usual[0]].titles[USUAL]
-        export, _ = uses(usual[0] if len(usual) == 1 else "<material>", USUAL)
-        text = (
-            "{}; the one that is exported: <code>{}</code>. Which errs least on what: the page of every model, below."
-        )
-        lines.append(Markup(text).format(to_take(title), export))
-    if others := [material for material, model in chosen.items() if model not in ("", USUAL)]:
-        lines.append(
-            f"Of {', '.join(others)} no spline was fitted: the first model by name that can be exported is shown."
-        )
+    """By which rule these models, the commands that use one, and what the simulator beside them is."""
+    by_model: dict[str, list[str]] = {}
+    for material, models in materials.items():
+        by_model.setdefault(models.chosen(), []).append(material)
+    lines: list[Text] = [f"{RULE} Which errs least on what: the page of every model, below."] if any(by_model) else []
+    for model, chosen_for in by_model.items():
+        if model:
+            export, _ = uses(chosen_for[0] if len(chosen_for) == 1 else "<material>", model)
+            title = materials[chosen_for[0]].titles[model]
+            lines.append(Markup("{} is exported by <code>{}</code>.").format(title, export))
     for material, models in materials.items():
         if less := models.weighed():
             lines.append(f"{material}: {less}")

@@ -22,7 +22,7 @@ from pipeline.report.made_by import MadeBy
 from pipeline.report.page_parts import of_materials, of_runs
 from pipeline.report.summary import summary
 from pipeline.report.to_take import Models, materials_table
-from pipeline.report.usual_model import uses
+from pipeline.report.usual_model import RULE, uses
 from pipeline.report.web.page import anchor
 from pipeline.run.left_out import LeftOut, to_json
 
@@ -129,7 +129,7 @@ def test_every_link_is_relative_and_leads_to_something_wherever_the_folder_lies(
 def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
     text = (reports / "index.html").read_text()
     opening, _, rest = text[text.index("<body>") :].partition(f'<details id="material-{MATERIAL}">')
-    for words in ("At a glance", MATERIAL, "Calibrated model", "0.093 (1.03 ×", "ambiguous", "hold 20 N"):
+    for words in ("At a glance", MATERIAL, "MLP model", "0.051 (1.04 ×", "ambiguous", "hold 20 N"):
         assert words in opening, words
     assert "consistent" in opening and "not decided" in opening and "<pre>" not in opening
     assert (
@@ -183,7 +183,7 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     words = html.unescape(str(materials_table(tmp_path, [MATERIAL], str)))
     export, _ = uses(MATERIAL, "spline")
     assert export in words
-    assert "Spline is the model to take, for it rises with the twist" in words
+    assert RULE in words and f"Spline is exported by <code>{export}" in words
     assert "Simulator is no model to take away: it needs the whole motion" in words
     less = (
         "Polynomial errs less, 0.020 mm against 0.103 mm (forward); on later strokes it has 0.400 mm against 0.153 mm"
@@ -194,11 +194,25 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     assert "errs less" not in str(materials_table(tmp_path, [MATERIAL], str)), "so little less is told as alike"
 
 
+@pytest.mark.parametrize(
+    ("later", "model"), [((0.153, 0.156), "Spline"), ((0.165, 0.151), "Spline"), ((0.168, 0.151), "Polynomial")]
+)
+def test_the_model_to_take_is_the_one_whose_numbers_on_the_page_justify_it(tmp_path, reports, later, model):
+    """The spline was named whatever its errors were."""
+    (tmp_path / MATERIAL).mkdir()
+    spline, polynomial = ("Spline", 0.103, later[0]), ("Polynomial", 0.02, later[1])
+    changed(reports / MATERIAL / "models.csv", tmp_path / MATERIAL / "models.csv", polynomial=polynomial, spline=spline)
+    assert Models.read(tmp_path / MATERIAL / "models.csv").row()[0] == model
+    words = str(materials_table(tmp_path, [MATERIAL], str))
+    export, _ = uses(MATERIAL, model.lower())
+    assert export in words and words.count("<p>The model to take is the one of the least forward error") == 1
+
+
 def test_without_a_spline_or_a_simulator_the_index_says_what_it_shows_and_no_more(tmp_path, reports):
     assert Models.read(tmp_path / "none.csv").row() == [""] * 7
-    assert Models.read(reports / MATERIAL / "models.csv").row()[:2] == ["Calibrated model", "0.093 (1.03 ×)"]
+    assert Models.read(reports / MATERIAL / "models.csv").row()[:2] == ["MLP model", "0.051 (1.04 ×)"]
     words = str(materials_table(reports, [MATERIAL], str))
-    assert f"Of {MATERIAL} no spline was fitted" in words and "no model to take away" not in words
+    assert "processed/<material>" not in words and "no model to take away" not in words
 
 
 def test_the_next_run_is_said_in_a_few_words():
