@@ -42,7 +42,7 @@ TERMS: dict[str, dict[str, str]] = {
         "rms": "root of the mean square: the usual size of something that varies.",
         "consistent": "no (further) missing physics can be named, and moving the dimensions helps nothing either.",
         "parameters": "no (further) missing physics can be named; the simulation fits only once its dimensions move.",
-        "explained": "physics is missing and named; as an error, that of the simulator with it.",
+        "explained": "physics is missing and named.",
         "ambiguous": "physics is missing, and several explanations are likely.",
         "unknown": "the mismatch is real, and nothing in the library explains it.",
         "not decided": "the recording is too short or too poor; the page says what to record.",

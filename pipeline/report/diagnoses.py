@@ -18,7 +18,8 @@ UNDECIDED = "not decided"
 NAMING = ("explained", "ambiguous")  # verdicts that name physics
 WORSE = ", but worse on unseen strokes: do not adopt"
 NO_NUMBER = "–"
-SIZES = ("mismatch", "nominal", "calibrated", "explained", "noise")
+DIAGNOSED = "as diagnosed"  # the simulator with what a verdict names, as verdicts call it
+SIZES = ("mismatch", "nominal", "calibrated", DIAGNOSED, "noise")
 FILES = {
     "verdict.txt": "the verdict",
     "details.txt": "its reasons, and the next run step by step",
@@ -82,7 +83,7 @@ def sizes(content: Content | None) -> list[str]:
     numbers.append(content["fit"][f"noise_floor_{unit}"])
     cells = ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in numbers]
     if verdict_of(content) == "unknown":  # nothing is named that could have an error
-        cells[SIZES.index("explained")] = NO_NUMBER
+        cells[SIZES.index(DIAGNOSED)] = NO_NUMBER
     return cells
 
 

@@ -23,6 +23,7 @@ from .diagnoses import (
     why_nothing,
 )
 from .to_take import materials_table
+from .web.glossary import word
 from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
@@ -59,8 +60,8 @@ def runs_table(reports: Path, contents: Mapping[str, Content | None], of: Mappin
         names = Markup("<br>").join(filter(None, [named_of(content), advice(verdict_of(content), folder)]))
         rows.append([name(run), of.get(run, ""), tag(badge_of(content)), names])
         rows[-1] += [*sizes(content), next_run(content, folder)]
-    head = ["Run", "Material", "Verdict", "Left out of the simulator", *SIZES, "Next run"]
-    over = [("", 5), ("error on unseen strokes", UNSEEN), ("", 2)]
+    head: list[Text] = ["Run", "Material", "Verdict", "Left out of the simulator", *map(word, SIZES), "Next run"]
+    over: list[tuple[Text, int]] = [("", 5), ("error on unseen strokes", UNSEEN), ("", 2)]
     return table(head, rows, texts=(0, 1, 2, 3, len(head) - 1), over=over, paged=True)
 
 

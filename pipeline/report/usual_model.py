@@ -14,8 +14,8 @@ LESS = 1.1  # times as large: from there on an error is told to be larger
 ALONE = "diagnosed"  # needs the whole motion: it is neither exported nor asked
 RULE = (
     "The model to take is the one of the least forward error on later strokes (on held-out points where no later "
-    f"stroke is left out); the spline is taken where its error is at most {LESS:g} times the least, because it rises with the "
-    "twist and is its own inverse."
+    f"stroke is left out); the spline is taken where its error is at most {LESS:g} times the least, because it rises "
+    "with the twist and is its own inverse."
 )
 Errors = Mapping[tuple[str, str], float]
 

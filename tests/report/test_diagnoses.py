@@ -2,6 +2,7 @@
 
 from made_verdict import made_verdict
 
+from pipeline.ground.glossary import MEANING
 from pipeline.report.diagnoses import (
     content_of,
     explanations,
@@ -69,6 +70,13 @@ def test_a_name_that_makes_the_simulator_worse_has_that_in_its_badge_and_is_coun
     top = str(counted(contents))
     assert 'data-only="explained, but worse on unseen strokes: do not adopt">1 ' in top and badge in top
     assert 'data-only="explained">1 ' in top and 'data-only="unknown">1 ' in top
+
+
+def test_the_table_of_runs_calls_an_error_what_a_verdict_and_the_glossary_call_it(tmp_path):
+    """An error stood under "explained" here and in the row "as diagnosed" of the verdict."""
+    heads = str(runs_table(tmp_path, {"a": TIED}, {}, str)).partition("<tbody>")[0]
+    assert "as diagnosed</abbr></th>" in heads and "explained" not in heads
+    assert "error" not in MEANING["explained"] and "physics that the verdict names" in MEANING["as diagnosed"]
 
 
 def test_an_unknown_verdict_has_no_error_of_what_it_names():
