@@ -1,4 +1,4 @@
-"""Leak and metrics → figure_leak: what forward-only training does to the INN's inverse, and what cures it."""
+"""Leak and metrics → figure_leak: how much of the INN's inverse error is leak, and what mends it."""
 
 import argparse
 from pathlib import Path
@@ -21,23 +21,32 @@ GROUPS = {
     "identity_forward": "as they came,\nforward error",
     "inn": "INN of\nTables I, II",
 }
-PARTS = {"rmse": ("o", "whole error"), "leak_rmse": ("^", "leak alone"), "residual_rmse": ("_", "residual alone")}
+PARTS = {"rmse": ("o", "whole error"), "leak_rmse": ("^", "leak alone"), "residual_rmse": ("_", "rest alone")}
 OUTPUTS = {"slope_b": ("o", "separator b"), "slope_l": ("^", "length l"), "slope_r": ("s", "radius r")}
 CHANGES = {"random_both": "both errors", "identity_forward": "as they came"}  # of the training, by their words above
 WITHOUT = "random_forward"
 READING = (
-    "An invertible network (INN) has one set of weights for both ways: twist θ to contraction x, and x back to θ. It "
-    "is given the separator b, the length l, the radius r and the stroke's number n as well, and is to hand them on.",
-    "It hands b, l and r on with a small error. The way back is asked with their true values. What the difference does "
-    "to θ is the leak; (c) shows how strongly θ answers to it. The error of x does the rest: the residual.",
-    "Shuffled: between its blocks the network shuffles its five values, and leaves them so. Then θ may have to pass "
-    "through the output of a constant, and the leak is large. As they came: the shuffles undo each other.",
-    "Forward error: the training sees that of x and of the constants. Both errors: that of θ on the way back too, at "
-    "twice the cost. Dashed: the least error of a model that is not told whether the motor winds or unwinds.",
-    "A mark is one training with shuffles and weights of its own, on points that it has not seen. The first three "
-    "groups differ in nothing but what stands beneath them.",
+    "An invertible network (INN) computes the contraction x from the twist θ, and θ back from x. It is also given"
+    " constants of the string: the separator b, the length l, the radius r (and the stroke's number n). It should"
+    " put them out unchanged.",
+    "Leak: it puts them out a little wrong. The way back is given the true ones, so θ comes out wrong. Rest: the "
+    "error of θ that comes from the error of x.",
+    "Compare in (b) the triangle of a training (leak alone) with its dash (rest alone); the dot is its whole "
+    "error. (c): by how much θ changes where a constant is 1 mm off.",
+    "Shuffled: between its blocks the network shuffles its five values, and leaves them so. Then θ may have to "
+    "pass through the output of a constant, and the leak is large. As they came: the shuffles undo each other.",
+    "Forward error: the training sees the errors of x and of the constants. Both errors: that of θ on the way "
+    "back too, at twice the cost. Dashed: the least error of a model that is not told whether the motor winds or "
+    "unwinds.",
+    "A mark is one training with shuffles and weights of its own, on points that it has not seen. The first three"
+    " groups differ in nothing but what stands beneath them.",
+)
+CANCELS = (
+    "Leak and rest can have opposite signs. Then they cancel in part, so that {} is larger than the whole error: "
+    "here in {} of {} trainings."
 )
 BENEATH = -0.2  # of a panel's height: a legend's place
+LARGER = 1.005  # times the whole error: from there on a part of it is told to be larger
 WIDTH = 0.56  # of a group's fits, of the distance between groups
 
 
@@ -49,27 +58,35 @@ def floor(metrics: pd.DataFrame, way: str) -> float:
 
 
 def parts_of(leak: pd.DataFrame, group: str) -> tuple[float, float]:
-    """The leak alone and the residual alone, RMSE of the inverse in turns, medians over the fits of a group."""
+    """The leak alone and the rest alone, RMSE of the inverse in turns, medians over the fits of a group."""
     mine = leak[(leak["model"] == group) & (leak["map"] == "inverse")]
     leaking, residual = (mine.loc[mine["metric"] == name, "value"].median() for name in ("leak_rmse", "residual_rmse"))
     return float(leaking), float(residual)
 
 
+def cancelled(leak: pd.DataFrame) -> str:
+    """How often the leak alone or the rest alone is larger than the whole error, and how; empty where it never is."""
+    mine = leak[leak["map"] == "inverse"].pivot_table(index=["model", "seed"], columns="metric", values="value")
+    larger = {
+        words: int((mine[metric] > LARGER * mine["rmse"]).sum())
+        for metric, words in (("leak_rmse", "the leak alone"), ("residual_rmse", "the rest alone"))
+    }
+    return " ".join(CANCELS.format(words, count, len(mine)) for words, count in larger.items() if count)
+
+
 def outcome(leak: pd.DataFrame) -> tuple[str, str]:
-    """Which of the changes are remedies on these data: a few words for the title, and a sentence with the numbers."""
-    leaking, residual = parts_of(leak, WITHOUT)
-    if leaking <= residual:
-        sizes = f"the leak is {leaking:.2g} turns in the median, the residual {residual:.2g} turns"
-        return "and two changes of it", f"Here training without them leaks little already: {sizes}."
+    """What a training without a change leaks, for the title, and a sentence on which changes are remedies here."""
+    leaking, rest = parts_of(leak, WITHOUT)
+    sizes = f"leak {leaking:.2g} turns, rest {rest:.2g} turns"
+    if leaking <= rest:
+        return f"this INN's way back errs little by leak ({sizes})", "Here there is no large leak to mend."
     parts = {group: parts_of(leak, group) for group in CHANGES}
-    good = [group for group, (leaking, residual) in parts.items() if leaking <= residual]
-    title = {2: "and two remedies", 1: "and two changes, of which one is a remedy here"}
     words = [
-        f"“{CHANGES[group]}” {'does' if group in good else 'does not'} ({leaking:.2g} against {residual:.2g} turns)"
-        for group, (leaking, residual) in parts.items()
+        f"“{CHANGES[group]}” {'does' if leaking <= rest else 'does not'} ({leaking:.2g} against {rest:.2g} turns)"
+        for group, (leaking, rest) in parts.items()
     ]
-    sentence = f"A remedy brings the leak below the residual, in the median: here {', '.join(words)}."
-    return title.get(len(good), "and two changes, of which none is a remedy here"), sentence
+    sentence = f"A change is a remedy if it brings the leak below the rest, in the median: {', '.join(words)}."
+    return f"an INN trained on its forward error alone errs backwards mostly by leak ({sizes})", sentence
 
 
 def dots(axes: Axes, leak: pd.DataFrame, metric: str, way: str, style: tuple[str, str]) -> None:
@@ -115,9 +132,9 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
         axes.grid(axis="x", visible=False)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, BENEATH), ncols=2, fontsize=7)  # where no mark can lie
     figure.set_layout_engine("constrained", wspace=0.06)  # a label keeps off the panel beside it
-    changes, numbers = outcome(leak)
-    figure.suptitle(f"{material}: an INN trained on its forward error alone can be poor backwards; why, {changes}")
-    figure.supxlabel(wrapped(figure, *READING, numbers), fontsize=READING_SIZE, multialignment="left")
+    fact, remedies = outcome(leak)
+    figure.suptitle(f"{material}: {fact}")
+    figure.supxlabel(wrapped(figure, *READING, cancelled(leak), remedies), fontsize=READING_SIZE, multialignment="left")
     return figure
 
 

@@ -19,9 +19,11 @@ FIGURES = {
     "figure_5": "Figure 5: models against the measurement, and their errors. The paper's figure has no error rows: a"
     " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out. Beside"
     " the INN stands the other model of the least forward error on this material's held-out points, whichever it is.",
-    "figure_leak": "An INN that was trained on its forward error alone can be poor backwards, by chance of the order in"
-    " which it shuffles its values. Two changes are tried: training on the error of both ways, and shuffles that undo"
-    " each other. Whether a change is a remedy on these data stands beneath the figure, and so does why.",
+    "figure_leak": "Leak: an INN should put out the string's constants unchanged. It puts them out a little wrong, and"
+    " so its way back, which is given the true ones, errs. Compare in (b) the leak alone (triangle) with the rest alone"
+    " (dash): the two can cancel in part, so one of them can be larger than the whole error (dot). Two changes are"
+    " tried: training on the error of both ways, and shuffles that undo each other. Which of them mends the leak on"
+    " these data stands beneath the figure.",
 }
 OF_EVERY = ("figure_4", "figure_5")  # the figures that every material has
 PAGES = {
