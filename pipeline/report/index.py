@@ -1,4 +1,4 @@
-"""Reports → index.html, the short answer first, and a page of each material and each run, which it leads to.
+"""Reports → index.html, the short answer first, and a page of each run. It leads to these and to each material's page.
 
 What is few it shows itself, folded; of many it shows a line each. No page grows with the figures of all runs.
 """
@@ -7,7 +7,7 @@ import argparse
 import json
 import os
 import shutil
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -23,7 +23,7 @@ from .index_head import glance
 from .made_by import MadeBy
 from .marks import add_mark, mark_from
 from .page_parts import FOLDER, Parts, of_materials, of_runs
-from .part_marks import PartMarks, add_part_marks, part_marks
+from .rig_mark import Marks, add_rig_mark, marks_of_runs
 from .web.glossary import glossary
 from .web.page import Text, anchor, document, folded, paragraph, together
 
@@ -89,14 +89,12 @@ def page(
     return document("twistbench reports", together(filter(None, body)), mark, places)
 
 
-def write_pages(reports: Path, folder: Path, every: Iterable[Parts], marks: PartMarks) -> None:
-    """Write the pages of all parts in place of those of an earlier time, all of them or none."""
+def write_pages(reports: Path, folder: Path, runs: Parts, marks: Marks) -> None:
+    """Write the pages of all runs in place of those of an earlier time, all of them or none."""
     temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
     try:
         temporary.mkdir(parents=True)
-        for parts in every:
-            heads = {run: verdict_tag(reports, run) for run in parts.names} if parts.kind == "run" else {}
-            parts.write(temporary, marks, heads)
+        runs.write(temporary, marks, {run: verdict_tag(reports, run) for run in runs.names})
         shutil.rmtree(folder, ignore_errors=True)
         os.rename(temporary, folder)
     finally:
@@ -115,18 +113,17 @@ def main() -> None:
     parser.add_argument("--reports", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the file of the page, HTML; required")
     add_mark(parser)
-    add_part_marks(parser)
+    add_rig_mark(parser)
     left_out.arguments(parser)
     jumps.arguments(parser)
     arguments = parser.parse_args()
     mark, gone, reports = mark_from(arguments.made_by), left_out.told(arguments), arguments.reports
-    rigs = arguments.runs if arguments.part_marks is None else arguments.strings.get(SYNTHETIC, [])
-    marks = part_marks(arguments.part_marks, mark, rigs)
+    marks = marks_of_runs(arguments.rig_mark, mark, arguments.strings.get(SYNTHETIC, []))
     runs = of_runs(reports, arguments.runs)
     materials = of_materials(reports, arguments.materials, arguments.strings, runs)
     text = page(reports, materials, runs, arguments.strings, gone, mark, read_jumps(arguments.jumps))
     write_text(arguments.out, text)
-    write_pages(reports, arguments.out.with_name(FOLDER), (materials, runs), marks)
+    write_pages(reports, arguments.out.with_name(FOLDER), runs, marks)
 
 
 if __name__ == "__main__":

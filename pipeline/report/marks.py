@@ -15,12 +15,12 @@ def add_mark(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--made-by", metavar="JSON", default=MadeBy().packed(), help="the mark of the configuration")
 
 
-def mark_from(text: str) -> MadeBy:
+def mark_from(text: str, option: str = "--made-by") -> MadeBy:
     """The mark of a command line; raises BadInput for what is none."""
     try:
         return unpacked(text)
     except ValueError as error:
-        raise BadInput("arguments", "--made-by", str(error), "leave it out, or let the workflow give it") from None
+        raise BadInput("arguments", option, str(error), "leave it out, or let the workflow give it") from None
 
 
 def write_page(path: Path, text: str, mark: MadeBy) -> None:

@@ -6,21 +6,23 @@ from pathlib import Path
 from ..ground.errors import program
 from ..ground.files import write_text
 from .marks import add_mark, mark_from
-from .materials import OF_EVERY, part
+from .materials import part
 from .web.glossary import glossary
+from .web.markdown import INDEX
 from .web.page import document, together
 
 
 @program
 def main() -> None:
-    """Write `index.html` into the folder of a material: the quick reports have no other page that leads to all."""
+    """Write `index.html` into the folder of a material: its tables, its figures, the ways to its other pages."""
     parser = argparse.ArgumentParser(prog="python -m pipeline.report.material_page", description=main.__doc__)
     parser.add_argument("folder", type=Path, help="reports/<material>; a file that is not there is not shown")
     add_mark(parser)
     arguments = parser.parse_args()
     folder: Path = arguments.folder
-    body = together([part(folder.parent, folder.name, up="../", figures=OF_EVERY), glossary()])
-    write_text(folder / "index.html", document(folder.name, body, mark_from(arguments.made_by)))
+    body = together([part(folder.parent, folder.name, up="../"), glossary()])
+    text = document(folder.name, body, mark_from(arguments.made_by), above=INDEX)
+    write_text(folder / "index.html", text)
 
 
 if __name__ == "__main__":

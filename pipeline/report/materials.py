@@ -1,6 +1,6 @@
 """A material's part of the pages: its tables, its figures, its runs, and the ways to its other pages."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -25,7 +25,6 @@ FIGURES = {
     " tried: training on the error of both ways, and shuffles that undo each other. Which of them mends the leak on"
     " these data stands beneath the figure.",
 }
-OF_EVERY = ("figure_4", "figure_5")  # the figures that every material has
 PAGES = {
     "models.html": "every model by stroke, direction and angle, beside the floor; where the fitted models lie",
     "comparison.html": "beside the paper's numbers, with the spread over the seeds, and later strokes",
@@ -46,12 +45,10 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
     return table(head, rows, words, (0, 1)) + files_line
 
 
-def part(
-    reports: Path, material: str, runs: Sequence[Text] = (), up: str = "", figures: Iterable[str] = FIGURES
-) -> Markup:
+def part(reports: Path, material: str, runs: Sequence[Text] = (), up: str = "") -> Markup:
     """The part of one material, with the links to its runs; what was not made is not shown.
 
-    `up` leads from the page to `reports/`; `figures` are those to show.
+    `up` leads from the page to `reports/`.
     """
     folder, parts = reports / material, list[Text]()
     for page, words in PAGES.items():
@@ -60,7 +57,7 @@ def part(
     for number in paper.TABLES:
         if (folder / f"table_{number}.md").is_file():
             parts.append(html_table(folder, number, up))
-    for stem in figures:
+    for stem in FIGURES:
         if (folder / f"{stem}.png").is_file():
             source, target = (up + link(material, f"{stem}.{suffix}") for suffix in ("png", "pdf"))
             parts.append(picture(source, f"{stem.replace('_', ' ')} of {material}", target, FIGURES[stem]))

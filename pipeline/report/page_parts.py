@@ -1,4 +1,4 @@
-"""The parts of the reports, a material or a run each: every part is a page of its own, and few are on the index too."""
+"""The parts of the reports, a material or a run each: every part has its own page, and few are on the index too."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -7,8 +7,8 @@ from markupsafe import Markup
 
 from ..ground.files import write_text
 from . import diagnoses, materials
-from .part_marks import PartMarks
-from .web.page import Text, anchor, document, folded, paragraph, together
+from .rig_mark import Marks
+from .web.page import Text, anchor, document, folded, link, paragraph, together
 
 FEW = 20  # parts of a kind that the index still shows itself; more would make it slow to open and long to read
 FOLDER = "pages"  # below reports/
@@ -24,8 +24,8 @@ class Parts:
         self.few = len(self.names) <= FEW
 
     def page(self, name: str) -> str:
-        """The address of a part's own page, from `reports/`."""
-        return f"{FOLDER}/{anchor(self.kind, name)}.html"
+        """The address of a part's own page, from `reports/`; that of a material has a rule of its own."""
+        return f"{FOLDER}/{anchor(self.kind, name)}.html" if self.kind == "run" else f"{link(name)}/index.html"
 
     def link(self, name: str, up: str = "") -> Markup:
         """A name that leads to its part: on the index where it is there, else to its page."""
@@ -41,7 +41,7 @@ class Parts:
             sections.append(folded(anchor(self.kind, name), name, aside(name), below, level))
         return sections
 
-    def write(self, folder: Path, marks: PartMarks, heads: Mapping[str, Text]) -> None:
+    def write(self, folder: Path, marks: Marks, heads: Mapping[str, Text]) -> None:
         """Write every part's page into a folder, with the ways to the index, to the one before and to the next."""
         last = len(self.names) - 1
         for at, name in enumerate(self.names):
@@ -53,7 +53,7 @@ class Parts:
                 if 0 <= to <= last
             ]
             body = together(filter(None, [paragraph(heads.get(name, "")), self.body(name, UP)]))
-            text = document(name, body, marks.of(self.kind, name), above=Markup(" · ").join(ways))
+            text = document(name, body, marks(name), above=Markup(" · ").join(ways))
             write_text(folder / Path(self.page(name)).name, text)
 
 

@@ -30,7 +30,4 @@ def mark_of_material(wildcards):
     return mark_of("models", "keep_lossy", *own)
 
 
-# Of the page of a material, of the synthetic one, and of a run that the synthetic rig recorded.
-PART_MARKS = {"material": mark_of("models", "keep_lossy"), "synthetic": mark_of("models", "keep_lossy", "synthetic")}
-PART_MARKS = json.dumps({part: json.loads(mark) for part, mark in {**PART_MARKS, "rig": mark_of("synthetic")}.items()})
 MARK_OF_ALL = mark_of("models", "keep_lossy", "synthetic", "leak")

@@ -127,9 +127,14 @@ rule figures:
         " --titles {params.titles:q} --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
+def leak_of_material(wildcards):
+    return [figure for figure in LEAK_FIGURES if Path(figure).parent.name == wildcards.material]
+
+
 rule material_page:
     input:
         expand("reports/{{material}}/{file}", file=SHOWN),
+        leak_of_material,
     output:
         "reports/{material}/index.html",
     log:
@@ -201,13 +206,13 @@ rule index:
     params:
         words=words_of_index,
         made_by=MARK_OF_ALL,
-        part_marks=PART_MARKS,
+        rig_mark=mark_of("synthetic"),
         code=fingerprint("pipeline.report.index", "pipeline.report.web.*"),
     message:
         "write the page that leads to every report"
     shell:
         "exec python -m pipeline.report.index {params.words:q} --made-by {params.made_by:q}"
-        " --part-marks {params.part_marks:q} --reports reports --out {output[0]:q} > {log:q} 2>&1"
+        " --rig-mark {params.rig_mark:q} --reports reports --out {output[0]:q} > {log:q} 2>&1"
 
 
 # It asks in a second, so a cluster's own machine does.

@@ -49,7 +49,7 @@ def test_the_index_of_many_runs_has_a_line_of_each_and_no_figure(reports):
 
 def test_every_part_is_a_page_that_leads_back_and_to_its_neighbours(reports):
     pages = sorted(path.name for path in (reports / "pages").iterdir())
-    assert pages == sorted([f"run-{run}.html" for run in RUNS] + [f"material-{name}.html" for name in STRINGS])
+    assert pages == sorted(f"run-{run}.html" for run in RUNS)
     for path in (reports / "pages").iterdir():
         for address in Seen(path.read_text()).addresses:
             assert address.startswith("#") or (path.parent / address).is_file(), (path, address)
@@ -57,8 +57,15 @@ def test_every_part_is_a_page_that_leads_back_and_to_its_neighbours(reports):
     for to in ("../index.html", f"../pages/run-{RUNS[0]}.html", f"../pages/run-{RUNS[2]}.html"):
         assert f'href="{to}"' in middle, to
     assert WORDS.strip() in middle and f'src="../diagnosis/{RUNS[1]}/diagnosis.png"' in middle
-    material = (reports / "pages" / "material-m-1.html").read_text()
-    assert "pages/run-m-1-00.html" in material and "pages/run-m-0-00.html" not in material
+
+
+def test_a_material_has_one_page_to_which_the_index_leads(reports, tmp_path):
+    """pages/material-<x>.html and <x>/index.html showed much the same."""
+    strings = {f"m-{at:02d}": [] for at in range(FEW + 1)}
+    index(tmp_path, strings)
+    text = (tmp_path / "index.html").read_text()
+    assert 'href="m-07/index.html"' in text and "material-" not in text.partition("<body>")[2]
+    assert not list((tmp_path / "pages").iterdir())
 
 
 def test_few_runs_stand_on_the_index_itself_and_a_page_of_a_run_that_is_gone_goes(reports, tmp_path):
@@ -68,7 +75,7 @@ def test_few_runs_stand_on_the_index_itself_and_a_page_of_a_run_that_is_gone_goe
     index(place, few)
     text = (place / "index.html").read_text()
     assert text.count("<img") == FEW and 'href="#run-m-0-00"' in text and WORDS.strip() in text
-    assert len(list((place / "pages").iterdir())) == FEW + 1
+    assert len(list((place / "pages").iterdir())) == FEW
     assert not [path.name for path in place.iterdir() if path.name.startswith(".")]
 
 
@@ -89,17 +96,12 @@ def test_a_page_wears_the_mark_of_what_made_it_and_not_that_of_another_rig(tmp_p
     for run in ("nylon-01", "example-1"):
         made_verdict(tmp_path / "diagnosis" / run, f"{run}: said", FINE)
     whole = replace(small, rig=rig)
-    marks = {"material": small, "synthetic": whole, "rig": MadeBy("ci.yaml", "abc1234", "own", "", ("setup",), rig)}
-    words = ["--part-marks", json.dumps({part: json.loads(mark.packed()) for part, mark in marks.items()})]
-    index(tmp_path, strings, "--made-by", whole.packed(), *words)
+    own = MadeBy("ci.yaml", "abc1234", "own", "", ("setup",), rig)
+    index(tmp_path, strings, "--made-by", whole.packed(), "--rig-mark", own.packed())
     pages = {path.stem: path.read_text() for path in (tmp_path / "pages").iterdir()}
     assert rig in (tmp_path / "index.html").read_text() and 'class="mark' not in pages["run-nylon-01"]
-    assert rig not in pages["material-nylon"] and "INN model 2 seeds" in pages["material-nylon"]
-    assert rig in pages["material-synthetic"]
     assert rig in pages["run-example-1"] and "INN model" not in pages["run-example-1"]
-    marks["rig"] = MadeBy("default.yaml", "abc1234", "default")
-    words = ["--part-marks", json.dumps({part: json.loads(mark.packed()) for part, mark in marks.items()})]
-    index(tmp_path, strings, *words)
+    index(tmp_path, strings, "--rig-mark", MadeBy("default.yaml", "abc1234", "default").packed())
     assert 'class="mark' not in (tmp_path / "pages" / "run-example-1.html").read_text()
 
 

@@ -31,9 +31,10 @@ def test_a_diagnosis_is_marked_by_the_rig_of_its_configuration(planned):
     assert ("--mark 'recorded by ci.yaml" in shell and "set-up small (5" in shell) if small else "--mark" not in shell
 
 
-def test_the_index_is_told_apart_what_made_a_material_and_what_recorded_a_run(planned):
+def test_the_pages_of_a_material_and_of_a_run_are_told_apart_what_made_them(planned):
     words = shlex.split(line_of("pipeline.report.index", planned))
-    marks = json.loads(words[words.index("--part-marks") + 1])
-    rigs = {part: mark["rig"] for part, mark in marks.items()}
-    assert rigs["material"] == "" and rigs["synthetic"] == rigs["rig"] and bool(rigs["rig"]) == planned[0]
-    assert marks["rig"]["fits"] == "" and "INN model" in marks["material"]["fits"]
+    rig = json.loads(words[words.index("--rig-mark") + 1])
+    assert rig["fits"] == "" and bool(rig["rig"]) == planned[0]
+    words = shlex.split(line_of("pipeline.report.material_page", planned))
+    material = json.loads(words[words.index("--made-by") + 1])
+    assert "INN model" in material["fits"] and material["rig"] == rig["rig"]
