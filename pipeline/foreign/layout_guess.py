@@ -4,27 +4,31 @@ import codecs
 import gzip
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from ..formats import format_of, workbook
-from ..formats.text_layout import DECIMAL_COMMA, NUMBER, cells
-from ..formats.time_stamps import is_stamp
+from ..formats.text_layout import DECIMAL_COMMA, cells
 from ..formats.unpacked import GZIP
+from ..ground.errors import BadInput
 from ..ground.regular_file import open_regular
 from ..ground.text_file import TextFile
+from .number_rows import Rows, names_at, names_told, of_recording, places_of_numbers, share, units_in
 
-LOOK_BYTES, LOOK_ROWS, MOST_ABOVE = 1_000_000, 300, 5
+LOOK_BYTES, LOOK_ROWS = 1_000_000, 300
 DELIMITERS = ("\t", ";", "|", ",", " ")  # the first that parts most rows
 REMARKS = ("%", "#", "//", "!", "*", "'")
-Rows = list[tuple[int, list[Any]]]  # the cells of each row that has some, after its number in the file
+BY_HAND = "check that it is the recording; if it is, write the mapping by hand (docs/import.md)"
 
 
 @dataclass(frozen=True)
 class Guessed:
-    """How a file is written, and the cells of the row of units under its names, where it has one."""
+    """How a file is written, and the cells of the row of units under its names, where it has one.
+
+    `behind` are names that a mapping cannot point at, since they stand in a remark.
+    """
 
     layout: TextFile
     units: list[str] = field(default_factory=list)
+    behind: list[str] = field(default_factory=list)
 
 
 def _decoded(path: Path) -> tuple[list[str], str]:
@@ -44,28 +48,15 @@ def _decoded(path: Path) -> tuple[list[str], str]:
     return whole.decode("latin1").splitlines(), "latin1"
 
 
-def _is_number(cell: Any) -> bool:
-    return bool(NUMBER.fullmatch(cell)) or is_stamp(cell) if isinstance(cell, str) else cell is not None
-
-
-def _of_numbers(row: list[Any]) -> bool:
-    """Whether a row has two cells or more, most of them numbers and the others empty."""
-    full = [cell for cell in row if cell not in ("", None)]
-    return len(full) > 1 and all(map(_is_number, full)) and 2 * len(full) > len(row)
-
-
-def _above(rows: Rows) -> tuple[int, bool, int, list[str]]:
-    """`skip`, `header`, `skip_below` and the cells of the last row above the numbers, which may be units."""
-    first = next((index for index, (_, row) in enumerate(rows) if _of_numbers(row)), None)
+def _above(rows: Rows, places: set[int]) -> tuple[int, bool, int, list[str]]:
+    """`skip`, `header`, `skip_below` and the cells of the row of units above the numbers, if there is one."""
+    first = next((index for index, (_, row) in enumerate(rows) if of_recording(row, places)), None)
     if first is None:
         return 0, True, 0, []
-    width, top = len(rows[first][1]), first
-    while top > 0 and first - top < MOST_ABOVE and len(rows[top - 1][1]) == width:
-        top -= 1
-    if top == first:
+    top = names_at(rows, first)
+    if top is None:
         return (rows[first][0] if first else 0), False, 0, []
-    last = [str(cell) for cell in rows[first - 1][1]] if first - top > 1 else []
-    return (rows[top][0] if top else 0), True, first - top - 1, last
+    return (rows[top][0] if top else 0), True, first - top - 1, units_in(rows[top + 1 : first])
 
 
 def _without_ends(parted: Rows, first: int) -> Rows:
@@ -77,23 +68,46 @@ def _without_ends(parted: Rows, first: int) -> Rows:
     return [*parted[:first], *rows]
 
 
+def _parted(path: Path, numbered: list[tuple[int, str]]) -> tuple[str, Rows, set[int]]:
+    """The delimiter that leaves most rows of numbers, the rows, and where their numbers stand; raises BadInput."""
+    best: tuple[float, str, Rows, set[int]] = (0.0, ",", [], set())
+    for sign in DELIMITERS:
+        rows: Rows = [(number, cells(line, sign)) for number, line in numbered]
+        places = places_of_numbers(rows)
+        score = sum(share(row) for _, row in rows if of_recording(row, places))
+        best = (score, sign, rows, places) if score > best[0] else best
+    if not best[3]:
+        problem = f"has no row of two numbers or more in its first {LOOK_ROWS} lines, whatever parts them"
+        raise BadInput(path, "file", problem, BY_HAND)
+    return best[1:]
+
+
+def _refuse_two_commas(path: Path, delimiter: str, rows: Rows, first: int) -> None:
+    """Raise BadInput where commas part numbers that have decimal commas."""
+    quoted = any(isinstance(cell, str) and DECIMAL_COMMA.fullmatch(cell) for cell in rows[first][1])
+    twice = first > 0 and len(rows[first][1]) == 2 * len(rows[first - 1][1])
+    if delimiter == "," and (quoted or (twice and names_told(rows[first - 1][1]))):
+        mend = "save it again with semicolons or tabs between the numbers, or with decimal points"
+        raise BadInput(path, "file.delimiter", "is a comma, and so is the decimal sign", mend)
+
+
 def _of_text(path: Path) -> Guessed:
     lines, encoding = _decoded(path)
     numbered = [(number, line) for number, line in enumerate(lines[:LOOK_ROWS]) if line.strip()]
-    scores = {sign: sum(_of_numbers(cells(line, sign)) for _, line in numbered) for sign in DELIMITERS}
-    delimiter = max(DELIMITERS, key=lambda sign: (scores[sign], -DELIMITERS.index(sign)))
-    parted = [(number, cells(line, delimiter)) for number, line in numbered]
-    first = next((index for index, (_, row) in enumerate(parted) if _of_numbers(row)), 0)
+    delimiter, parted, places = _parted(path, numbered)
+    first = next((index for index, (_, row) in enumerate(parted) if of_recording(row, places)), 0)
+    _refuse_two_commas(path, delimiter, parted, first)
     parted = _without_ends(parted, first)
     remarks = [line.lstrip() for _, line in numbered if line.lstrip().startswith(REMARKS)]
     comment = next((sign for sign in REMARKS if remarks and remarks[0].startswith(sign)), None)
     named = first > 0 and len(parted[first - 1][1]) == len(parted[first][1])
+    behind = _behind(numbered[first - 1][1], comment, delimiter, len(parted[first][1])) if first > 0 else []
     if comment and named and numbered[first - 1][1].lstrip().startswith(comment):
         comment = None  # the names themselves stand behind that sign
     elif comment:
         parted = [row for row, (_, line) in zip(parted, numbered, strict=True) if not line.lstrip().startswith(comment)]
-    skip, header, below, units = _above(parted)
-    numbers = [cell for _, row in parted if _of_numbers(row) for cell in row]
+    skip, header, below, units = _above(parted, places)
+    numbers = [cell for _, row in parted if of_recording(row, places) for cell in row]
     comma = delimiter != "," and any(DECIMAL_COMMA.fullmatch(cell) for cell in numbers)
     settings: dict[str, object] = {
         "delimiter": delimiter,
@@ -102,13 +116,23 @@ def _of_text(path: Path) -> Guessed:
         "skip": skip,
     }
     settings |= {"skip_below": below, "comment": comment, "encoding": encoding}
-    return Guessed(TextFile.model_validate(settings), units)
+    return Guessed(TextFile.model_validate(settings), units, [] if header else behind)
+
+
+def _behind(line: str, comment: str | None, delimiter: str, width: int) -> list[str]:
+    """The names of so many columns where they stand in a line behind the sign of a remark; else nothing."""
+    remark = line.lstrip()
+    if not comment or not remark.startswith(comment):
+        return []
+    names = [name for name in cells(remark.lstrip(comment).strip(), delimiter) if name]
+    return names if len(names) == width and len(set(names)) == width and names_told(names) else []
 
 
 def _of_workbook(path: Path) -> Guessed:
     sheets = workbook.first_rows(path, LOOK_ROWS)
-    title = next((title for title, rows in sheets.items() if any(_of_numbers(row) for _, row in rows)), None)
-    skip, header, below, units = _above(sheets[title]) if title else (0, True, 0, [])
+    places = {title: places_of_numbers(rows) for title, rows in sheets.items()}
+    title = next((title for title in sheets if places[title]), None)
+    skip, header, below, units = _above(sheets[title], places[title]) if title else (0, True, 0, [])
     sheet = title if len(sheets) > 1 else None
     settings: dict[str, object] = {"header": header, "skip": skip, "skip_below": below, "sheet": sheet}
     return Guessed(TextFile.model_validate(settings), units)
