@@ -27,9 +27,9 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
     if in_vain.harmful(content, words):
         return worse(content)
     if "explained" in content["fit"].get("worse_than_nominal", []):
-        return (
-            f"Do not adopt this: on the {holdout.strokes(content)} the simulator with it is worse than the nominal one."
-        )
+        which = holdout.simulator(content) if holdout.other_name(content) else "with it"
+        strokes = holdout.strokes(content)
+        return f"Do not adopt this: on the {strokes} the simulator {which} is worse than the nominal one."
     far = [f"the {name_of(name)}" for name in far_moved(content)]
     if far:
         return f"Do not adopt before {listing(far)} {'is' if len(far) == 1 else 'are'} measured again."

@@ -38,7 +38,15 @@ def other_name(content: Verdict) -> str:
 def of_other(content: Verdict) -> str:
     """As `other_name`, of which the error on those strokes is; nothing where no effect was named without them."""
     other = other_name(content)
-    return f"{other} (what the procedure names without these strokes)" if other not in ("", NO_EFFECT) else ""
+    return f"{other} (named without them)" if other not in ("", NO_EFFECT) else ""
+
+
+def simulator(content: Verdict) -> str:
+    """Of which simulator the last error on those strokes is; goes after `the simulator`."""
+    if other_name(content) == NO_EFFECT:
+        return "without an effect (none is named without them)"
+    other = of_other(content)
+    return f"with {other}" if other else "as diagnosed"
 
 
 def strokes(content: Verdict) -> str:

@@ -63,10 +63,10 @@ def tried(content: Verdict) -> str:
 
 
 def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
-    """That the good error on the last strokes is of other effects than are named; nothing where it is of these."""
+    """That the error on the last strokes is of other effects than are named; nothing where it is of these."""
     other, unseen_errors = holdout.other_name(content), errors(content, words)
     named = [entry["id"] for entry in content["mechanisms"]]
-    if not other or not named or unseen_errors is None or improves_nothing(content, words):
+    if not other or not named or unseen_errors is None or (other == holdout.NO_EFFECT and said(content, words)):
         return []
     whose = f"{other}'s error" if other.isidentifier() else f"the error of {other}"
     names = f"Without the last strokes the procedure names {other}, not {' + '.join(sorted(named))}"

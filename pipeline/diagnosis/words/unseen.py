@@ -37,9 +37,10 @@ def worse(content: Verdict, words: Vocabulary) -> str:
     if size(error, words.unit) == size(nominal, words.unit):
         return ""
     sizes = f"{size(error, words.unit)} against {size(nominal, words.unit)}"
-    with_what = "as diagnosed" if "explained" in who else "calibrated"
+    with_what = holdout.simulator(content) if "explained" in who else "calibrated"
     if "explained" not in who and content["verdict"] in ("explained", "ambiguous"):
-        with_it = f"with what is named the simulator errs by {size(unseen_errors[2], words.unit)}"
+        named = "with what is named" if not holdout.other_name(content) else holdout.simulator(content)
+        with_it = f"the simulator {named} errs by {size(unseen_errors[2], words.unit)}"
         return (
             f" On the {holdout.strokes(content)} {with_it}, as measured by {size(nominal, words.unit)}; calibrated "
             f"alone it is worse than that ({size(error, words.unit)})."

@@ -22,6 +22,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
             f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
             " What calibration alone learnt does not hold later: do not adopt its dimensions."
         )
+    sentences += in_vain.unsettled(content, words)
     if in_vain.harmful(content, words):
         end = "adopt nothing" if holdout.other_name(content) else "do not adopt it"
         sentences.append(f"On the {strokes} {in_vain.tried(content)} makes the calibrated simulator worse: {end}.")
@@ -32,7 +33,6 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
         )
         other = in_vain.other_choice(content)
         sentences += [f"O{in_vain.said(content, words)[1:]}{'' if other else f': {means}'}.", *other]
-    sentences += in_vain.unsettled(content, words)
     if unseen.partly(content, words) and content["verdict"] != "unknown":
         lies = level.place_of_missing(content, words)
         sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())

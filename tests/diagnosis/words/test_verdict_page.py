@@ -350,13 +350,17 @@ def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_i
     assert "the explanation makes the calibrated simulator worse" in same and "the procedure names" not in same
     made = content(**bad, evidence__chosen_without_them=["slack"])
     other = " ".join(page(made).split())
-    slack = "slack (what the procedure names without these strokes)"
+    slack = "slack (named without them)"
     worse = f"On the unseen strokes {slack} makes the calibrated simulator worse: adopt nothing."
     assert f"{worse} So the recording is too short to choose" in other
-    assert "1. Adopt nothing: on the unseen strokes slack (what the procedure names" in other
+    assert "1. Adopt nothing: on the unseen strokes slack (named without them)" in other
     assert "the explanation makes" not in other and "explanation improves" not in other
+    assert "the procedure names slack, not creep + friction_hysteresis" in other and other.count("the procedure") == 2
+    made["fit"]["worse_than_nominal"] = ["explained"]
+    first = " ".join(page(made).split("\n\n")[0].split())
+    assert "on the unseen strokes the simulator with slack (named without them) is worse than the nominal one" in first
     everywhere = [details(made), figures.warning(spoken(made, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"]))]
-    assert all("slack (what" in each and "the explanation makes" not in each for each in everywhere)
+    assert all("slack (named" in each and "the explanation makes" not in each for each in everywhere)
     made["evidence"]["chosen_without_them"] = []
     made["fit"]["heldout"]["explained_mm"] = made["fit"]["heldout"]["calibrated_mm"]
     none = "On the unseen strokes nothing was tried, for without them the procedure names no effect. So the"

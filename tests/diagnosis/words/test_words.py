@@ -1139,9 +1139,7 @@ def test_what_a_regression_without_physics_foretells_is_said_where_it_tells_some
     assert said in lines and never not in lines
     made["evidence"]["chosen_without_them"] = ["wear"]
     other = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
-    assert not other or (
-        "wear (what the procedure names without these strokes)" in other and "calibration" not in other
-    )
+    assert not other or ("wear (named without them)" in other and "calibration" not in other)
     del made["evidence"]["chosen_without_them"]
     whole = " ".join(told(made).split())
     assert said in whole and (level.METHOD in whole) == bool(said)
@@ -1157,7 +1155,7 @@ def test_what_is_worse_than_the_nominal_simulator_on_unseen_strokes_ends_the_fir
     numbers = {f"fit__heldout__{name}_mm": value for name, value in held.items()}
     first = told(content(**numbers, fit__worse_than_nominal=["calibrated"])).split("\n\n")[0].replace("\n  ", " ")
     said = (
-        "On the unseen strokes with what is named the simulator errs by 0.20 mm, as measured by 0.31 mm; calibrated "
+        "On the unseen strokes the simulator with what is named errs by 0.20 mm, as measured by 0.31 mm; calibrated "
         "alone it is worse than that (1.1 mm)."
     )
     assert first.startswith("nylon-3: ambiguous") and said in " ".join(first.split())
