@@ -235,7 +235,7 @@ def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, d
     means = programs.run("pipeline.adopt", "--explain", folder).stdout
     assert means.startswith("What each number under simulation means, for who looks")
     assert f"    Its formula: {mechanisms()['sensor_drift'].equation}" in means
-    assert re.search(r"straight_mm = -?[0-9.]+ mm: adds to the reading. It moves the reading by [0-9.]+ mm rms", means)
+    assert re.search(r"straight_mm = -?[0-9.]+ mm +[0-9.]+ mm .*\n      adds to the reading\n", means)
 
 
 def test_a_diagnosis_of_other_dimensions_than_run_yaml_has_now_is_not_adopted(folder: Path, diagnosis: Path) -> None:
@@ -442,6 +442,11 @@ def test_adopting_says_what_unseen_strokes_are_missed_by_and_repeats_a_warning(f
     said = flat(programs.run("pipeline.adopt", diagnosis, folder))
     assert "On unseen ones the verdict says 0.034 mm, and 0.40 mm without the effects." in said
     assert "adopt nothing" not in said
+    programs.run("pipeline.adopt", "--remove", folder)
+    evidence = {**content.get("evidence", {}), "chosen_without_them": ["wear"]}
+    diagnosis.write_text(json.dumps(content | {"fit": {"heldout": heldout}, "evidence": evidence}))
+    said = flat(programs.run("pipeline.adopt", diagnosis, folder))
+    assert "says 0.034 mm (of wear, which the procedure names without these strokes), and 0.40 mm without" in said
     programs.run("pipeline.adopt", "--remove", folder)
     diagnosis.write_text(json.dumps(content | {"fit": {"heldout": heldout | {"explained_mm": 4.3}}}))
     assert "So the verdict says: adopt nothing." in flat(programs.run("pipeline.adopt", diagnosis, folder))

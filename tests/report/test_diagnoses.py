@@ -55,7 +55,7 @@ What to know first
 
 What to do, in this order
   1. Adopt nothing: on the unseen strokes the explanation makes the simulator worse. Record the rig once more,
-     with more strokes (see details.txt), and diagnose both runs together.
+     with more strokes (see details.txt), and diagnose all runs together.
   2. You can report: 0.17 mm. Record the rig again.
 
 More: details.txt"""
@@ -86,7 +86,7 @@ def test_an_unknown_verdict_has_no_error_of_what_it_names():
 def test_a_row_says_adopt_nothing_and_which_recording_its_verdict_asks_for(tmp_path):
     bad = made(tmp_path, "a", NOTHING, **TIED)
     good = made(tmp_path, "b", NOTHING.replace("What to do", "What was done"), **TIED)
-    asked = "Record the rig once more, with more strokes (see details.txt), and diagnose both runs together"
+    asked = "Record the rig once more, with more strokes (see details.txt), and diagnose all runs together"
     reason = "on the unseen strokes the explanation makes the simulator worse"
     assert why_nothing(bad) == reason and why_nothing(good) == why_nothing(tmp_path / "gone") == ""
     assert next_recording(bad) == asked and next_recording(good) == next_recording(tmp_path / "gone") == ""

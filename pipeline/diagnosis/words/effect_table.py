@@ -5,7 +5,7 @@ from . import cancelling, certainty, probability
 from .dimensions import far_moved, name_of
 from .error_table import aligned
 from .explained_words import meaning, on_rig
-from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, with_interval
+from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, own_with_interval
 from .quantity import at, listing, percent, size
 from .vocabulary import Vocabulary
 
@@ -24,10 +24,7 @@ BOTH_HOLD = (
     "{} {} though the interval reaches 0, and both hold: the percentage compares explanations by all signs in the "
     "recording; the interval says how much of the size dimensions or other effects could take over."
 )
-IN_ALL = (
-    "The table has the part of {} that no dimension could do. In all {}, but {} could do much of that as well. Sizes "
-    "in rms do not subtract."
-)
+IN_ALL = "A part of {} no dimension could do: {}. The rest {} could do as well. Sizes in rms do not subtract."
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
     "its own size stands and falls with them."
@@ -44,11 +41,8 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     shares = certainty.known(content)
     entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
     parts = any(own_part(entry, content, words) for entry in entries)
-    sizes = {
-        entry["id"]: in_columns(entry, content, words, parts) if short else [own_size(entry, content, words)]
-        for entry in entries
-    }
-    columns = [*HEAD, *([OF_IT] if short and parts else [])]
+    sizes = {entry["id"]: in_columns(entry, content, words, parts, short) for entry in entries}
+    columns = [*HEAD, *([OF_IT] if parts else [])]
     rows = [[id_, how_sure(content, id_, words), *cells] for id_, cells in sizes.items()]
     elsewhere = only_elsewhere(content)
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
@@ -67,27 +61,26 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
             *_in_one([*certainty.needed(content), *whose, *against]),
             *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
         ]
+    thoughts = [own_size(entry, content, words) for entry in entries]
     return [
         *table_lines,
         *_in_all(content, entries, words),
         *_in_one([*certainty.needed(content), *whose]),
         *cancelling.lines(content, entries, words),
         *_sure_and_near_0(content, entries, words),
-        *([UNSURE_SIZE] if any(POORLY in row for *_, row in rows) else []),
-        *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in row for *_, row in rows) else []),
-        *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in row for *_, row in rows) else []),
+        *([UNSURE_SIZE] if any(POORLY in thought for thought in thoughts) else []),
+        *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in thought for thought in thoughts) else []),
+        *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in thought for thought in thoughts) else []),
     ]
 
 
 def _in_all(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
-    """All of each effect of which the table has a part, and what could do the rest as well; nothing where none is."""
-    parts = [entry for entry in entries if own_part(entry, content, words)]
-    ids = [entry["id"] for entry in parts]
-    whole = [
-        f"{id_ if len(ids) > 1 else 'it'} does {with_interval(entry, words)}"
-        for id_, entry in zip(ids, parts, strict=True)
-    ]
-    return [IN_ALL.format(listing(ids), listing(whole), _in_its_place(content))] if parts else []
+    """The part of each effect that no dimension could do, and what could do the rest; nothing where it is the whole."""
+    parts = {
+        entry["id"]: own_with_interval(entry, content, words) for entry in entries if own_part(entry, content, words)
+    }
+    sizes = [f"{id_} {part}" if len(parts) > 1 else part for id_, part in parts.items()]
+    return [IN_ALL.format(listing(list(parts)), listing(sizes), _in_its_place(content))] if parts else []
 
 
 def _in_its_place(content: Verdict) -> str:

@@ -41,6 +41,12 @@ def of_other(content: Verdict) -> str:
     return f"{other} (named without them)" if other not in ("", NO_EFFECT) else ""
 
 
+def whose(content: Verdict) -> str:
+    """Of which effects the last error on those strokes is, where not of those that are named; goes after its size."""
+    other = other_name(content)
+    return f" (of {other}, which the procedure names without these strokes)" if other else ""
+
+
 def simulator(content: Verdict) -> str:
     """Of which simulator the last error on those strokes is; goes after `the simulator`."""
     if other_name(content) == NO_EFFECT:

@@ -23,15 +23,18 @@ def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
     return f"{with_interval(entry, words)}{doubt_of(entry, content, words)}"
 
 
-def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool) -> list[str]:
-    """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one."""
+def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, short: bool) -> list[str]:
+    """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one.
+
+    `short`: of what to think of the size, no more than that it is poorly known.
+    """
     known = entry[f"rms_{words.ending}"]
     if not known["value"]:
         return ["none", *["–"] * parts]
     whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
     part = own_part(entry, content, words)
-    hidden = not part and doubt_of(entry, content, words) == HIDDEN  # a part says it by itself
-    doubt = POORLY if certainty.wide(known) or hidden else ""
+    doubt = "" if part else doubt_of(entry, content, words)  # a part says by itself that the rest is hidden
+    doubt = POORLY if certainty.wide(known) or (short and doubt == HIDDEN) else "" if short else doubt
     return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
 
 

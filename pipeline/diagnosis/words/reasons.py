@@ -21,6 +21,10 @@ NAMES = "explanations with these effects were right less often in the simulated 
 OF_ITS_SIZE = (
     "explanations with so many effects were right less often in the simulated recordings that taught the judge"
 )
+SPEAKS_FOR = {  # whether an aspect's sign is larger, where a reader would take it for a merit
+    "fit": True, "numbers": False, "weakest": True, "instead": False, "more": False, "cancels": False,
+}  # fmt: skip
+TAUGHT = "though {}: such explanations were right less often in the simulated recordings that taught the judge"
 NOT_OF_THIS = ("names",)  # aspects that say nothing of this recording: told where nothing else is
 LEAST = 1.05  # times less likely: less is alike
 
@@ -43,10 +47,17 @@ def less_often(explanation: Part, best: Part | None) -> str:
 def chiefly(explanation: Part) -> str:
     """What counts most against an explanation, as a part of a sentence; nothing where no reason is known."""
     because = explanation.get("because") or []
-    seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS]
+    seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS and not speaks_for(cause)]
+    if because and not seen and speaks_for(because[0]):
+        return TAUGHT.format(" and ".join(reason(cause) for cause in because if speaks_for(cause)))
     reasons = [f"since {reason(cause)}" for cause in seen or because]
     how = "partly" if seen and because[0] not in seen else "chiefly"
     return f"{how} {' and '.join(reasons)}" if reasons else ""
+
+
+def speaks_for(cause: Part) -> bool:
+    """Whether a reader would take what counts against an explanation for a merit of it."""
+    return SPEAKS_FOR.get(cause["aspect"]) == (cause["more"] > 0.0)
 
 
 def reason(cause: Part) -> str:

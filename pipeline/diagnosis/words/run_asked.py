@@ -11,22 +11,22 @@ NONE_NEEDED = {
     "would show more.",
     "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
     "explained": "None is needed: no other explanation of the library is as likely. What makes sure of a name stands "
-    "in verdict.txt, under What to do.",
+    "above, under What to do.",
 }
 PROVISIONAL = (
     "None is needed before dimensions are measured again: no other explanation of the library is as likely, but names "
-    "are provisional while a dimension stands at its limit. verdict.txt says under What to do what comes first, and "
-    "what then makes sure of a name."
+    "are provisional while a dimension stands at its limit. What comes first, and what then makes sure of a name, "
+    "stands above, under What to do."
 )
 NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
     "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
 )
-MORE_STROKES = "Record the rig once more, with more strokes, and diagnose both runs together."
+MORE_STROKES = "Record the rig once more, with more strokes, and diagnose all runs together."
 TO_MAKE_SURE = (
     "No other explanation of the library is as likely, but make sure of the name before you adopt or report it: by the "
-    "run that verdict.txt asks for, under What to do."
+    "run that stands above, under What to do."
 )
 
 

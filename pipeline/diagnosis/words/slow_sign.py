@@ -76,4 +76,4 @@ def _open(own: dict[str, Number | None], stands: tuple[str, ...], content: Verdi
     longest_s = {stand: known.get(f"longest_{stand}_s") for stand in STANDS}
     longest = [f"{stand}s of up to {duration(seconds)}" for stand, seconds in longest_s.items() if seconds is not None]
     short = f" (it has {listing(longest)})" if longest else ""
-    return f" By how much cannot be said: this recording was too short for it{short}."
+    return f" By how much more cannot be said: this recording was too short for it{short}."

@@ -42,9 +42,13 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
     assert whole.rms == pytest.approx(rms(effect)) and whole.at_top < 0.0
     top = problem.record.motion >= 0.999 * problem.record.motion.max()
     assert whole.at_top == pytest.approx(np.mean(effect[top]), rel=0.1), "beyond the critical twist it contracts less"
-    _, first, number, critical, softness, formula = coefficients.lines(state.acts, problem.drivers, words, own)
+    _, first, head, number, does, critical, softness, formula = coefficients.lines(
+        state.acts, problem.drivers, words, own
+    )
     assert first.startswith("  jam: ") and "In all it moves the reading by " in first and " rms, and by -" in first
-    assert number.startswith("    share = 0.4 (a share): acts on the twist. It moves the reading by ")
+    assert head.startswith("    number ") and "moves the reading, rms   at " in head and " against " in head
+    assert number.startswith("    share = 0.4 (a share)   ") and does == "      acts on the twist"
+    assert number.split()[5:] == first.split("by ")[1].split()[:2] + first.split("by ")[2].split()[:2]
     assert critical.endswith(" turns: the twist from which on it acts.") and softness.startswith("    softness_turns")
     assert formula == f"    Its formula: {mechanisms()['jam'].equation}"
 

@@ -8,7 +8,7 @@ import pytest
 from pipeline.diagnosis.facts.aspects import MARKS, SIGNS, by_aspect, chief
 from pipeline.diagnosis.facts.evidence import explanations
 from pipeline.diagnosis.numerics.judge import Weighed, judge
-from pipeline.diagnosis.words.reasons import SAID, reason, why
+from pipeline.diagnosis.words.reasons import NAMES, SAID, chiefly, reason, why
 
 NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "wear")]
 
@@ -77,3 +77,17 @@ def test_a_diagnosis_keeps_the_reasons_against_each_explanation_that_was_weighed
     assert reasons and any(reasons) and all(len(each or []) <= 2 for each in reasons)
     assert all(part["log_odds"] < 0.0 for each in reasons for part in each or [])
     assert json.dumps(shown) and "because" not in next(one for one in shown if one["standing"] == "named")
+
+
+def test_what_a_reader_takes_for_a_merit_is_no_reason_against_an_explanation() -> None:
+    worse, fewer = (
+        {"aspect": aspect, "log_odds": -1.0, "more": more} for aspect, more in (("fit", -1.0), ("numbers", -2.0))
+    )
+    assert chiefly({"because": [worse, fewer]}) == "chiefly since it fits the recording worse"
+    assert chiefly({"because": [fewer, worse]}) == "partly since it fits the recording worse"
+    assert chiefly({"because": [fewer]}) == (
+        "though it has fewer free numbers: such explanations were right less often in the simulated recordings that "
+        "taught the judge"
+    )
+    names = {"aspect": "names", "log_odds": -1.0, "more": -1.0}
+    assert chiefly({"because": [names]}) == f"chiefly since {NAMES}"

@@ -680,11 +680,14 @@ def test_a_hidden_effect_says_how_large_it_is_in_all_and_which_dimensions_could_
     }
     made["parameters"] |= {name: {"nominal": 1.0, "value": 0.995} for name in ("scale", "length_mm")}
     text = " ".join(full(copy.deepcopy(made)).split())
-    assert "The table has the part of creep that no dimension could do. In all it does 1.5 mm (1.4 to 1.6 mm), " in text
-    assert "but a slightly different gain of the displacement sensor and radius could do much of that as well." in text
+    assert "A part of creep no dimension could do: 0.031 mm (0.029 to 0.033 mm). The rest a slightly different " in text
+    assert "different gain of the displacement sensor and radius could do as well." in text
+    assert "1.5 mm (1.4 to 1.6 mm)" in text, "in all"
     assert "far larger than the" not in text and "all of it except" not in text, "rms sizes do not subtract"
     made["evidence"]["beyond_dimensions_mm"]["friction_hysteresis"] = 0.02
-    both = "In all creep does 1.5 mm (1.4 to 1.6 mm) and friction_hysteresis does 0.082 mm (0.074 to 0.090 mm), but a"
+    both = (
+        "A part of creep and friction_hysteresis no dimension could do: creep 0.031 mm (0.029 to 0.033 mm) and friction"
+    )
     assert both in " ".join(full(made).split())
 
 
@@ -804,9 +807,12 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
 def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no_dimension_could_do():
     made = content(evidence__beyond_dimensions_mm={"creep": 0.031, "friction_hysteresis": 0.08})
     text = full(copy.deepcopy(made))
-    assert "0.031 mm (0.028 to 0.034 mm), in all 0.41 mm" in text and "0.082 mm (0.074 to 0.090 mm)" in text
+    assert (
+        "could do: 0.031 mm (0.028 to 0.034 mm)." in " ".join(text.split()) and "0.082 mm (0.074 to 0.090 mm)" in text
+    )
     row = next(line for line in page(copy.deepcopy(made)).splitlines() if line.strip().startswith("creep "))
     assert "0.41 mm (0.37 to 0.45 mm)" in row and row.endswith("0.031 mm"), "the page: all of it, then that part"
+    assert row in text, "the details have the row of the page"
     assert "TO REPORT" not in text, "a dimension moved far"
     made["evidence"]["moved_sigma"] = NEAR
     made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.35, "high": 1.65}
@@ -911,7 +917,7 @@ def test_standard_deviations_of_a_proposed_run_say_what_they_count_and_that_name
 def test_the_details_ask_for_the_run_that_the_first_step_asks_for():
     bad = {**ALONE, "fit__heldout__explained_mm": 4.3}
     for made in (content(**bad), {**at_limit(), "fit": content(**bad)["fit"]}):
-        again = "Record the rig once more, with more strokes, and diagnose both runs together."
+        again = "Record the rig once more, with more strokes, and diagnose all runs together."
         assert again in steps(made) and again in details(made) and "None is needed" not in details(made)
     vain = {**ALONE, "fit__heldout__explained_mm": 0.80, "fit__heldout__nominal_mm": 0.9}
     made = confident(0.93, 0.96, **vain, evidence__moved_sigma=NEAR)

@@ -1014,7 +1014,7 @@ def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
         in likely
     )
     assert "friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 8.7 " in beaten
-    assert "friction_hysteresis + sensor_drift: chiefly since a further effect would add less to it." in beaten
+    assert "friction_hysteresis + sensor_drift: though a further effect would add less to it: such expl" in beaten
     assert " creep less than 1 % 0.060 mm (2.0) 130 " in beaten
 
 
