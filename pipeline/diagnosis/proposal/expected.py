@@ -39,14 +39,15 @@ def of_explanations(study: Study, run: Run, named: list[Part], ending: str, miss
     `explanations`: those that tie, or the one and the likeliest others of which a number differs from it by what a
     person sees, each with its `ids`. `loop_…`: by how much winding and unwinding part at most at one motion, as before,
     at half the speed and, where one load was recorded, under half and twice of it. What swings or drifts has no loop
-    that could be foretold, and how a slow effect follows a load that was not recorded is not known. `top_…`: by how
-    much the reading at the highest motion changes in `strokes` more strokes as before. `hold_…` and `rest_…`: by how
-    much it changes while the rig stands wound, and then unwound, for `stand_s` each: twice the longest time constant.
-    All in the unit of the reading, whose channel has this `ending`. `plus_minus` has of each number, by its key, half
-    of the interval that holds nine of ten true values if the explanation is right. `recorded`: the loop that the
-    recording itself shows, under one load, and that each explanation has in it. `load` and `speed_per_s` are the usual
-    ones, in the units of the load and of the motion per second. Empty where nothing is named, and where chance acts: it
-    foretells nothing.
+    that could be foretold, and how a slow effect follows a load that was not recorded is not known. How a drift goes
+    on is known for no longer than the recording lasted: where both stands are longer, it has no `hold_…` and `rest_…`.
+    `top_…`: by how much the reading at the highest motion changes in `strokes` more strokes as before. `hold_…` and
+    `rest_…`: by how much it changes while the rig stands wound, and then unwound, for `stand_s` each: twice the longest
+    time constant. All in the unit of the reading, whose channel has this `ending`. `plus_minus` has of each number, by
+    its key, half of the interval that holds nine of ten true values if the explanation is right. `recorded`: the loop
+    that the recording itself shows, under one load, and that each explanation has in it. `load` and `speed_per_s` are
+    the usual ones, in the units of the load and of the motion per second. Empty where nothing is named, and where
+    chance acts: it foretells nothing.
     """
     if study.random or not named:
         return {}
@@ -151,7 +152,10 @@ def _which(study: Study, rig: Rig, known: Part, state: State) -> list[str]:
     opens = not any(mechanism.swings or mechanism.drifts for mechanism in acting)
     other = rig.load and not study.problem.drivers.loaded and not any(mechanism.slow for mechanism in acting)
     loops = [f"loop_{kind}" for kind, (_, load) in STROKES.items() if opens and (load == 1.0 or other)]
-    return [*loops, *(["top"] if "strokes" in known else []), *(["hold", "rest"] if "stand_s" in known else [])]
+    time_s = study.problem.record.time_s
+    far = 2.0 * known.get("stand_s", 0.0) > time_s[-1] - time_s[0] and any(mechanism.drifts for mechanism in acting)
+    stands = ["hold", "rest"] if "stand_s" in known and not far else []
+    return [*loops, *(["top"] if "strokes" in known else []), *stands]
 
 
 def _foretold(ahead: _Ahead, which: list[str], state: State) -> dict[str, float]:

@@ -2,13 +2,16 @@
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
 import pytest
 from made_content import SYSTEMS, confident, content, full, page, spoken, told
 
+from pipeline.diagnosis.fit.problem import Act
 from pipeline.diagnosis.in_memory import diagnosed
+from pipeline.diagnosis.proposal import expected
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.words.adoption import adopted_predictions
 from pipeline.diagnosis.words.corner_table import corners
@@ -341,3 +344,13 @@ def test_columns_that_do_not_fit_on_the_page_are_left_out():
     made = content(evidence__expected=EXPECTED | {"explanations": [CREEP, HEAT, wide]})
     table = lines(made, WORDS)
     assert "radius_compaction" not in table[0] and "creep" in table[0] and max(map(len, table)) <= 105
+
+
+@pytest.mark.parametrize(("id_", "stand_s", "known"), [("sensor_drift", 160.0, False), ("sensor_drift", 140.0, True),
+                                                       ("creep", 160.0, True)])  # fmt: skip
+def test_no_drift_is_foretold_for_longer_than_it_was_recorded(id_, stand_s, known):
+    record, drivers = SimpleNamespace(time_s=np.linspace(0.0, 300.0, 50)), SimpleNamespace(loaded=False)
+    study = SimpleNamespace(problem=SimpleNamespace(record=record, drivers=drivers))
+    state = SimpleNamespace(acts=(Act(id_, ({},), (1.0,)),))
+    which = expected._which(study, SimpleNamespace(load=10.0), {"stand_s": stand_s}, state)
+    assert ("hold" in which, "rest" in which) == (known, known)
