@@ -23,9 +23,10 @@ NOTES = """\
 Errors are on held-out points only. `within` holds out blocks inside strokes (one in four), `later` the last quarter of
 the strokes, whole. Values are medians over the seeds, with the lowest and the highest in brackets where they differ.
 The displacement is tared once a string, on the rest before its first stroke, to the model's value at that twist.
-Where the contraction is negative eq. 5 has no real root: what is under it is taken as 0, so the traditional model
-answers one and the same twist there. Of the models here the paper has numbers of the INN and the traditional one alone.
-The INN has the paper's five inputs, so no direction: it learns the middle between winding and unwinding.
+Where the contraction is negative eq. 5 has no real root. The number under the root is then taken as 0, so the
+traditional model answers one and the same twist there. The paper has numbers of two of these models: the INN and the
+traditional one. The INN has the paper's five inputs. The direction is not among them, so it learns the mean of winding
+and unwinding.
 """
 
 
@@ -60,11 +61,12 @@ def why_apart(whole: pd.DataFrame, material: str) -> str:
         reason = "The synthetic rig was fitted to the errors of the paper's traditional model, not to those of its INN"
     tells = "So a difference from the paper tells of the recording, not of a better or worse network."
     if ours > FAR * floor:
-        tells = f"This network is at {ours / floor:.1f} times them: nothing of it can be held against the paper's."
+        tells = f"This network errs by {ours / floor:.1f} times that: its errors cannot be compared with the paper's."
     return (
         f"{reason}: forward, winding, n={stroke}, the INN's RMSE is {ours:.3f} mm here and {printed[stroke]:.3f} mm "
-        f"in the paper. Noise and the loop that the INN is not told of are {floor:.3f} mm here (floor without "
-        "direction, on the page of the models), and it cannot go far below them; the paper does not state its own. "
+        f"in the paper. Here noise makes {floor:.3f} mm, together with the loop between winding and unwinding, which "
+        "the INN is not told of (floor without direction, on the page of the models). It cannot go far below that. The "
+        "paper does not state its own floor. "
         f"{tells}"
     )
 
@@ -89,11 +91,11 @@ def table(metrics: pd.DataFrame, number: int, strokes: list[str], titles: dict[s
 
 def another_rig(mark: MadeBy) -> str:
     """Why nothing of this page can agree with the paper, and what makes a page that can."""
-    short = " and its trainings are short" if mark.kind == "small" else ""
+    short = ", and its trainings are short" if mark.kind == "small" else ""
     return (
         f"No agreement with the paper is expected here: {plain(mark.name)} records another synthetic rig than the one "
-        f"that was fitted to the paper{short}. It is {plain(mark.rig)}. The paper's numbers stand beside for their "
-        "layout alone. `snakemake --cores 2`, the default configuration, makes the page that can be compared."
+        f"that was fitted to the paper{short}. This rig is {plain(mark.rig)}. The paper's numbers stand beside ours "
+        "only for the layout. `snakemake --cores 2`, the default configuration, makes a page that can be compared."
     )
 
 

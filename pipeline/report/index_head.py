@@ -82,11 +82,11 @@ def glance(
     if runs:
         parts.append(paragraph(Markup("Verdicts: {}.").format(counted(contents))))
     if materials:
-        aside = f"{len(materials):,}: the model to take of each, and how near it comes to what no model can beat"
+        aside = f"{len(materials):,}: the model to take, and its error beside the least possible one (× floor)"
         below = materials_table(reports, materials, material_name)
         parts.append(folded("materials", "Materials", aside, below, level=3, is_open=True))
     if runs:
-        aside = f"{len(runs):,}: what the simulator leaves out of each; mismatch and noise are rms"
+        aside = f"{len(runs):,}: what the simulator leaves out, run by run; mismatch and noise are rms"
         parts.append(folded("runs", "Runs", aside, runs_table(reports, contents, of, run_name), level=3, is_open=True))
     if not materials and not runs:
         parts.append(paragraph("No run lies in raw/ yet."))

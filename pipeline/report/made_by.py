@@ -96,7 +96,8 @@ def _fits(models: Mapping[str, ModelPlan]) -> str:
     fits = []
     for model in models.values():
         seeds, epochs = model["seeds"], model["settings"].get("epochs")
-        count = _plural(seeds["within"], "seed") + (f" (later: {seeds['later']})" * (seeds["later"] != seeds["within"]))
+        later = f" ({seeds['later']} for later strokes)" if seeds["later"] != seeds["within"] else ""
+        count = _plural(seeds["within"], "seed") + later
         if epochs is not None or seeds["within"] > 1:
             of_epochs = f" of {_plural(epochs, 'epoch')}" if isinstance(epochs, int) else ""
             fits.append(f"{model['title']} {count}{of_epochs}")

@@ -42,9 +42,9 @@ The floors are no models. An oracle that sees the held-out answers draws the bes
 one for each direction of motion (floor with direction) or one for both (floor without): what it leaves is noise, and
 without the direction also the loop between winding and unwinding. `× floor` is a model's error divided by the floor
 that its inputs entitle it to. The floors bound the RMSE, no other metric, of models that know the twist (or
-contraction), the string, the stroke and perhaps the direction. A model that knows more, the load or the past, may get
-below; so may one that leans towards winding or unwinding below the floor without direction, in that column, at the
-cost of the other.
+contraction), the string, the stroke and perhaps the direction. A model that knows more, such as the load or the past,
+may get below them. A model without the direction may get below its floor in the column of winding, if it is worse in
+that of unwinding, or the other way round.
 """
 
 

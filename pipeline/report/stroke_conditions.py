@@ -72,7 +72,7 @@ def later_apart(dataset: pd.DataFrame | None) -> str:
     what = " and ".join(f"another {kind}" for *_, kind in kinds)
     return (
         f"{APART}: n={ranges(strokes)} {'was' if len(strokes) == 1 else 'were'} recorded {theirs}, the others "
-        f"{usual}. So these errors on later strokes are of {what} as well."
+        f"{usual}. So the errors on later strokes are errors at {what} too."
     )
 
 

@@ -71,7 +71,8 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
     by_model: dict[str, list[str]] = {}
     for material, models in materials.items():
         by_model.setdefault(models.chosen(), []).append(material)
-    lines: list[Text] = [f"{RULE} Which errs least on what: the page of every model, below."] if any(by_model) else []
+    everywhere = "The page of every model, below, says which errs least on what."
+    lines: list[Text] = [f"{RULE} {everywhere}"] if any(by_model) else []
     for model, chosen_for in by_model.items():
         if model:
             export, _ = uses(chosen_for[0] if len(chosen_for) == 1 else "<material>", model)
@@ -86,8 +87,8 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
     if named := next((models.titles[ALONE] for models in materials.values() if ALONE in models.titles), ""):
         lines.append(
             f"{named} is no model to take away: it needs the whole motion, so it can be neither exported nor asked. "
-            "It is what a simulator with the named effects would err; where its error on later strokes is large, the "
-            "named effects do not foresee them."
+            "Its error is that of a simulator with the effects that the diagnosis names. Where it is large on later "
+            "strokes, these effects do not foresee them."
         )
     return together(paragraph(line) for line in lines)
 

@@ -55,13 +55,12 @@ def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
     best = min(others, key=lambda model: errors_mm[model, split], default="")
     if not best or (chosen, split) not in errors_mm or errors_mm[best, split] * LESS > errors_mm[chosen, split]:
         return ""
-    errs = f"{titles[best]} errs less, {errors_mm[best, split]:.3f} mm against {errors_mm[chosen, split]:.3f} mm"
-    sentence = f"On strokes like the recorded ones {errs} (forward)"
+    errs = f"{errors_mm[best, split]:.3f} mm against {errors_mm[chosen, split]:.3f} mm"
+    sentence = f"On strokes like the recorded ones the {titles[best]} errs less forward: {errs}."
     if {(best, "later"), (chosen, "later")} <= set(errors_mm):
         later = f"{errors_mm[best, 'later']:.3f} mm against {errors_mm[chosen, 'later']:.3f} mm"
-        sentence += f"; on later strokes it has {later}"
-    alone = f"Where only strokes like these will come, take the {titles[best]}: its file is exported in the same way"
-    return f"{sentence}. {alone}."
+        sentence += f" On later strokes it errs by {later}."
+    return f"{sentence} Take the {titles[best]} if only strokes like the recorded ones will come."
 
 
 def uses(material: str, model: str) -> tuple[str, str]:

@@ -186,10 +186,11 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     assert export in words
     assert RULE in words and f"Spline is exported by <code>{export}" in words
     assert "Simulator is no model to take away: it needs the whole motion" in words
-    less = (
-        "Polynomial errs less, 0.020 mm against 0.103 mm (forward); on later strokes it has 0.400 mm against 0.153 mm"
+    less = "the Polynomial errs less forward: 0.020 mm against 0.103 mm. On later strokes it errs by 0.400 mm"
+    assert (
+        f"{MATERIAL}: On strokes like the recorded ones {less} against 0.153 mm. Take the Polynomial if only strokes"
+        in words
     )
-    assert f"{MATERIAL}: On strokes like the recorded ones {less}. Where only strokes like these" in words
     medians["polynomial"] = ("Polynomial", 0.1, 0.4)
     changed(reports / MATERIAL / "models.csv", folder, diagnosed=("Simulator", 0.01, 0.889), **medians)
     assert "errs less" not in str(materials_table(tmp_path, [MATERIAL], str)), "so little less is told as alike"

@@ -72,8 +72,8 @@ def test_the_page_begins_with_the_model_to_take_and_who_errs_less():
     metrics.loc[(metrics["model"] == "mlp") & (metrics["split"] == "later"), "value"] *= 1.2
     begins = page(numbers(metrics, titles, ["mlp"]), "made").split("RMSE on held-out")[0]
     assert f"Take the **Spline model**. {RULE}" in begins
-    less = "MLP model errs less, 0.051 mm against 0.058 mm (forward); on later strokes it has 0.073 mm against 0.068 mm"
-    assert f"On strokes like the recorded ones {less}." in begins
+    less = "the MLP model errs less forward: 0.051 mm against 0.058 mm. On later strokes it errs by 0.073 mm"
+    assert f"On strokes like the recorded ones {less} against 0.068 mm." in begins
     begins = page(numbers(made_metrics(FORWARD | {"spline": [0.093]}), titles, ["mlp"]), "made")
     assert "Take the **MLP model**." in begins and "On strokes like the recorded ones" not in begins
 

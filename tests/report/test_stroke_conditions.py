@@ -29,9 +29,9 @@ def test_later_strokes_of_another_load_or_twist_are_said_with_both():
     text = later_apart(with_last(1.5 * usual_n, 0.8))
     assert text.startswith(f"{APART}: n=9 was recorded at {1.5 * usual_n:.3g} N and to ")
     assert f"{0.8 * top_turns:.3g} turns, the others at {usual_n:.3g} N and to " in text
-    assert "are of another load and another twist as well." in text
-    assert "are of another load as well." in later_apart(with_last(1.5 * usual_n))
-    assert "are of another twist as well." in later_apart(with_last(None, 1.2))
+    assert "are errors at another load and another twist too." in text
+    assert "are errors at another load too." in later_apart(with_last(1.5 * usual_n))
+    assert "are errors at another twist too." in later_apart(with_last(None, 1.2))
 
 
 def test_later_strokes_like_the_others_need_no_word():

@@ -152,7 +152,7 @@ def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_pa
 
 def test_comparison_shows_the_paper_beside_ours_with_the_spread():
     text = comparison(made_metrics(), "m", TITLES)
-    assert "the paper has numbers of the INN and the traditional one alone" in text and "taken as 0, so the" in text
+    assert "The paper has numbers of two of these models" in text and "taken as 0, so the" in text
     assert "| INN model | n=1 | 1.112 (1.110–1.114) | 0.180 |" in text
     assert "| Traditional model | n=9 | 3.912 (3.910–3.914) | 2.101 |" in text
     assert "later strokes, winding" in text and "101.112" in text
@@ -167,12 +167,14 @@ def test_comparison_says_at_its_top_why_the_inn_is_not_the_papers():
         "not to those of its INN: forward, winding, n=5, the INN's RMSE is 1.532 mm here and 0.269 mm in the paper"
         in top
     )
-    assert "the INN is not told of are 1.379 mm here" in top
+    assert "Here noise makes 1.379 mm, together with the loop" in top
     assert "This rig is not the paper's" in comparison(metrics, "nylon", TITLES)
     assert "So a difference from the paper tells of the recording" in top
     far = pd.concat([made_metrics(), floor.assign(value=0.1 * floor["value"])])
     text = comparison(far, "nylon", TITLES)
-    assert "This network is at 10.0 times them: nothing of it can be held" in text and "tells of the rec" not in text
+    assert (
+        "This network errs by 10.0 times that: its errors cannot be compared" in text and "tells of the rec" not in text
+    )
     assert "1.112" in comparison(metrics, "nylon", TITLES) and "in the paper." not in comparison(
         made_metrics(), "m", TITLES
     )
@@ -203,7 +205,7 @@ def test_comparison_of_another_rig_says_first_that_no_agreement_is_expected_and_
     text = comparison(metrics, "synthetic", TITLES, mark=mark)
     top = text.partition("Errors are on held-out points only")[0]
     assert "No agreement with the paper is expected here: ci.yaml records another synthetic rig" in top
-    assert "and its trainings are short. It is set-up small (2 strokes)." in top and "snakemake --cores 2" in top
+    assert "and its trainings are short. This rig is set-up small (2 strokes)." in top and "snakemake --cores 2" in top
     assert "errors agree" not in text and "was fitted to the errors" not in text
     assert "errors agree" in comparison(metrics, "synthetic", TITLES, mark=SMALL)
     assert "No agreement" not in comparison(metrics, "nylon", TITLES, mark=mark)
