@@ -13,9 +13,9 @@ USUAL = "spline"  # the one to take where errors are much alike: the page on mod
 LESS = 1.1  # times as large: from there on an error is told to be larger
 ALONE = "diagnosed"  # needs the whole motion: it is neither exported nor asked
 RULE = (
-    "The model to take is the one of the least forward error on later strokes (on held-out points where no later "
-    f"stroke is left out); the spline is taken where its error is at most {LESS:g} times the least, because it rises "
-    "with the twist and is its own inverse."
+    "The model to take is, of those that can be exported, the one of the least forward error on later strokes (on "
+    f"held-out points where no later stroke is left out); the spline is taken where its error is at most {LESS:g} "
+    "times the least, because it rises with the twist and is its own inverse."
 )
 Errors = Mapping[tuple[str, str], float]
 

@@ -207,7 +207,10 @@ def test_the_model_to_take_is_the_one_whose_numbers_on_the_page_justify_it(tmp_p
     assert Models.read(tmp_path / MATERIAL / "models.csv").row()[0] == model
     words = str(materials_table(tmp_path, [MATERIAL], str))
     export, _ = uses(MATERIAL, model.lower())
-    assert export in words and words.count("<p>The model to take is the one of the least forward error") == 1
+    assert (
+        export in words
+        and words.count("<p>The model to take is, of those that can be exported, the one of the least") == 1
+    )
 
 
 def test_without_a_spline_or_a_simulator_the_index_says_what_it_shows_and_no_more(tmp_path, reports):
