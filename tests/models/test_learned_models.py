@@ -1,6 +1,8 @@
 """What the INN and the MLP are held to beyond the interface."""
 
 import logging
+import subprocess
+import sys
 
 import numpy as np
 import pandas as pd
@@ -14,7 +16,7 @@ from pipeline.models.inn import Inn
 from pipeline.models.mlp import Mlp
 from pipeline.models.parts.features import contraction_and_conditions, twist_and_conditions
 from pipeline.models.parts.scaling import Scaling
-from pipeline.models.parts.training import minimise, tensor
+from pipeline.models.parts.training import Adam, minimise, repeatable, tensor
 
 SMALL = {"width": 32, "layers": 2, "epochs": 24, "batch": 60, "rates": (4e-3, 2e-3, 5e-4, 2e-4)}
 
@@ -93,6 +95,39 @@ def test_inn_rates_hold_for_equal_quarters(points: pd.DataFrame, monkeypatch: py
     monkeypatch.setattr("pipeline.models.inn.minimise", lambda *words: seen.extend(words[-1]))
     Inn(epochs=8, width=4).fit(points, 0)
     assert seen == [8e-4, 8e-4, 4e-4, 4e-4, 1e-4, 1e-4, 5e-5, 5e-5]
+
+
+def test_the_optimiser_steps_as_torchs_own_to_the_last_bit() -> None:
+    ways = []
+    for kind in (Adam, torch.optim.Adam):
+        with repeatable(3):
+            net = torch.nn.Sequential(torch.nn.Linear(3, 9), torch.nn.Tanh(), torch.nn.Linear(9, 1), torch.nn.Dropout())
+            optimiser = kind(net.parameters(), lr=3e-3, fused=True)
+            for step in range(40):
+                optimiser.param_groups[0]["lr"] = 3e-3 / (1 + step)
+                optimiser.zero_grad()
+                net(torch.randn(7, 3)).square().sum().backward()
+                optimiser.step()
+        ways.append([each.detach().numpy().tobytes() for each in net.parameters()])
+    assert ways[0] == ways[1]
+
+
+FITS = """
+import sys
+import torch
+from pipeline.models.parts.training import minimise, repeatable
+with repeatable(0):
+    net = torch.nn.Linear(1, 1)
+    minimise(net, lambda rows: net(rows[:, None].float()).square().mean(), 4, 2, (0.1,))
+    assert torch.are_deterministic_algorithms_enabled()
+compiler = [name for name in sys.modules if name.startswith(("torch._dynamo", "torch._inductor"))]
+sys.exit(f"it imported {compiler[0]}" if compiler else 0)
+"""
+
+
+def test_a_fit_does_not_import_torchs_compiler() -> None:
+    done = subprocess.run([sys.executable, "-c", FITS], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
 
 
 def test_the_mlp_uses_the_direction() -> None:

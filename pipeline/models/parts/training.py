@@ -3,6 +3,7 @@
 Source: Kingma and Ba, "Adam: a method for stochastic optimization", ICLR 2015.
 """
 
+import inspect
 import io
 import logging
 import math
@@ -40,7 +41,7 @@ def repeatable(seed: int) -> Iterator[None]:
     One thread: sums do not depend on the number of cores, and on shared cores two threads are slower.
     """
     torch.set_num_threads(1)
-    torch.use_deterministic_algorithms(True)
+    torch.set_deterministic_debug_mode("error")  # as use_deterministic_algorithms, which imports torch's compiler
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         yield
@@ -51,6 +52,14 @@ def tensor(values: object) -> Tensor:
     return torch.as_tensor(values, dtype=torch.float32)
 
 
+class Adam(torch.optim.Adam):
+    """torch's own, bare of what tells torch's compiler to leave it alone: that imports the compiler, 2 s a process."""
+
+    add_param_group = inspect.unwrap(torch.optim.Adam.add_param_group)
+    zero_grad = inspect.unwrap(torch.optim.Adam.zero_grad)
+    step = torch.no_grad()(inspect.unwrap(torch.optim.Adam.step))
+
+
 def minimise(
     network: nn.Module, loss_of: Callable[[Tensor], Tensor], points: int, batch: int, rates: Sequence[float]
 ) -> None:
@@ -59,7 +68,7 @@ def minimise(
     Shows the epochs as progress and logs the last one's mean loss. Raises ArithmeticError when the loss is not finite.
     Row numbers have the shape (batch,), as indices.
     """
-    optimiser = torch.optim.Adam(network.parameters(), lr=rates[0], fused=True)
+    optimiser = Adam(network.parameters(), lr=rates[0], fused=True)
     batches = math.ceil(points / batch)
     for epoch, rate in enumerate(steps(rates, "epoch"), start=1):
         optimiser.param_groups[0]["lr"] = rate
