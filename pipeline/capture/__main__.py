@@ -19,6 +19,7 @@ from .lines_to_csv import CSV, recover_lines
 from .log import LINES
 from .motion import read_legs
 from .near_names import doubt, mend_of
+from .printed import WAIT_S
 from .session import capture, capture_lines
 from .told_clock import tell_clock
 from .told_lines import clock_question, tell_lines
@@ -152,6 +153,8 @@ def main() -> int:
     parser.add_argument("--text", action="store_true", help="the rig prints lines of numbers, not frames")
     parser.add_argument("--columns", default="", help="names, separated by commas, of what --text records")
     parser.add_argument("--longest", type=float, default=math.inf, metavar="SECONDS", help="then the run is ended")
+    wait = f"how long --text waits for the first line of numbers ({WAIT_S:g})"
+    parser.add_argument("--wait", type=float, metavar="SECONDS", help=wait)
     motion = "the motion, for a rig that takes one: a diagnosis.json, or a list of legs"
     parser.add_argument("--program", type=Path, metavar="FILE", help=motion)
     arguments = parser.parse_args()
@@ -159,6 +162,8 @@ def main() -> int:
         parser.error("--program is for rigs that send frames")
     if not arguments.longest > 0:
         parser.error("--longest must be above 0 seconds")
+    if arguments.wait is not None and not (arguments.text and 0 < arguments.wait < math.inf):
+        parser.error("--wait goes with --text, and must be above 0 seconds")
     columns = names(arguments.columns.encode())
     if arguments.columns and not columns:
         parser.error("--columns needs two names or more, separated by commas")
@@ -176,7 +181,8 @@ def main() -> int:
             if arguments.text:
                 if question := doubt(columns, folder):
                     print(question, flush=True)
-                info = capture_lines(arguments.port, folder, arguments.baud, columns, arguments.longest)
+                wait_s = arguments.wait or WAIT_S
+                info = capture_lines(arguments.port, folder, arguments.baud, columns, arguments.longest, wait_s)
             else:
                 legs = read_legs(arguments.program) if arguments.program else []
                 info = capture(arguments.port, folder, arguments.baud, arguments.longest, legs)

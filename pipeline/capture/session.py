@@ -22,7 +22,7 @@ from .log import LINES, NAME, Log, check_folder
 from .motion import load, strokes_of
 from .pending import note
 from .port import Port
-from .printed import await_header, follow
+from .printed import WAIT_S, await_header, follow
 from .screen import Screen
 from .stream import record
 
@@ -64,14 +64,22 @@ def plain(text: str) -> str:
 
 
 def capture_lines(
-    name: str, folder: Path, baud: int, columns: tuple[str, ...], longest_s: float = math.inf
+    name: str,
+    folder: Path,
+    baud: int,
+    columns: tuple[str, ...],
+    longest_s: float = math.inf,
+    wait_s: float = WAIT_S,
 ) -> CaptureJson:
-    """Record what a rig prints and commit it; returns what capture.json says; raises BadInput."""
+    """Record what a rig prints and commit it; returns what capture.json says; raises BadInput.
+
+    `wait_s` is how long the rig may print no line of numbers at its beginning.
+    """
     end_request = Asked()
     check_folder(folder)
     with ExitStack() as until_committed:
         with Port(name, baud) as port:
-            beginning = await_header(port, name, columns)
+            beginning = await_header(port, name, columns, wait_s)
             began = datetime.now(UTC) - timedelta(seconds=time.monotonic() - beginning.since_s)
             until_committed.enter_context(end_request.listening())
             log = Log(folder, LINES)
