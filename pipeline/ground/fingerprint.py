@@ -32,6 +32,11 @@ def _file(module: str) -> Path | None:
     return _file_in(HOUSE, module)
 
 
+def _is_source(path: Path) -> bool:
+    """Whether a file of the package is code or data of it, not what is kept beside compiled code."""
+    return path.suffix in SOURCES and path.parent.name != "__pycache__"
+
+
 def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:
     """Statements that can run, and those inside them; no expression holds one."""
     for node in body:
@@ -98,7 +103,7 @@ def reachable(*modules: str) -> list[Path]:
             continue
         seen.add(module)
         if module.endswith(".*"):
-            files = [path for path in HOUSE.joinpath(*module.split(".")[1:-1]).rglob("*") if path.suffix in SOURCES]
+            files = [path for path in HOUSE.joinpath(*module.split(".")[1:-1]).rglob("*") if _is_source(path)]
             paths.update(path for path in files if path.suffix != ".py")
             names = [(NAME, *path.relative_to(HOUSE).with_suffix("").parts) for path in files if path.suffix == ".py"]
             waiting += [".".join(name).removesuffix(".__init__") for name in names]

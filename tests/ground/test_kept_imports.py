@@ -48,6 +48,12 @@ def test_a_second_process_looks_into_no_file_and_reaches_the_same(looked):
     assert process() == (set(), ALL)
 
 
+def test_what_is_kept_is_no_source_of_the_package(looked):
+    house, process = looked
+    process()
+    assert kept(house).is_file() and {path.name for path in reachable("pipeline.*")} == ALL
+
+
 def test_a_file_that_changed_is_looked_into_and_so_is_one_that_is_new(looked):
     house, process = looked
     process()
