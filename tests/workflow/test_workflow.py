@@ -57,7 +57,7 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
 def test_what_ci_makes_cannot_be_taken_for_a_result(finished):
     project, printed = finished
     reports = project.folder / "reports"
-    assert "(small fit: not a result, ci.yaml" in printed
+    assert "(small fit: not a result, made by ci.yaml" in printed
     pages = [reports / "index.html", *(reports / "synthetic").glob("*.html"), *(reports / "synthetic").glob("*.md")]
     pages += [reports / "synthetic" / f"table_{n}.tex" for n in (1, 2)]
     for path in (*pages, *reports.rglob("*.csv-metadata.json")):
