@@ -111,7 +111,8 @@ def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows
         "comes back in a rest of 2 min after it; if it is plastic_elongation, it changes by less than 0.050 mm in both."
     ) in text
     assert (
-        "By how much cannot be said: this recording was too short for it (it has holds of up to 3 s and rests" in text
+        "By how much more cannot be said: this recording was too short for it (it has holds of up to 3 s and rests"
+        in text
     )
     assert "in the last one hold 2 min at 30.7 turns and rest 2 min at 0 turns after it" in text
     firm = foretold(0.05, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)

@@ -140,12 +140,14 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
         if not options:
             raise BadInput(where, f"{field}.id", f"{id_!r} has no place in this rig or this recording", "remove it")
         name_of = drivers.units.name
-        names = [{name_of(name) for name in nonlinear} for nonlinear in options] or [set()]
+        more = [name for name in mechanism.optional if name_of(name) in given]
+        orders = [[name for name in nonlinear if name not in mechanism.optional] + more for nonlinear in options]
+        names = [{name_of(name) for name in order} for order in orders] or [set()]
         fitting = [keys for keys in names if keys <= set(given)]
         if not fitting:
             raise BadInput(where, f"{field}.parameters", f"lacks one of {', '.join(sorted(names[0]))}", mend)
         keys = max(fitting, key=len)
-        order = next(list(nonlinear) for nonlinear in options or [{}] if {name_of(name) for name in nonlinear} == keys)
+        order = next(order for order in orders or [[]] if {name_of(name) for name in order} == keys)
         nonlinear = {name: float(given[name_of(name)]) for name in order}
         try:
             terms = mechanism.terms(drivers, nonlinear)

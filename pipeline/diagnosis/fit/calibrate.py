@@ -69,6 +69,7 @@ def _between(candidates: list[Nonlinear], nonlinear: Nonlinear, width: float, ki
 def refine(problem: Problem, noise: Noise, state: State) -> State:
     """Search between the grid's candidates for the nonlinear parameters of what acts, one mechanism after the other."""
     kinds = problem.drivers.levered  # the loop of a drive would be bent to anything by mixing its kinds
+    price = float(np.log(problem.rows))  # of a coefficient, as the search has it: a kind may need fewer
     for level in range(EVENT_REFINEMENTS):
         for place, act in enumerate(state.acts):
             if act in problem.included or (level >= REFINEMENTS and mechanisms()[act.id].steps == 1):
@@ -97,7 +98,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
                 for option in [number, *range(count, count + len(near) - 1)]:
                     keys = tuple(sorted([*fixed, (act.id, option)], key=lambda key: list(catalogue).index(key[0])))
                     tries.append((linear.fit(linear.columns_of(keys)), keys))
-                best, keys = min(tries, key=lambda item: item[0].misfit)
+                best, keys = min(tries, key=lambda item: item[0].misfit + price * item[0].active)
                 state = linear.state_of(best, keys)
         if level >= REFINEMENTS and all(mechanisms()[act.id].steps == 1 for act in state.acts):
             break

@@ -79,6 +79,7 @@ class Mechanism:
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     names: dict[str, str] = field(default_factory=dict)
     derived: dict[str, Callable[[Nonlinear], float]] = field(default_factory=dict)  # of all parameters, by their names
+    optional: tuple[str, ...] = ()  # nonlinear parameters that a recording may have no use for: `terms` does without
     units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
     suggest: Callable[[Drivers, Array], list[Nonlinear]] = lambda drivers, residual: []
     tells: Callable[[Drivers, Nonlinear], bool] = lambda drivers, nonlinear: True  # whether it can be seen

@@ -3,12 +3,16 @@
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..numerics.recursions import lowpass
 from ..recording.drivers import Drivers
 from .interface import Nonlinear
 
 BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
 WITHIN_S = 0.4  # in which a slip that is not sudden is over, but for a third
 GROWTHS = (0.03, 0.1, 0.3, 1.0)  # of the whole: after how much of it a saturating growth has done 63 %
+
+LATER_RUNS = "later_runs"  # the parameter that says in which way a later run begins
+GOES_ON, AS_THE_FIRST, LOADED_FOR_LONG = 0.0, 1.0, 2.0  # ways in which a later run begins
 
 
 def saturations(amount: Array, whole: float) -> dict[str, Array]:
@@ -49,6 +53,31 @@ def time_constants(drivers: Drivers, candidates: tuple[float, ...]) -> list[floa
 def within(candidates: tuple[float, ...], nonlinear: Nonlinear) -> list[float]:
     """Those candidates (s) that nonlinear parameters say their recording could show."""
     return [tau for tau in candidates if nonlinear["fastest_s"] <= tau <= nonlinear["slowest_s"]]
+
+
+def begun(drivers: Drivers, candidates: list[Nonlinear], ways: tuple[float, ...]) -> list[Nonlinear]:
+    """Each candidate with each of the `ways` in which a later run begins; of one run the candidates stay as they are.
+
+    Nobody says what a string did between two runs: it went on from the run before, it rested, or it stood loaded.
+    """
+    if not len(drivers.breaks):
+        return candidates
+    return [candidate | {LATER_RUNS: way} for candidate in candidates for way in ways]
+
+
+def through(drivers: Drivers, nonlinear: Nonlinear) -> list[slice]:
+    """The samples through which a memory lasts: of all runs together, or of each run where that does not go on."""
+    goes_on = nonlinear.get(LATER_RUNS, GOES_ON) == GOES_ON
+    return [slice(None)] if goes_on else drivers.run_parts()
+
+
+def remembered(signal: Array, drivers: Drivers, tau_s: float, nonlinear: Nonlinear) -> Array:
+    """A signal behind a first-order low-pass that starts at 0, and again in each run where a memory does not go on.
+
+    In the signal's unit, both of shape (samples,); the time constant in s.
+    """
+    parts = through(drivers, nonlinear)
+    return np.concatenate([lowpass(signal[part], drivers.time_s[part], tau_s, 0.0) for part in parts])
 
 
 def grid(name: str, low: float, high: float, count: int) -> list[Nonlinear]:

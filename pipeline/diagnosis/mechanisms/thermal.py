@@ -6,7 +6,7 @@ from ...ground.kinematics import Array
 from ..numerics.recursions import lowpass
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
-from .shared_laws import time_constants, within
+from .shared_laws import AS_THE_FIRST, GOES_ON, LATER_RUNS, begun, remembered, time_constants, within
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)  # in which the string takes on heat
 LEAST_RANGE_K = 0.3  # of a logged temperature: one that moves less tells nothing
@@ -24,8 +24,9 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     scales = {"fastest_s": taus[0], "slowest_s": taus[-1]}
     for name, power in _powers(drivers).items():
         scales[f"usual_{name}"] = float(f"{np.mean(power):.6g}")
-    kinds = (1.0, 0.0) if measured else (0.0,)
-    return [{"sign": sign, "measured": kind, **scales} for kind in kinds for sign in (1.0, -1.0)]
+    measurable = [{"sign": sign, "measured": 1.0, **scales} for sign in (1.0, -1.0)] if measured else []
+    calculated = [{"sign": sign, "measured": 0.0, **scales} for sign in (1.0, -1.0)]
+    return [*measurable, *begun(drivers, calculated, (GOES_ON, AS_THE_FIRST))]
 
 
 def _powers(drivers: Drivers) -> dict[str, Array]:
@@ -55,10 +56,10 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
         if usual == 0.0:
             continue
         for tau_s in within(TIMES_S, nonlinear):
-            warm = lowpass(power / usual, drivers.time_s, tau_s, 0.0)
+            warm = remembered(power / usual, drivers, tau_s, nonlinear)
             all_terms.append(Term(f"{name}_{tau_s:g}_s_mm", "length", sign * warm))
             if tau_s > BEHIND_S:
-                behind = lowpass(warm, drivers.time_s, BEHIND_S, 0.0)
+                behind = remembered(warm, drivers, BEHIND_S, nonlinear)
                 all_terms.append(Term(f"{name}_{tau_s:g}_s_behind_mm", "length", sign * behind))
     return all_terms
 
@@ -76,6 +77,7 @@ MECHANISM = Mechanism(
     meaning="the length follows the temperature.",
     sentence="The length follows {temperature}, by up to {span} ({size}), {times}.",
     details=("{at_once_mm_per_k}",),
+    optional=(LATER_RUNS,),
     candidates=candidates,
     terms=terms,
 )

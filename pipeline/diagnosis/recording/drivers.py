@@ -1,5 +1,6 @@
 """What a mechanism may listen to: drivers made from a recording's inputs, never from the measurement."""
 
+import itertools
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -111,7 +112,17 @@ class Drivers:
     @cached_property
     def load0(self) -> float:
         """Load of the first second: what the displacement was tared under."""
-        return float(np.median(self.load[self.elapsed_s <= max(1.0, 5 * self.step_s)]))
+        return self.load0_of(slice(None))
+
+    def load0_of(self, part: slice) -> float:
+        """Load of the first second of some samples, in the system's load units."""
+        since_s = self.elapsed_s[part]
+        return float(np.median(self.load[part][since_s - since_s[0] <= max(1.0, 5 * self.step_s)]))
+
+    def run_parts(self) -> list[slice]:
+        """The samples of each run, in turn."""
+        edges = [0, *map(int, self.breaks), len(self.time_s)]
+        return [slice(begin, end) for begin, end in itertools.pairwise(edges)]
 
     def directed(self, width: float) -> Array:
         """Memory of the direction, −1…1: where the motion stands in a play of half-width `width`.

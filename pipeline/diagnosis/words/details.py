@@ -141,7 +141,8 @@ def named(content: Verdict, words: Vocabulary) -> list[str]:
     hidden, lines = rivals.hidden(content, words), []
     for entry in content["mechanisms"]:
         limit = certainty.held_back(content, words, entry["id"])
-        sentences = [effects.interval(entry, words, limit), hidden.get(entry["id"], "")]
+        between = effects.between_runs(entry, words)
+        sentences = [effects.interval(entry, words, limit), between, hidden.get(entry["id"], "")]
         lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]

@@ -18,6 +18,11 @@ NOTHING = (
     "The search's first fit, which is an approximation, gave it a part, but the exact fit of everything together gives "
     "it a strength of 0."
 )
+BETWEEN_RUNS = {
+    0.0: "Its memory fits best as going on from run to run, a minute apart.",
+    1.0: "It fits best with each run begun as the first one was: what it had done was gone between the runs.",
+    2.0: "It fits best with the {string} loaded for long before each later run.",
+}  # by the way in which a later run begins
 CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
 
 
@@ -74,6 +79,12 @@ def interval(entry: Part, words: Vocabulary, limit: str = "") -> str:
         return phrase
     sure = f"probable while {limit}" if limit else "sure"
     return f"{phrase} That it is there is {sure}, its size is not: dimensions or other effects can take its place."
+
+
+def between_runs(entry: Part, words: Vocabulary) -> str:
+    """In what state the runs of one diagnosis begin, where an effect remembers; nothing where it does not."""
+    way = entry["parameters"].get("later_runs")
+    return BETWEEN_RUNS[way["value"]].format(**words.fields) if way else ""
 
 
 def calculated(mechanism: Mechanism, entry: Part) -> bool:

@@ -52,7 +52,7 @@ def numbers(text: str) -> Iterator[Number]:
             names = ast.unparse(node.targets[0]).strip("()")
             if re.fullmatch(r"[A-Z][A-Z0-9_]*(, [A-Z][A-Z0-9_]*)*", names):
                 last, above = lines[(node.end_lineno or node.lineno) - 1], lines[node.lineno - 2]
-                beside = last[node.end_col_offset or 0 :].partition("#")[2]
+                beside = last[node.end_col_offset or 0 :].partition("#")[2].partition("# fmt:")[0]
                 meaning = beside or (above[1:] if above.startswith("#") else "")
                 yield Number(names, _written(node.value), meaning.strip())
 

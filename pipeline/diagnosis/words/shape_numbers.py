@@ -29,6 +29,10 @@ MEANS = {
     "hz": "how often it comes in a second",
     "load_power": "to which power the load counts in the work: 0 not at all, 1 in proportion",
     "loaded": "1 means: the load varied, so that parts that grow with it were tried, and 0: it did not",
+    "later_runs": (
+        "0 means: each later run goes on from the one before, a minute after it; 1: it begins as the first one did; "
+        "2: the {string} had been loaded for long before it"
+    ),
     "loop_turns": "over which {motion} the part that rubs turns round",
     "measured": "1 means: it follows the measured temperature, and 0: one that is calculated from the motion",
     "play_turns": "half the width of the play under the usual load",
