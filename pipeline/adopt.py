@@ -17,11 +17,11 @@ from .diagnosis.fit.problem import Problem
 from .diagnosis.prediction.simulation import of_run, read_diagnosis, state_of
 from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.study.own_rate import at_own_rate
-from .diagnosis.words import coefficients
-from .diagnosis.words.adoption import WEIGHED_ANEW, adopted_predictions
-from .diagnosis.words.quantity import listing
-from .diagnosis.words.sections import wrapped
-from .diagnosis.words.vocabulary import Vocabulary
+from .diagnosis.words.language.quantity import listing
+from .diagnosis.words.language.sections import wrapped
+from .diagnosis.words.language.vocabulary import Vocabulary
+from .diagnosis.words.named import coefficients
+from .diagnosis.words.pages.adoption import WEIGHED_ANEW, adopted_predictions
 from .ground.command import command
 from .ground.complaint import short
 from .ground.errors import BadInput, program

@@ -19,11 +19,10 @@ from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
 from .diagnosis.study.own_rate import at_own_rate
-from .diagnosis.words import loop_table
-from .diagnosis.words.corner_table import corners
-from .diagnosis.words.dimensions import name_of
-from .diagnosis.words.home import of_home
-from .diagnosis.words.prediction import (
+from .diagnosis.words.foretold import loop_table
+from .diagnosis.words.foretold.corner_table import corners
+from .diagnosis.words.foretold.home import of_home
+from .diagnosis.words.foretold.prediction import (
     AFTER_RECORDING,
     OUTSIDE,
     column_of,
@@ -35,9 +34,10 @@ from .diagnosis.words.prediction import (
     of_state,
     stretches,
 )
-from .diagnosis.words.quantity import listing, size
-from .diagnosis.words.residual import RESIDUAL
-from .diagnosis.words.vocabulary import Vocabulary
+from .diagnosis.words.foretold.residual import RESIDUAL
+from .diagnosis.words.language.quantity import listing, size
+from .diagnosis.words.language.vocabulary import Vocabulary
+from .diagnosis.words.measured.dimensions import name_of
 from .ground import schemas
 from .ground.command import command
 from .ground.counts import counted

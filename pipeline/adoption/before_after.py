@@ -9,15 +9,15 @@ from ..diagnosis.fit.problem import Problem
 from ..diagnosis.prediction.later_run import names_before
 from ..diagnosis.prediction.simulation import off, tared
 from ..diagnosis.study import heldout
-from ..diagnosis.words import holdout
-from ..diagnosis.words.advice import contrary
-from ..diagnosis.words.dimensions import LEAVES, name_of
-from ..diagnosis.words.error_table import aligned
-from ..diagnosis.words.exactness import assumed
-from ..diagnosis.words.quantity import listing, number, percent, said_unit, size
-from ..diagnosis.words.rivals import called
-from ..diagnosis.words.to_measure import BESIDE
-from ..diagnosis.words.vocabulary import Vocabulary
+from ..diagnosis.words.explanations.rivals import called
+from ..diagnosis.words.held_out import holdout
+from ..diagnosis.words.language.quantity import listing, number, percent, said_unit, size
+from ..diagnosis.words.language.table import aligned
+from ..diagnosis.words.language.vocabulary import Vocabulary
+from ..diagnosis.words.measured.dimensions import LEAVES, name_of
+from ..diagnosis.words.measured.exactness import assumed
+from ..diagnosis.words.measured.to_measure import BESIDE
+from ..diagnosis.words.pages.advice import contrary
 from ..ground.command import program_name
 from ..ground.complaint import key_name
 from ..ground.errors import BadInput

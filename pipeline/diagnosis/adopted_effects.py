@@ -13,8 +13,8 @@ from .fit.problem import Act, Problem
 from .mechanisms.library import mechanisms
 from .prediction.simulation import of_run, state_of
 from .recording.system_units import Units
-from .words.effects import sentence
-from .words.vocabulary import Vocabulary
+from .words.language.vocabulary import Vocabulary
+from .words.named.effects import sentence
 
 
 def adopted_effects(study: Study, run: Run, ending: str) -> list[Part]:

@@ -9,7 +9,7 @@ from .choice.outcome import Study, rms
 from .fit.flexible import foretold
 from .fit.problem import Problem, State
 from .study.heldout import first_held_out
-from .words.quantity import size
+from .words.language.quantity import size
 
 LEAST_MOTION = 20.0  # times the noise that the reading must move: less shows no physics
 

@@ -13,7 +13,7 @@ from .prediction.prediction_band import adopted_diagnosis
 from .prediction.residual import residual
 from .prediction.simulation import read_diagnosis
 from .recording.made_of import recordings_of
-from .words.residual import RESIDUAL, columns_of, of_residual
+from .words.foretold.residual import RESIDUAL, columns_of, of_residual
 
 
 def black_box(

@@ -6,8 +6,8 @@ from pathlib import Path
 from ..ground.command import command
 from ..ground.parser import Parser
 from .prediction.home import HOME
-from .words.prediction import AFTER_RECORDING
-from .words.residual import RESIDUAL
+from .words.foretold.prediction import AFTER_RECORDING
+from .words.foretold.residual import RESIDUAL
 
 
 def parsed(description: str) -> argparse.Namespace:

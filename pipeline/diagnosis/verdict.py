@@ -30,7 +30,7 @@ from .proposal import nextrun
 from .study.engine import fine_floor
 from .study.heldout import Errors, worse_than_nominal
 from .study.rivals import rivals
-from .words.spoken import spoken
+from .words.pages.spoken import spoken
 
 HELD_OUT: tuple[Literal["nominal", "calibrated", "explained", "without_physics"], ...] = (
     "nominal", "calibrated", "explained", "without_physics",

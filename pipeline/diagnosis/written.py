@@ -8,9 +8,9 @@ from ..systems import System
 from .choice.outcome import Study
 from .document.content import Verdict
 from .fit.adopt import adoptions, block
-from .words import earlier
-from .words.details import details_text
-from .words.verdict import verdict_text
+from .words.pages import earlier
+from .words.pages.details import details_text
+from .words.pages.verdict import verdict_text
 
 JSON = "diagnosis.json"
 

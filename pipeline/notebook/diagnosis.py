@@ -20,8 +20,8 @@ from ..diagnosis.drawing import figures
 from ..diagnosis.in_memory import diagnosed
 from ..diagnosis.prediction.simulation import read_diagnosis
 from ..diagnosis.recording.recorded_run import RecordedRun
-from ..diagnosis.words.details import details_text
-from ..diagnosis.words.verdict import verdict_text
+from ..diagnosis.words.pages.details import details_text
+from ..diagnosis.words.pages.verdict import verdict_text
 from ..ground.errors import BadInput
 from ..ground.files import write_text
 from ..ground.units import unit_of

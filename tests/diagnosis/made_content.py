@@ -4,9 +4,9 @@ import copy
 import re
 from pathlib import Path
 
-from pipeline.diagnosis.words.details import details_text
-from pipeline.diagnosis.words.spoken import spoken
-from pipeline.diagnosis.words.verdict import verdict_text
+from pipeline.diagnosis.words.pages.details import details_text
+from pipeline.diagnosis.words.pages.spoken import spoken
+from pipeline.diagnosis.words.pages.verdict import verdict_text
 from pipeline.systems import systems
 
 SYSTEMS = {"mm": systems()["separator"], "deg": systems()["cable_drive"], "n": systems()["moving_mass"]}

@@ -17,7 +17,7 @@ from pipeline.diagnosis.document.adopted_run import as_list
 from pipeline.diagnosis.fit.adopt import fitted
 from pipeline.diagnosis.in_memory import described
 from pipeline.diagnosis.mechanisms.library import mechanisms
-from pipeline.diagnosis.words import commands
+from pipeline.diagnosis.words.next_run import commands
 from pipeline.ground.errors import BadInput
 from pipeline.ground.strict_yaml import parse_yaml
 from pipeline.run.folder import read_run

@@ -7,11 +7,11 @@ from made_content import SYSTEMS, content, full, page
 
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
-from pipeline.diagnosis.words import recipe, second_load
-from pipeline.diagnosis.words.adoption import WEIGHED_ANEW
-from pipeline.diagnosis.words.expectation import lines
-from pipeline.diagnosis.words.foretold_numbers import compared
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.diagnosis.words.foretold.expectation import lines
+from pipeline.diagnosis.words.foretold.foretold_numbers import compared
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.next_run import recipe, second_load
+from pipeline.diagnosis.words.pages.adoption import WEIGHED_ANEW
 from pipeline.run.samples import read_samples
 
 WORDS = Vocabulary.of(SYSTEMS["mm"])

@@ -141,27 +141,50 @@ ROOMS_OF_DIAGNOSIS = {
     "words": "document recording mechanisms fit choice study facts proposal prediction",
     "drawing": "document recording choice prediction words",
 }
-FILES_OF_A_KIND = {"mechanisms", "words"}  # a file for each mechanism, and for each thing that is said
+# the same of the words; at their top are the two programs that make a page of docs/ from sources
+WORDS = f"{DIAGNOSIS}.words"
+ROOMS_OF_WORDS = {
+    "language": "",
+    "held_out": "language",
+    "measured": "language held_out",
+    "explanations": "language held_out measured",
+    "named": "language held_out measured explanations",
+    "foretold": "language held_out explanations",
+    "next_run": "language held_out measured explanations named foretold",
+    "pages": "language held_out measured explanations named foretold next_run",
+}
+LARGER = {"mechanisms", "words"}  # a file for each mechanism; rooms of its own
 
 
-def room_of(module):
-    """The room of a module of the diagnosis, "" for what stands at its top."""
-    below = MODULES[module].relative_to(ROOT / "pipeline" / "diagnosis").parts
-    return below[0] if len(below) > 1 else ""
+def in_rooms(house):
+    """The modules under a package, by its rooms; "" holds what stands at its top."""
+    rooms = {}
+    for module in MODULES:
+        if module.startswith(f"{house}."):
+            room, *inside = MODULES[module].relative_to(ROOT.joinpath(*house.split("."))).parts
+            rooms.setdefault(room if inside else "", set()).add(module)
+    return rooms
 
 
-def test_a_room_of_the_diagnosis_stands_on_rooms_below_it_and_is_no_heap():
-    inside = [name for name in MODULES if name.startswith(f"{DIAGNOSIS}.")]
-    assert {room_of(name) for name in inside} == {*ROOMS_OF_DIAGNOSIS, ""}
-    for room, below in ROOMS_OF_DIAGNOSIS.items():
-        own = [name for name in inside if room_of(name) == room]
-        used = {room_of(name) for module in own for name in imports(module) if name in inside}
-        assert used - {room} == set(below.split()), room
-        assert set(below.split()) <= set(list(ROOMS_OF_DIAGNOSIS)[: list(ROOMS_OF_DIAGNOSIS).index(room)]), room
-    listed = re.findall(r"^\| `(\w+)` \|", (ROOT / "docs" / "source.md").read_text("utf-8"), re.M)
-    assert listed == list(ROOMS_OF_DIAGNOSIS), "docs/source.md lists them in this order"
-    for room in {"", *ROOMS_OF_DIAGNOSIS} - FILES_OF_A_KIND:
-        assert len([name for name in inside if room_of(name) == room]) <= 16, f"{room}: part it"
+@pytest.mark.parametrize(
+    ("house", "below", "listed"), [(DIAGNOSIS, ROOMS_OF_DIAGNOSIS, ""), (WORDS, ROOMS_OF_WORDS, "words/")]
+)
+def test_a_room_of_the_diagnosis_stands_on_rooms_below_it_and_is_no_heap(house, below, listed):
+    rooms = in_rooms(house)
+    assert set(rooms) == {*below, ""}
+    room_of = {module: room for room, modules in rooms.items() for module in modules}
+    for room, lower in below.items():
+        used = {room_of[name] for module in rooms[room] for name in imports(module) if name in room_of}
+        assert used - {room} == set(lower.split()), room
+        assert set(lower.split()) <= set(list(below)[: list(below).index(room)]), room
+    rows = re.findall(rf"^\| `{listed}(\w+)` \|", (ROOT / "docs" / "source.md").read_text("utf-8"), re.M)
+    assert rows == list(below), "docs/source.md lists them in this order"
+    for room in set(rooms) - LARGER:
+        assert len(rooms[room]) <= 16, f"{room}: part it"
+
+
+def test_each_module_that_says_something_stands_in_a_room_of_the_words():
+    assert in_rooms(WORDS)[""] == {f"{WORDS}.numbers_page", f"{WORDS}.physics_page"}
 
 
 # what the rig and the diagnosis share beside ground, systems and wire: what a run folder is, and nothing that reads one

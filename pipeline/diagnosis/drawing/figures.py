@@ -12,14 +12,14 @@ from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..prediction.simulation import at_its_best_zero
-from ..words import advice
-from ..words.dimensions import name_of
-from ..words.headline import unfit
-from ..words.holdout import heading, included, other_name
-from ..words.quantity import listing
-from ..words.to_measure import to_measure
-from ..words.unseen import noises
-from ..words.vocabulary import Vocabulary
+from ..words.held_out.holdout import heading, included, other_name
+from ..words.held_out.unseen import noises
+from ..words.language.quantity import listing
+from ..words.language.vocabulary import Vocabulary
+from ..words.measured.dimensions import name_of
+from ..words.measured.to_measure import to_measure
+from ..words.pages import advice
+from ..words.pages.headline import unfit
 from . import driver_panels, panels
 from .mismatch_map import map_of, map_signs, mismatch_map
 from .panels import AFTER, SHADES

@@ -13,9 +13,9 @@ from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 from ...ground.kinematics import Array
 from ..document.content import Part, Verdict
 from ..recording.drivers import Drivers
-from ..words import rivals
-from ..words.holdout import included
-from ..words.quantity import percent, size, times
+from ..words.explanations import rivals
+from ..words.held_out.holdout import included
+from ..words.language.quantity import percent, size, times
 
 BEFORE, AFTER, TIED, OTHER, MORE = "#2166ac", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them

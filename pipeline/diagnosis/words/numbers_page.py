@@ -81,7 +81,7 @@ def _is_number(value: ast.expr) -> bool:
 def by_module() -> dict[str, list[Number]]:
     """Numbers by module, those of the engine first, then those of each mechanism."""
     deciding = (path for path in sorted(ROOM.rglob("*.py")) if path.stem not in DECIDE_NOTHING)
-    engine = (path for path in deciding if path.parent.name not in ("mechanisms", *SAYING))
+    engine = (path for path in deciding if path.relative_to(ROOM).parts[0] not in ("mechanisms", *SAYING))
     paths = [*engine, *sorted((ROOM / "mechanisms").glob("*.py"))]
     listed = {str(path.relative_to(ROOM)): list(numbers(path.read_text(encoding="utf-8"))) for path in paths}
     return {name: constants for name, constants in listed.items() if constants}

@@ -17,11 +17,11 @@ from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.diagnosis.verdict import diagnosis
-from pipeline.diagnosis.words import to_do
-from pipeline.diagnosis.words.holdout import heading
-from pipeline.diagnosis.words.quantity import percent
-from pipeline.diagnosis.words.unseen import noises
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.diagnosis.words.held_out.holdout import heading
+from pipeline.diagnosis.words.held_out.unseen import noises
+from pipeline.diagnosis.words.language.quantity import percent
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.pages import to_do
 from pipeline.run.description import Adopted
 from pipeline.run.samples import read_samples
 from pipeline.systems import systems

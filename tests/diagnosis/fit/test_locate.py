@@ -10,7 +10,7 @@ from pipeline.diagnosis.fit import locate
 from pipeline.diagnosis.recording.covered import pauses
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.verdict import diagnosis
-from pipeline.diagnosis.words.details import details_text
+from pipeline.diagnosis.words.pages.details import details_text
 
 
 def test_box_of_a_patch(problem) -> None:

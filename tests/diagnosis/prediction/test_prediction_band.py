@@ -16,7 +16,7 @@ from pipeline.diagnosis.prediction.simulation import tared
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.own_rate import at_own_rate
 from pipeline.diagnosis.study.rivals import refitted
-from pipeline.diagnosis.words.prediction import in_one_number, of_rivals
+from pipeline.diagnosis.words.foretold.prediction import in_one_number, of_rivals
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 

@@ -17,10 +17,10 @@ from pipeline.diagnosis.proposal.legs import Rig
 from pipeline.diagnosis.recording.covered import covered, pauses, reversals
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.own_rate import at_own_rate
-from pipeline.diagnosis.words import loop_table
-from pipeline.diagnosis.words.answered import within
-from pipeline.diagnosis.words.prediction import of_half_speed
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.diagnosis.words.foretold import loop_table
+from pipeline.diagnosis.words.foretold.answered import within
+from pipeline.diagnosis.words.foretold.prediction import of_half_speed
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.run.course import Recorded
 from pipeline.run.description import Run
 from pipeline.run.outside import outside

@@ -13,15 +13,15 @@ from pipeline.diagnosis.fit.problem import Act
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.proposal import expected
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
-from pipeline.diagnosis.words.adoption import adopted_predictions
-from pipeline.diagnosis.words.corner_table import corners
-from pipeline.diagnosis.words.details import details_text
-from pipeline.diagnosis.words.expectation import lines
-from pipeline.diagnosis.words.make_sure import of_adopted
-from pipeline.diagnosis.words.missing_signs import missing
-from pipeline.diagnosis.words.prediction import stretches
-from pipeline.diagnosis.words.quantity import plus_minus
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.diagnosis.words.foretold.corner_table import corners
+from pipeline.diagnosis.words.foretold.expectation import lines
+from pipeline.diagnosis.words.foretold.prediction import stretches
+from pipeline.diagnosis.words.language.quantity import plus_minus
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.named.missing_signs import missing
+from pipeline.diagnosis.words.next_run.make_sure import of_adopted
+from pipeline.diagnosis.words.pages.adoption import adopted_predictions
+from pipeline.diagnosis.words.pages.details import details_text
 from pipeline.run.samples import read_samples
 
 WORDS = Vocabulary.of(SYSTEMS["mm"])

@@ -18,21 +18,15 @@ from pipeline.diagnosis.mechanisms.interface import Mechanism
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.study.heldout import worse_than_nominal
-from pipeline.diagnosis.words import (
-    certainty,
-    effects,
-    experiment,
-    in_run_yaml,
-    level,
-    quantity,
-    slow_look_alikes,
-    tolerances,
-    unexplained_pattern,
-    worth,
-)
-from pipeline.diagnosis.words.details import details_text
-from pipeline.diagnosis.words.spoken import spoken
-from pipeline.diagnosis.words.vocabulary import Vocabulary
+from pipeline.diagnosis.words.explanations import unexplained_pattern
+from pipeline.diagnosis.words.held_out import level
+from pipeline.diagnosis.words.language import quantity
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.measured import in_run_yaml, tolerances
+from pipeline.diagnosis.words.named import certainty, effects, slow_look_alikes
+from pipeline.diagnosis.words.next_run import experiment, worth
+from pipeline.diagnosis.words.pages.details import details_text
+from pipeline.diagnosis.words.pages.spoken import spoken
 from pipeline.ground.glossary import MEANING
 from pipeline.systems import systems
 

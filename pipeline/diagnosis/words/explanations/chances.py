@@ -1,0 +1,86 @@
+"""How probable each explanation is, on the page: the kept ones, the next best, the others, and none of the library."""
+
+from ...document.bounds import of_later_run
+from ...document.content import Verdict
+from ..language.quantity import listing, percent, quantity
+from ..language.table import aligned
+from ..language.vocabulary import Vocabulary
+from ..measured import to_measure, tolerances
+from ..measured.dimensions import name_of
+from . import left_out, probability, rivals
+
+HEADING = "How probable each explanation is"
+KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
+KEPT, FEW = 5, 3  # of them by name, and on the page; the others are counted
+LEFT_OUT = 3  # of those that are no names, in the table
+WORTH = 0.05  # a probability from which on the next best is named
+OTHERS, NONE = "other explanations of the library", "physics that the library lacks"
+
+
+def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
+    """The table; nothing where nothing is named or no probability is known.
+
+    `short`: without the tolerances that it stands on, and with fewer explanations by name; nothing where one
+    explanation alone is kept, since the first line has its probability.
+    """
+    if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
+        return []
+    kept, out = kept_shares(content), left_out.entries(content)
+    if short and len(kept) < 2 and not out:
+        return []
+    rows = [[name, percent(share), "the best one" if place == 0 else ""] for place, (name, share) in enumerate(kept)]
+    by_name = FEW if short else KEPT
+    if len(rows) > by_name:
+        rest = kept[by_name - 1 :]
+        rows = [*rows[: by_name - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
+    none = content["evidence"].get("probability_of_none") or 0.0
+    left = max(1.0 - none - sum(share for _, share in kept), 0.0)
+    for entry in out[:LEFT_OUT]:
+        rows.append([rivals.called(entry["ids"]), percent(entry["probability"]), "left out: see below"])
+        left = max(left - entry["probability"], 0.0)
+    following = next_best(content)
+    if following:
+        rows.append([following[0], percent(following[1]), "less likely"])
+        left = max(left - following[1], 0.0)
+    rows += [[OTHERS, percent(left), ""], [NONE, percent(none), ""]]
+    return [
+        *(line.rstrip() for line in aligned(rows)),
+        *left_out.lines(content),
+        *([] if short else _stands_on(content, words)),
+    ]
+
+
+def _stands_on(content: Verdict, words: Vocabulary) -> list[str]:
+    """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
+    sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
+    moved = {name: sigma for name, sigma in sigmas.items() if sigma > 1.0 and not of_later_run(name)}
+    known = {name: tolerances.marked(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
+    again = to_measure.to_measure(content)  # the table of step 1 has the tolerances of these
+    more = {name: tolerance for name, tolerance in known.items() if tolerance and name not in again}
+    if again:
+        also = f" and of the {listing([name_of(name) for name in more])}" if more else ""
+        lines = [f"All this stands on the tolerances of step 1{also}."]
+    else:
+        named = listing([f"{name_of(name)} {tolerance}" for name, tolerance in more.items()])
+        lines = [f"All this stands on these tolerances: {named}. {KNOWS_BETTER}"] if named else []
+    stiffness = content["parameters"].get("stiffness_n_per_mm")
+    if stiffness:
+        guess = quantity(stiffness["nominal"], "N/mm", 3)
+        lines.append(f"The stiffness of {guess} is assumed: run.yaml gives none.")
+    return lines
+
+
+def kept_shares(content: Verdict) -> list[tuple[str, float]]:
+    """The explanations that the verdict keeps by name, each with its probability, the best one first."""
+    best, ties = rivals.entries(content, "named"), rivals.entries(content, "tied")
+    kept = [*best, *sorted(ties, key=lambda explanation: -(explanation.get("probability") or 0.0))]
+    return [(rivals.called(explanation["ids"]), float(explanation.get("probability") or 0.0)) for explanation in kept]
+
+
+def next_best(content: Verdict) -> tuple[str, float] | None:
+    """The likeliest explanation that is not kept, with its probability, if it is worth a word."""
+    out = [entry["ids"] for entry in left_out.entries(content)]
+    others = [other for other in rivals.entries(content, "beaten", "not needed") if other["ids"] not in out]
+    likeliest = max(others, key=lambda explanation: explanation.get("probability") or 0.0, default=None)
+    share = float(likeliest.get("probability") or 0.0) if likeliest else 0.0
+    return (rivals.called(likeliest["ids"]), share) if likeliest and share >= WORTH else None

@@ -1,0 +1,58 @@
+"""What a verdict without a name is worth, in words: the sizes from which effects would have been seen."""
+
+from ...document.content import Verdict
+from ...mechanisms.interface import physics
+from ...mechanisms.library import mechanisms
+from ..held_out import holdout, unseen
+from ..held_out.without_name import UNNAMED
+from ..language.quantity import listing, size
+from ..language.vocabulary import Vocabulary
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """The smallest effect of each kind that would have been seen; none smaller than what is left unexplained."""
+    detectable = content["fit"][f"detectable_{words.ending}"]
+    held = [id_ for id_ in holdout.included(content) if id_ in detectable]
+    if content["verdict"] not in UNNAMED or not detectable:
+        return []
+    listed = sizes(content, words, held)
+    if held:
+        listed.append(f"Not listed, for run.yaml has adopted {'it' if len(held) == 1 else 'them'}: {listing(held)}.")
+    unseen_here = [
+        id_
+        for id_, mechanism in mechanisms().items()
+        if physics((id_,)) and not mechanism.helper and id_ not in detectable
+    ]
+    if words.twisted and unseen_here:
+        cannot = "this recording cannot show them, or calibration takes them up"
+        listed.append(
+            f"Not listed, for {cannot if len(unseen_here) > 1 else cannot.replace('them', 'it')}: "
+            f"{listing(unseen_here)}."
+        )
+    return listed
+
+
+def sizes(content: Verdict, words: Vocabulary, held: list[str]) -> list[str]:
+    """The smallest effect of each kind but those `held`, the smallest first."""
+    detectable = content["fit"][f"detectable_{words.ending}"]
+    sizes = sorted(((id_, least) for id_, least in detectable.items() if id_ not in held), key=lambda item: item[1])
+    if not sizes:
+        return []
+    left = unseen.left_over(content, words)
+    larger = [f"{id_} {size(least, words.unit)}" for id_, least in sizes if least > left]
+    if not left:
+        if any(adoption["tied"] for adoption in content.get("adopted", [])):
+            beside = "Beside what was adopted, one more effect would have been seen from this size on (rms). That does "
+            return [f"{beside}not exclude it in place of an adopted one:", f"{listing(larger)}."]
+        return ["An effect would have been seen from this size on (rms):", f"{listing(larger)}."]
+    more = f"Of the errors in the table above, {size(left, words.unit)} rms is more than noise"
+    hides = f"{more}: effects of that size and less may hide in it."
+    if not larger:
+        return [hides, "A larger one would have been seen."]
+    if len(larger) == len(sizes):
+        return [hides, "A larger one would have been seen from this size on (rms):", f"{listing(larger)}."]
+    return [
+        hides,
+        "A larger one would have been seen, but these only from their own size on (rms):",
+        f"{listing(larger)}.",
+    ]

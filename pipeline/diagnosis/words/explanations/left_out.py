@@ -1,0 +1,53 @@
+"""Explanations that are likely enough to be kept and are no names, in words: which, how likely, and by which rule."""
+
+from ...choice.disguise import DIMENSIONS, IDLE, OUTSIDE
+from ...document.content import Part, Verdict
+from ..language.quantity import listing, percent
+
+WORTH = 0.01  # a probability from which on one is worth a word
+BECAUSE = {
+    DIMENSIONS: "what {of} would do here, moved dimensions do as well but for a thousandth of it, so this recording "
+    "cannot tell it from dimensions that were measured wrong",
+    OUTSIDE: "what this recording would show of {of} is only a shift or a straight line, as moved dimensions make",
+    IDLE: "once everything is fitted together, no effect of the library is left in it",
+    "cancels": "its effects are far larger than what they do together: they cancel each other",
+}
+
+
+def entries(content: Verdict) -> list[Part]:
+    """What is left out and worth a word, the likeliest first."""
+    out = [entry for entry in content["evidence"].get("left_out", []) if (entry["probability"] or 0.0) >= WORTH]
+    return sorted(out, key=lambda entry: -entry["probability"])
+
+
+def together(content: Verdict) -> float:
+    """The probability of all that is left out."""
+    return float(sum(entry["probability"] or 0.0 for entry in content["evidence"].get("left_out", [])))
+
+
+def likelier(content: Verdict, share: float | None) -> bool:
+    """Whether something that is left out is more probable than `share`, that of the best one."""
+    return share is not None and any(entry["probability"] > share for entry in entries(content))
+
+
+def reason(entry: Part) -> str:
+    """Why an explanation is left out, without a full stop."""
+    return BECAUSE[entry["because"]].format(of=listing(entry["of"]))
+
+
+def reason_of(content: Verdict, ids: list[str]) -> str:
+    """Why an explanation is left out, as a sentence; nothing where it is not."""
+    entry = next((entry for entry in content["evidence"].get("left_out", []) if entry["ids"] == ids), None)
+    return f"It is left out: {reason(entry)}." if entry else ""
+
+
+def lines(content: Verdict) -> list[str]:
+    """A sentence for each reason, with the explanations that it leaves out."""
+    names_by_reason: dict[str, list[str]] = {}
+    for entry in entries(content):
+        names_by_reason.setdefault(reason(entry), []).append(
+            f"{' + '.join(entry['ids'])} ({percent(entry['probability'])})"
+        )
+    return [
+        f"Left out, however probable: {listing(names)}. The reason: {why}." for why, names in names_by_reason.items()
+    ]

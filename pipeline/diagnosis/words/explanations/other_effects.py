@@ -1,0 +1,125 @@
+"""Why each effect of the library is none of the likely explanations', a short sentence each: why is it not friction?"""
+
+import math
+
+from ...document.content import Part, Verdict
+from ...mechanisms.library import mechanisms
+from ..language.quantity import listing, percent, size, times
+from ..language.vocabulary import Vocabulary
+from .rivals import ALIKE, called
+
+HEADING = "Why it is none of the other effects"
+CLEAR, MORE = 3.0, 2.0  # standard errors that are no chance; times the best one's change: what is less is like it
+VISIBLE = 0.1  # noise floors: a change in a stand that is less is worth no word
+WORTH = 0.01  # of a probability: what is less is not said
+LITTLE = 0.98  # times what calibration alone leaves: who leaves more explains nothing
+ADDS = 0.2  # noise floors: what takes away less adds nothing
+SEVERAL = 3  # effects that add nothing: from so many on it is said once
+NOTHING_BESIDE = "beside it, it adds nothing"
+NOTHING_MORE = " Where nothing is said of it, an effect adds nothing beside it."
+STANDS = {"hold": "in a hold", "rest": "in a rest"}
+HEAD = (
+    "Each was put in the place of the best explanation ({best}, which leaves {left}), and beside it. In brackets: how "
+    "likely it is at work."
+)
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """The head, what the stands of the motor say, then a sentence an effect; nothing where an older file has none."""
+    first, *others = content["evidence"].get("not_kept") or [None]
+    if first is None or not others:
+        return []
+    best = called([entry["id"] for entry in content["mechanisms"]])
+    left = size(first[f"left_{words.ending}"], words.unit)
+    why = {_name(entry): _why(entry, first, content, words) for entry in _nearest_first(others, words)}
+    often = sum(reason.endswith(NOTHING_BESIDE) for reason in why.values()) >= SEVERAL
+    alike: dict[str, list[str]] = {}
+    for name, reason in why.items():
+        alike.setdefault(reason.removesuffix(f"; {NOTHING_BESIDE}") if often else reason, []).append(name)
+    return [
+        f"{HEAD.format(best=best, left=left)}{NOTHING_MORE * often}",
+        *_standing(content, first, others, words),
+        *(f"{listing(names)}: {reason}." for reason, names in alike.items()),
+    ]
+
+
+def _nearest_first(entries: list[Part], words: Vocabulary) -> list[Part]:
+    """The entries by what the best explanation with each leaves; those that no recording like this can show last."""
+    key = f"left_{words.ending}"
+    return sorted(entries, key=lambda entry: math.inf if entry[key] is None else entry[key])
+
+
+def _name(entry: Part) -> str:
+    return f"{entry['id']} ({percent(entry['likely'])})" if entry["likely"] >= WORTH else str(entry["id"])
+
+
+def _why(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
+    """Why an effect is not kept, without a full stop."""
+    floor, left = content["evidence"][f"floor_{words.ending}"], entry[f"left_{words.ending}"]
+    if not entry["possible"] or left is None:
+        return f"this recording could not show it (it follows {words.follows(mechanisms()[entry['id']].driver)})"
+    with_others = f"{called(entry['instead'])} leaves" if len(entry["instead"]) > 1 else "in its place it leaves"
+    leaves = f"{with_others} {size(left, words.unit)} ({times(left / floor)} times the noise)"
+    alone = content["evidence"].get(f"calibrated_{words.ending}")
+    if alone and left >= LITTLE * alone and len(entry["instead"]) == 1:
+        leaves = "in its place as much is left as without any effect"
+    if left <= ALIKE * first[f"left_{words.ending}"]:
+        leaves += ", hardly more than the best one, but is less likely by its other signs"
+    parts = [leaves]
+    wrong = wrong_standing(entry, first, floor, words)
+    parts += [f"while the motor stands it is wrong by {listing(wrong)}"] if wrong else []
+    return "; ".join([*parts, *_beside(entry, first, floor, words)])
+
+
+def wrong_standing(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[str]:
+    """By how much an effect is wrong while the motor stands, in holds and in rests; nothing where it is not.
+
+    `first` is the entry of the best explanation.
+    """
+    return [
+        f"{size(abs(known['change']), words.unit)} {STANDS[phase]}"
+        for phase, known in (entry["stands"] or {}).items()
+        if _contradicts(phase, entry, first, floor)
+    ]
+
+
+def _beside(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[str]:
+    """What an effect adds to the best explanation; nothing where it was not tried beside it."""
+    beside = entry[f"beside_{words.ending}"]
+    if beside is None:
+        return []
+    saved = math.sqrt(max(first[f"left_{words.ending}"] ** 2 - beside**2, 0.0))
+    if saved < ADDS * floor:
+        return [NOTHING_BESIDE]
+    return [f"beside it, it takes away {size(saved, words.unit)} more, too little for one effect more"]
+
+
+def _contradicts(phase: str, entry: Part, first: Part, floor: float) -> bool:
+    """Whether what an effect leaves changes while the motor stands, beyond chance and more than the best one's does."""
+    known, best = (entry["stands"] or {}).get(phase), first["stands"].get(phase, {"change": 0.0})
+    if known is None:
+        return False
+    change = abs(known["change"])
+    return bool(change > max(CLEAR * known["error"], VISIBLE * floor, MORE * abs(best["change"])))
+
+
+def _standing(content: Verdict, first: Part, others: list[Part], words: Vocabulary) -> list[str]:
+    """What the recording says while the motor stands: for the best explanation, and against which effects."""
+    floor = content["evidence"][f"floor_{words.ending}"]
+    if not first["stands"]:
+        return ["The motor never stood long enough in this recording to say what goes on while it stands."]
+    counted = listing([f"{known['count']} {phase}s" for phase, known in first["stands"].items()])
+    likely = [called(entry["ids"]) for entry in first["tied"] if _wrong(entry, first, floor)]
+    against = [entry["id"] for entry in others if _wrong(entry, first, floor)]
+    stands = f"While the motor stands ({counted}), the reading"
+    if not against and not likely:
+        return [f"{stands} speaks against none of them."]
+    best = called([entry["id"] for entry in content["mechanisms"]])
+    sure = [f"against {listing(likely)}, though likely"] if likely else []
+    others_against = [f"against {listing(against)}"] if against else []
+    return [f"{stands} fits {best}, and speaks {' and '.join([*sure, *others_against])}."]
+
+
+def _wrong(entry: Part, first: Part, floor: float) -> bool:
+    """Whether the stands of the motor speak against an effect, or an explanation."""
+    return any(_contradicts(phase, entry, first, floor) for phase in (entry["stands"] or {}))

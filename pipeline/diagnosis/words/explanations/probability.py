@@ -1,0 +1,80 @@
+"""How probable each explanation is, and by which rule the likely ones are kept, in words."""
+
+from ...choice.judged import HELD, UNKNOWN
+from ...document.content import Part, Verdict
+from ..language.quantity import percent
+from . import left_out
+
+HELD_STANDINGS = ("named", "tied")
+LARGER_LEAVES_LESS = "with one more effect it is an explanation that leaves less"  # of a probability of 0
+SEEN = 0.005  # a probability that is worth a word
+WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
+OF_NONE = (
+    "The share of physics that the library lacks follows from how much the best explanation leaves, and from how large "
+    "the mismatch is. On the recordings that it was learnt on, about so many of those like this one held such physics. "
+    "More strokes of the same kind need not lower it."
+)
+WITHOUT = (
+    "No probabilities are known on this rig: they were learnt on strings. An explanation is left out where it fits "
+    "the recording worse than the best one by about as much as it should if the best one were true."
+)
+
+
+def known(content: Verdict) -> bool:
+    """Whether the explanations were weighed by their probability."""
+    return any(explanation.get("probability") is not None for explanation in content["evidence"]["explanations"])
+
+
+def said(explanation: Part) -> str:
+    """An explanation's probability as `probability 26 %`; nothing where it has none."""
+    share = explanation.get("probability")
+    if share is None:
+        return ""
+    if share == 0.0:
+        return f"probability less than 1 % ({LARGER_LEAVES_LESS})"
+    return f"probability {percent(share)}"
+
+
+def at_work(content: Verdict, id_: str) -> float:
+    """How probable it is that an effect acts, whatever is beside it: the sum over the explanations that have it."""
+    shown = content["evidence"]["explanations"]
+    return float(sum(explanation.get("probability") or 0.0 for explanation in shown if id_ in explanation["ids"]))
+
+
+def rule(content: Verdict) -> list[str]:
+    """Which explanations are kept, with the numbers of this verdict."""
+    if content["verdict"] not in ("explained", "ambiguous"):
+        return []
+    if not known(content):
+        return [WITHOUT] if "probability_of_none" in content["evidence"] else []
+    shown = content["evidence"]["explanations"]
+    together = sum(
+        explanation.get("probability") or 0.0 for explanation in shown if explanation["standing"] in HELD_STANDINGS
+    )
+    none = content["evidence"].get("probability_of_none") or 0.0
+    several = content["verdict"] == "ambiguous"
+    kept = f"These {1 + len(content['alternatives'])} have" if several else "Here the best one alone has"
+    rest = max(1.0 - none - together, 0.0)
+    others = f"; all others of the library {percent(rest)}; physics that the library lacks {percent(none)}"
+    return [
+        f"Kept are the likeliest explanations, until together they reach {percent(HELD)} of what the library has. "
+        f"{_left_out(content)}{kept} {percent(together)}{others}. None of these is impossible.",
+        *([OF_NONE] if none >= WORTH else []),
+    ]
+
+
+def _left_out(content: Verdict) -> str:
+    """How much of what was reached together is left out; nothing where nothing is."""
+    out = content["evidence"].get("left_out", [])
+    which = "one of them is" if len(out) == 1 else f"{len(out)} of them are"
+    share = left_out.together(content)
+    return f"But {which} left out ({percent(share)}), so fewer than {percent(HELD)} are kept. " if share else ""
+
+
+def of_none(content: Verdict) -> list[str]:
+    """How probable it is that nothing in the library explains a recording, where that alone can make `unknown`."""
+    none = content["evidence"].get("probability_of_none")
+    if none is None or not known(content):
+        return []
+    enough = f"; from {percent(UNKNOWN)} on the verdict is unknown" if none >= UNKNOWN else ""
+    return [f"That no physics of the library explains the recording has a probability of {percent(none)}{enough}."]

@@ -1,0 +1,74 @@
+"""Why an explanation is less likely than the best one: what counts most against it, in words."""
+
+from ...document.content import Part
+from ..language.quantity import number, times
+
+# of each aspect: what is said where its sign is smaller than that of the best explanation, and where it is larger
+SAID = {
+    "fit": ("it fits the recording worse", "it fits the recording better"),
+    "numbers": ("it has fewer free numbers", "it has more free numbers"),
+    "weakest": ("its weakest part is worth less", "its weakest part is worth more"),
+    "instead": (
+        "another effect in place of its weakest part does less well",
+        "another effect in place of its weakest part does better",
+    ),
+    "more": ("a further effect would add less to it", "a further effect would add more to it"),
+    "cancels": ("its effects work against each other less", "its effects work against each other more"),
+    "size": ("it has fewer effects", "it has more effects"),
+}
+MARK = ("it leaves out {}", "it has {}")
+NAMES = "explanations with these effects were right less often in the simulated recordings that taught the judge"
+OF_ITS_SIZE = (
+    "explanations with so many effects were right less often in the simulated recordings that taught the judge"
+)
+SPEAKS_FOR = {  # whether an aspect's sign is larger, where a reader would take it for a merit
+    "fit": True, "numbers": False, "weakest": True, "instead": False, "more": False, "cancels": False,
+}  # fmt: skip
+TAUGHT = "though {}: such explanations were right less often in the simulated recordings that taught the judge"
+NOT_OF_THIS = ("names",)  # aspects that say nothing of this recording: told where nothing else is
+LEAST = 1.05  # times less likely: less is alike
+
+
+def why(explanation: Part, best: Part | None) -> str:
+    """How many times less likely an explanation is than the best one, and chiefly since what; nothing where unknown."""
+    less, reasons = less_often(explanation, best), chiefly(explanation)
+    return f"It is {less} times less likely than the best one{f', {reasons}' if reasons else ''}." if less else ""
+
+
+def less_often(explanation: Part, best: Part | None) -> str:
+    """How many times less likely an explanation is than the best one: 37; nothing where unknown, or hardly less."""
+    mine, first = explanation.get("probability"), (best or {}).get("probability")
+    if not mine or not first or first < LEAST * mine:
+        return ""
+    less = first / mine
+    return times(less) if less < 1000.0 else number(less, 1)
+
+
+def chiefly(explanation: Part) -> str:
+    """What counts most against an explanation, as a part of a sentence; nothing where no reason is known."""
+    because = explanation.get("because") or []
+    seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS and not speaks_for(cause)]
+    if because and not seen and speaks_for(because[0]):
+        return TAUGHT.format(" and ".join(reason(cause) for cause in because if speaks_for(cause)))
+    reasons = [f"since {reason(cause)}" for cause in seen or because]
+    how = "partly" if seen and because[0] not in seen else "chiefly"
+    return f"{how} {' and '.join(reasons)}" if reasons else ""
+
+
+def speaks_for(cause: Part) -> bool:
+    """Whether a reader would take what counts against an explanation for a merit of it."""
+    return SPEAKS_FOR.get(cause["aspect"]) == (cause["more"] > 0.0)
+
+
+def reason(cause: Part) -> str:
+    """One aspect in words."""
+    aspect, larger = cause["aspect"], cause["more"] > 0.0
+    if aspect.startswith("mark_"):
+        id_ = aspect.removeprefix("mark_")
+        shown = "hardly shows" if larger else "shows"
+        return f"{MARK[larger].format(id_)}, whose mark this recording {shown}"
+    if aspect == "names":
+        return NAMES
+    if aspect == "size" and not cause["more"]:
+        return OF_ITS_SIZE
+    return SAID[aspect][larger]

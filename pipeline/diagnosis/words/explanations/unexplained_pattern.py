@@ -1,0 +1,80 @@
+"""What is left without a name, in words: how large the pattern is, where it lies and what it follows."""
+
+from ...document.content import Verdict, mismatch_of
+from ..held_out import holdout, unseen
+from ..language.places import EVERYWHERE, place
+from ..language.quantity import listing, size, times
+from ..language.vocabulary import Vocabulary
+from .rivals import NOISY, called, entries, left
+
+STAND_IN = " (x_ marks a stand-in: it fits the data, but is no physics of the library)"
+LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth a word
+
+
+def pattern(content: Verdict, words: Vocabulary) -> list[str]:
+    """How large a pattern is left without a name, where, and what it follows; nothing where none is left."""
+    rms, evidence = mismatch_of(content)[f"rms_{words.ending}"], content["evidence"]
+    if not rms:
+        return []
+    ratio = times(rms / evidence[f"floor_{words.ending}"])
+    least = min(content["fit"][f"detectable_{words.ending}"].values(), default=0.0)
+    if unseen.left_over(content, words):  # how much is said once, below
+        how_large = "A pattern is left that no effect is named for."
+    else:
+        beyond = f"{size(rms, words.unit)} rms is more than noise ({ratio} times the noise)"
+        how_large = f"Of the calibrated error in the table below, {beyond}, and no effect is named for it."
+        if rms > least > 0.0:
+            more = " Some effects would have been seen even if they were smaller (listed below)"
+            how_large += f"{more}: what is left looks like none of them."
+    left_pattern = evidence.get("pattern")
+    closest = nearest(content, words)
+    if not left_pattern:
+        return [how_large, *closest]
+    where = place(left_pattern["location"], evidence, words)
+    follows = listing([words.follows(driver, evidence["loaded"]) for driver in left_pattern["driver"]])
+    if where == EVERYWHERE:
+        return [
+            how_large,
+            f"What is systematic in it is spread over the whole recording. It follows {follows}.",
+            *closest,
+        ]
+    share = f"{100.0 * left_pattern['location']['share']:.0f} % of the energy of what is systematic in it"
+    return [how_large, f"{share} lies {where}. It follows {follows}.", *closest]
+
+
+def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[str]:
+    """Where the pattern lies that the best explanation leaves, and what it follows; nothing where it leaves noise.
+
+    `least`: noise floors from which on it leaves more.
+    """
+    left_pattern, evidence = content["evidence"].get("pattern"), content["evidence"]
+    floor, best = evidence[f"floor_{words.ending}"], next(iter(entries(content, "named")), None)
+    if not left_pattern or best is None or best[f"left_{words.ending}"] <= least * floor:
+        return []
+    where = place(left_pattern["location"], evidence, words)
+    half = place(left_pattern["half"], evidence, words) if "half" in left_pattern else EVERYWHERE
+    lies = "is spread over the whole recording" if where == EVERYWHERE else f"lies mostly {where}"
+    lies += f", half of its energy {half}" if half not in (EVERYWHERE, where) else ""
+    follows = listing([words.follows(driver, evidence["loaded"]) for driver in left_pattern["driver"]])
+    rms = size(left_pattern[f"rms_{words.ending}"], words.unit)
+    return [f"What is left holds a pattern of {rms} rms beside the noise. It {lies}, and follows {follows}."]
+
+
+def nearest(content: Verdict, words: Vocabulary) -> list[str]:
+    """The one effect that would leave least, where it would leave a little less; it is not named."""
+    shown = [explanation for explanation in content["evidence"]["explanations"] if explanation["ids"]]
+    best = min(shown, key=lambda explanation: explanation[f"left_{words.ending}"], default=None)
+    alone = content["evidence"].get(f"calibrated_{words.ending}")
+    if best is None or not alone or best[f"left_{words.ending}"] > LESS * alone:
+        return []
+    kind = "one more effect" if holdout.included(content) else "an effect"
+    before = size(alone, words.unit)
+    return [
+        f"The best that {kind} could do: with {called(best['ids'])}{stand_in(best['ids'])} "
+        f"{left(best, content, words)} would be left instead of {before}. That gain is too small to name it."
+    ]
+
+
+def stand_in(ids: list[str]) -> str:
+    """What a name that begins with x_ means, where one does."""
+    return STAND_IN if any(id_.startswith("x_") for id_ in ids) else ""

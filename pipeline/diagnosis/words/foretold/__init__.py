@@ -1,0 +1,1 @@
+"""What is foretold of motion that nobody recorded, by each explanation and by the improved simulator."""

@@ -1,0 +1,57 @@
+"""The range in which a planned motion is answered with an error band, as a verdict's page says it before any plan."""
+
+from typing import Any
+
+from ....run.course import ALIKE
+from ....run.limits import LONGER, SHORT_S, share_of_slowest
+from ...document.content import Verdict
+from ...mechanisms.library import mechanisms
+from ..language.quantity import at, duration, ends, listing, span
+from ..language.vocabulary import Vocabulary
+
+WIDER = "speeds, holds and rests reach further than recorded"
+
+
+def within(content: Verdict, words: Vocabulary) -> str:
+    """Motion, speeds, loads and stands within which a plan has a band; nothing where an older file lacks them.
+
+    These are the limits of the warning that a plan gets which leaves them, without its room: what is rounded here is
+    inside there.
+    """
+    known = content["evidence"].get("covered")
+    if known is None:
+        return ""
+    (low, high), (slow, fast) = content["evidence"][words.driver], known["speed_per_s"]
+    acting = [entry["id"] for entry in content["mechanisms"]]
+    likely = {*acting, *(id_ for ids in content["alternatives"] for id_ in ids)}
+    library = mechanisms()
+    other = fast < ALIKE * slow or any(library[id_].paced for id_ in likely if id_ in library)
+    speeds = ends(share_of_slowest(other) * slow, fast, f"{words.motion_unit}/s")
+    parts = [span(low, high, words.motion_unit, high - low), speeds]
+    if words.load is not None and known["load"][1] > 0.0:
+        least, most = known["load"]
+        parts.append(ends(least, most, words.load_unit))
+    stands_s = {name: max(LONGER * known[f"longest_{name}_s"], SHORT_S) for name in ("hold", "rest")}
+    parts += [f"{name}s of up to {duration(longest_s)}" for name, longest_s in stands_s.items()]
+    if any(library[id_].remembers_turns for id_ in acting if id_ in library):
+        parts.append(f"reversals near {_turned(known, words, high - low)}")
+    return f"{listing(parts)} ({WIDER})"
+
+
+def _turned(known: dict[str, Any], words: Vocabulary, whole: float) -> str:
+    """The motions near which a plan may turn, at the top and at the bottom; `whole` is the recorded range."""
+    turned = known.get("turned")
+    if not turned:
+        return "recorded ones"
+    places = {
+        end: listing([_place(low, high, words, whole) for low, high in turned[end]])
+        for end in ("top", "bottom")
+        if turned[end]
+    }
+    return " and ".join(f"{where} at the {end}" for end, where in places.items())
+
+
+def _place(low: float, high: float, words: Vocabulary, whole: float) -> str:
+    """One place, or a stretch without a gap in which a plan may turn anywhere."""
+    least, most = at(low, words.motion_unit, whole), at(high, words.motion_unit, whole)
+    return most if least == most else span(low, high, words.motion_unit, whole)

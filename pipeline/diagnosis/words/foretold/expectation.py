@@ -1,0 +1,166 @@
+"""What each explanation foretells of strokes that nobody made, as a table: at the rig a person sees which is right."""
+
+import re
+
+from ...document.content import Part, Verdict
+from ..explanations import rivals
+from ..language.quantity import at, duration, listing, number, percent, plus_minus, quantity, size
+from ..language.sections import WIDE
+from ..language.table import UNKNOWN, aligned
+from ..language.vocabulary import Vocabulary
+from . import recorded_evidence, slow_sign
+from .foretold_numbers import LEAST, Number, compared, error, of_explanation, probability, tells
+
+SEEN = 2.0  # noise floors, from which a person sees a change in one stroke
+NOT = "hardly"  # what nobody would see
+STAND = ("change in a hold", "change in a rest")  # rows
+INDENT = 5  # of the table on the page
+
+
+def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) -> list[str]:
+    """The table, a line each row, then how to read it; nothing where nobody would see a number of it.
+
+    `shown`: the keys of the numbers that the recording to make will show; None: of all that are foretold.
+
+    The rivals come in the order of their probability, without those that the recorded loop excludes. The row that tells
+    most comes first. A row in which the explanations differ by less than their intervals is left out, unless all do:
+    then the best explanation stands alone. What a hold and a rest show is said in words where no row has it.
+    """
+    known = content["evidence"].get("expected")
+    if not known:
+        return []
+    weighed, out = compared(content), recorded_evidence.excluded(content, words)
+    first, *others = [each for each in weighed if each not in out]
+    tables = []
+    for columns in ([first, *others], *([first, other] for other in others), [first]):
+        table, remarks, parted = _table(content, known, columns, words, shown)
+        if max(map(len, table), default=0) <= WIDE - INDENT:  # what does not fit on the page cannot tell either
+            tables.append(([*table, *remarks], parted))
+            if parted:
+                break
+    best = next((table for table, parted in tables if parted), tables[0][0] if tables else [])
+    stands = any(parted for _, parted in tables) and any(line.startswith(STAND) for line in best)
+    sign = [] if stands or not best else slow_sign.lines(content, words, weighed)
+    return [*best, *(_not_in(content) if best else []), *recorded_evidence.lines(content, words), *sign]
+
+
+def _not_in(content: Verdict) -> list[str]:
+    """Why a rival that is likelier than one in the table is not in it; nothing where none is."""
+    first, *others = compared(content)
+    shares = [probability(content, other["ids"]) or 0.0 for other in others]
+    known = [set(each["ids"]) for each in content["evidence"]["expected"]["explanations"]]
+    rivals_left = [
+        each
+        for each in rivals.entries(content, "beaten", "not needed")
+        if set(each["ids"]) not in known and (each.get("probability") or 0.0) > min(shares, default=1.0)
+    ]
+    if content["verdict"] != "explained" or not rivals_left:
+        return []
+    likeliest = max(rivals_left, key=lambda each: float(each["probability"]))
+    name = f"{rivals.called(likeliest['ids'])} ({percent(likeliest['probability'])})"
+    if set(first["ids"]) < set(likeliest["ids"]):
+        return [f"Not in the table: {name}, which only adds to the best one."]
+    return [f"Not in the table: {name}, of which nobody would see a number differ from the best one's."]
+
+
+def _table(
+    content: Verdict, known: Part, columns: list[Part], words: Vocabulary, shown: set[str] | None
+) -> tuple[list[str], list[str], bool]:
+    """The table of some explanations, how to read it, and whether a row tells them apart.
+
+    Nothing where nobody would see a number of it.
+    """
+    limit = SEEN * content["evidence"][f"floor_{words.ending}"]
+    names = {key: row for key, row in _rows(content, known, words).items() if shown is None or key in shown}
+    cells = {key: [of_explanation(each, key, content, words) for each in columns] for key in names}
+    keys = [
+        key
+        for key, row in cells.items()
+        if row[0] is not None and any(cell is not None and abs(cell.value) >= limit for cell in row)
+    ]
+    if not keys:
+        return [], [], False
+    telling = {key: ratio for key in keys if (ratio := tells(cells[key])) is not None}
+    nothing = [key for key, ratio in telling.items() if ratio < 1.0]
+    alone = bool(nothing) and len(nothing) == len(telling)
+    if alone:
+        columns, cells = columns[:1], {key: cells[key][:1] for key in keys}
+    else:
+        keys = sorted((key for key in keys if key not in nothing), key=lambda key: -telling.get(key, 0.0))
+    known_spread = any(cell is not None and cell.known for key in keys for cell in cells[key])
+    shared = set.intersection(*(set(explanation["ids"]) for explanation in columns))
+    heads = [_head(content, explanation["ids"], shared) for explanation in columns]
+    rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
+    remarks = [
+        *([_loop(words)] if any(map(_is_loop, keys)) else []),
+        *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
+        *([_spread(keys)] if known_spread else []),
+        *_untelling(alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)),
+    ]
+    return aligned([["What to expect of", *heads], *rows]), remarks, bool(telling) and not alone
+
+
+def _loop(words: Vocabulary) -> str:
+    up, down = words.ways
+    return f"The loop is by how much {up} and {down} part at most at one {words.motion}."
+
+
+def _spread(keys: list[str]) -> str:
+    """What the plus-minus holds, and how often it did in tests."""
+    loops, slow = any(map(_is_loop, keys)), not all(map(_is_loop, keys))
+    shares = ["nine of ten loops"] * loops + ["eight of ten changes in holds, rests and more strokes"] * slow
+    return f"±: in tests {listing(shares)} lay inside if the explanation was right."
+
+
+def _untelling(alone: bool, left_out: list[str], known_spread: bool, error: str) -> list[str]:
+    """What tells nothing: the rows that were left out, all other explanations, or differences in an older file."""
+    older = [] if known_spread else [f"Differences of less than {error} tell nothing: the simulator errs by as much."]
+    if alone:
+        return [*older, "No number here tells the explanations apart: the others foretell the same within that."]
+    rows = "; ".join(left_out)
+    return [*older, *([f"Left out, since the explanations differ by less than that: {rows}."] if rows else [])]
+
+
+def _is_loop(key: str) -> bool:
+    return key.startswith("loop")
+
+
+def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
+    """What each number is of, by its key."""
+    low, high = content["evidence"][words.driver]
+    top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
+    hung = words.load is not None and known["load"]
+    full, half, twice = (
+        f" under {quantity(share * known['load'], words.load_unit, 3)}" * bool(hung) for share in (1.0, 0.5, 2.0)
+    )
+    speed = f"{number(known['speed_per_s'] / 2.0, 3)} {words.motion_unit}/s"
+    rows = {
+        **({} if "recorded" in known else {"loop_as_before": f"the loop of a stroke as before{full}"}),
+        "loop_half_speed": f"the loop at half the speed, {speed}",
+        "loop_half_load": f"the loop{half}",
+        "loop_twice_load": f"the loop{twice}",
+    }
+    if "strokes" in known:
+        rows["top"] = f"change at {top}, from the next stroke to the {known['strokes']}th"
+    if "stand_s" in known:
+        stand = duration(known["stand_s"])
+        rows["hold"] = f"change in a hold of {stand} at {top}{full}"
+        rows["rest"] = f"change in a rest of {stand} at {bottom} after it"
+    return rows
+
+
+def _cell(key: str, cell: Number | None, limit: float, words: Vocabulary) -> str:
+    if cell is None:
+        return UNKNOWN
+    sign = "" if _is_loop(key) else "+" if cell.value > 0.0 else "-"
+    if cell.known:
+        text = plus_minus(abs(cell.value), cell.half_width, words.unit)
+        return f"{sign if re.match('[0.,]*[1-9]', text) else ''}{text}"
+    return NOT if abs(cell.value) < limit else f"{sign}{size(abs(cell.value), words.unit)}"
+
+
+def _head(content: Verdict, ids: list[str], shared: set[str]) -> str:
+    """An explanation with its probability; without what all explanations share, where something is left then."""
+    share = probability(content, ids)
+    own = rivals.called([id_ for id_ in ids if id_ not in shared] or ids)
+    return f"{own} ({percent(share)})" if share is not None and share >= LEAST else own

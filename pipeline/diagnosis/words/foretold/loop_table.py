@@ -1,0 +1,129 @@
+"""The answer of a planned motion in the middle of the way of its strokes, where a loop shows, and where each begins."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from ....ground.kinematics import Array
+from ....run.turning import turning_points
+from ..language.quantity import listing, number, said_unit, to_the_band
+from ..language.table import aligned
+from ..language.vocabulary import Vocabulary
+from .prediction import AFTER_RECORDING, OUTSIDE
+
+SHARES = (0.25, 0.5, 0.75)  # of the way of a stroke
+REVERSAL = 0.1  # of the plan's range: a smaller way back is no stroke
+ALIKE, AT = 1e-4, 0.01  # of the reading's range: strokes that differ by less are the same; of the motion's: one place
+DIGITS, FAR_DIGITS = 6, 4  # of a reading: within what was recorded its hundredths count, outside it is a guess
+MOST = 3  # strokes that differ; the others are counted
+
+
+@dataclass(frozen=True)
+class _Stroke:
+    """A way up and the way down after it, of a plan's rows `first` to `last`; each array of shape (shares,)."""
+
+    first: int
+    last: int
+    motion: Array  # in the driver's unit
+    up: Array  # the reading on each way, in its unit
+    down: Array
+    out: bool  # whether a row of it is outside what was recorded
+    half: float  # of the band, the least of its rows, in the reading's unit; 0 without one
+
+    def like(self, other: "_Stroke", least: float) -> bool:
+        """Whether both show the same at the same places; `least` is the least difference, in the reading's unit."""
+        same = np.allclose(self.motion, other.motion, rtol=AT, atol=0.0) and self.out == other.out
+        gaps = np.abs(np.concatenate([self.up - other.up, self.down - other.down]))
+        return bool(same and (gaps < least).all())
+
+
+def _strokes(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[_Stroke]:
+    """The whole strokes of a plan, in order."""
+    way, reading = table[words.driver].to_numpy(float), table[channel].to_numpy(float)
+    out = table[OUTSIDE].to_numpy() == 1.0 if OUTSIDE in table else np.zeros(len(table), bool)
+    ending = channel.rpartition("_")[2]
+    low, high = (table.get(f"{end}_{ending}", table[channel]).to_numpy(float) for end in ("low", "high"))
+    half = np.nan_to_num(0.5 * (high - low))
+    points, strokes = turning_points(way, REVERSAL * max(float(np.ptp(way)), 1e-12)), []
+    for start, top, end in zip(points[:-2], points[1:-1], points[2:], strict=True):
+        low, high = max(way[start], way[end]), way[top]
+        if high <= low:
+            continue
+        motion = low + np.array(SHARES) * (high - low)
+        up = np.interp(motion, np.maximum.accumulate(way[start : top + 1]), reading[start : top + 1])
+        back, of_back = way[top : end + 1][::-1], reading[top : end + 1][::-1]
+        down = np.interp(motion, np.maximum.accumulate(back), of_back)
+        far, known = bool(out[start : end + 1].any()), half[start : end + 1][half[start : end + 1] > 0.0]
+        least = 0.0 if far else float(known.min(initial=np.inf))
+        strokes.append(_Stroke(int(start), int(end), motion, up, down, far, least if np.isfinite(least) else 0.0))
+    return strokes
+
+
+def printed(table: pd.DataFrame, words: Vocabulary, channel: str, acting: str | None) -> list[str]:
+    """What is printed of the strokes of a plan: both ways, then why the first one begins otherwise.
+
+    `acting` names the effects where the string is taken as it was before its first stroke, though one was recorded.
+    """
+    begins = [] if acting is None else of_starts(table, words, channel, acting)
+    return [*lines(table, words, channel), *begins]
+
+
+def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
+    """Both ways of each stroke that differs from those before, and their difference; nothing of a plan without strokes.
+
+    `channel` is the column of the reading.
+    """
+    least, kinds = ALIKE * float(np.ptp(table[channel])), list[tuple[_Stroke, list[str]]]()
+    for count, stroke in enumerate(_strokes(table, words, channel), start=1):
+        alike = [numbers for known, numbers in kinds if stroke.like(known, least)]
+        if alike:
+            alike[0].append(str(count))
+        else:
+            kinds.append((stroke, [str(count)]))
+    if not kinds:
+        return []
+    up, down = words.ways
+    rows = [["stroke", words.driver, f"{channel}, {up}", down, "difference"]]
+    for stroke, numbers in kinds[:MOST]:
+        for share, motion, rising, falling in zip(SHARES, stroke.motion, stroke.up, stroke.down, strict=True):
+            name = f"{_called(numbers)}{f' ({OUTSIDE})' if stroke.out else ''}" if share == SHARES[0] else ""
+            digits = FAR_DIGITS if stroke.out else DIGITS
+            ends = [to_the_band(value, stroke.half, digits) for value in (rising, falling)]
+            rows.append([name, f"{motion:.4g}", *ends, _gap(falling - rising, stroke.half, words.unit)])
+    more = len(kinds) - MOST
+    kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
+    left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
+    head = f"on the way, where a loop shows (like strokes stand together; difference: {down} less {up}):"
+    return [head, *aligned(rows), *left]
+
+
+def _gap(gap: float, half: float, unit: str) -> str:
+    """A difference in the unit of the readings beside it, to the band where there is one."""
+    width = to_the_band(abs(gap), half) if half > 0.0 else number(abs(gap), whole=True)
+    return f"{'-' if gap < 0.0 else '+'}{width} {said_unit(unit)}"
+
+
+def _called(numbers: list[str]) -> str:
+    """The strokes of one kind, by their numbers; of many the first and how many more."""
+    return listing(numbers) if len(numbers) < 4 else f"{numbers[0]} and {len(numbers) - 1} more"
+
+
+def of_starts(table: pd.DataFrame, words: Vocabulary, channel: str, acting: str) -> list[str]:
+    """Why a plan's first stroke begins at another reading than the second, if it does at the same motion.
+
+    `acting` names the effects; the string is taken as it was before its first stroke. `channel` is the reading's.
+    """
+    strokes = _strokes(table, words, channel)
+    if len(strokes) < 2:
+        return []
+    (way, reading), places = (table[name].to_numpy(float) for name in (words.driver, channel)), [0, strokes[0].last]
+    near = abs(np.subtract(*way[places])) <= AT * np.ptp(way)
+    if not near or abs(np.subtract(*reading[places])) < ALIKE * np.ptp(reading):
+        return []
+    first, second = (f"{value:.6g} {words.unit}" for value in reading[places])
+    return [
+        f"stroke 1 begins at {first} and stroke 2 at {second}: the {words.string} is taken as it was before its first "
+        f"stroke, and stroke 1 leaves its trace in it ({acting}). With {AFTER_RECORDING} the plan begins with the "
+        f"{words.string} as the recording left it"
+    ]

@@ -1,0 +1,156 @@
+"""What a person is told of a motion that nobody recorded: by how much the simulator may err there, and why."""
+
+import numpy as np
+
+from ....ground import spans
+from ....ground.command import command
+from ....ground.counts import are
+from ....ground.kinematics import Array
+from ....run.course import Mask
+from ...choice.outcome import rms
+from ...document.content import Part, Verdict
+from ...prediction.prediction_band import Foretold
+from ..language.quantity import listing, number, percent, plus_minus, size, times
+
+OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
+STRETCHES = 3  # of time, that are said; the others are counted
+MOSTLY = 0.8  # of the rms: a mean so far from 0 tells the way
+COVERS = (
+    "nine of ten readings lie between them, if the explanation is right. They cover how well its numbers are known, "
+    "and {missed}. They cover no wrong explanation, no other string, and no motion beyond what was recorded"
+)
+
+WHICH = (
+    "which to take: to state one error of the whole plan, the line `to report`; to judge a single reading, {low} and "
+    "{high}; to compare with an rms error, the expected error. An if_ column is no error, but another reading"
+)
+
+
+def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) -> list[str]:
+    """The expected error with its two parts, and what the columns `low` and `high` hold; `unit`: of the reading.
+
+    `inside` are the rows within what was recorded, of shape (samples,): of others nothing is expected.
+    """
+    out = int((~inside).sum())
+    beyond = (
+        f"{out} of {len(inside)} rows {are(out)} outside (column {OUTSIDE}): nothing says how well the simulator does "
+        f"there, and {low} and {high} are empty there"
+    )
+    if out == len(inside):
+        return [f"no expected error: {beyond}"]
+    sigma = rms(foretold.sigma[inside])
+    missed = "what strokes that no fit had seen were missed by" if foretold.held_out else "the noise of the readings"
+    expected = f"{size(foretold.expected(inside), unit)} rms"
+    parts = f"{size(foretold.missed, unit)} is {missed}, {size(sigma, unit)} what the numbers of the fit leave open"
+    first = [f"expected error: {expected}, of which {parts}"]
+    if out:
+        first = [
+            f"expected error: {expected} where the motion is within what was recorded; {beyond}",
+            f"of the expected error {parts}",
+        ]
+    if (inside & np.logical_or.accumulate(~inside)).any():
+        first.append(f"rows after one that is {OUTSIDE} are inside again, though what is slow may still remember it")
+    return [*first, f"{low} and {high}: {COVERS.format(missed=missed)}", WHICH.format(low=low, high=high)]
+
+
+def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int, channel: str, unit: str) -> list[str]:
+    """The one error of a whole plan that can be reported; nothing where all of it is outside.
+
+    `gaps` say by how much the curve of each explanation that ties is more, `tied` how many tie: an older file lacks
+    their curves. `inside` and each gap have the shape (samples,); gaps are in the reading's unit, which is `unit`.
+    """
+    if not inside.any():
+        return []
+    share = "the whole plan" if inside.all() else f"the {percent(inside.mean())} of the plan within what was recorded"
+    known = f"whichever of the {1 + tied} likely explanations is right" if tied else "if the explanation is right"
+    if len(gaps) < tied:
+        known = "if the best explanation is right, for the file does not say what the others foretell"
+    near = size(foretold.within(inside, gaps), unit)
+    return [f"to report: nine of ten readings are expected within {near} of {channel} over {share}, {known}"]
+
+
+def stretches(rows: Mask, time_s: Array) -> str:
+    """When some rows are, as `from 14.4 to 27.4 s`; of many stretches the first. Of shape (samples,), time in s."""
+    times_s = [f"{time_s[first]:.4g} to {time_s[last - 1]:.4g} s" for first, last in spans.of_mask(rows)]
+    more = [f"{len(times_s) - STRETCHES} stretches more"] if len(times_s) > STRETCHES else []
+    return f"from {listing([*times_s[:STRETCHES], *more])}" if times_s else ""
+
+
+def of_state(gap: Array, expected: float | None, unit: str, again: str) -> str:
+    """What the reading would be after the recorded motion, which the plan's answer leaves out.
+
+    `gap`: by how much it would be more, of shape (samples,); with the error that is `expected`, in the reading's unit.
+    `again`: the command that asks for it.
+    """
+    middle, most = float(np.mean(gap)), size(float(np.abs(gap).max()), unit)
+    way = f"{size(abs(middle), unit)} {'more' if middle > 0.0 else 'less'} on average, " if one_sided(gap) else ""
+    ratio = f", {times(rms(gap) / expected)} times the expected error" if expected else ""
+    return (
+        f"beware: this is the string as it was before its first stroke. After the recorded motion it would read {way}"
+        f"up to {most} otherwise ({size(rms(gap), unit)} rms{ratio}). For the string as the recording left it: "
+        f"{again}"
+    )
+
+
+def one_sided(gap: Array) -> bool:
+    """Whether a difference is mostly of one sign. Of shape (samples,), in any unit."""
+    return bool(abs(float(np.mean(gap))) > MOSTLY * rms(gap))
+
+
+def of_half_speed(content: Verdict, too_slow_below: float, ending: str, motion_unit: str, unit: str) -> list[str]:
+    """What the verdict foretells at half the speed, where a plan so slow is outside: its table and this must agree.
+
+    `too_slow_below`: the speed below which a plan's rows are outside, in `motion_unit` per second, 0 without such. The
+    reading's channel has the `ending`; `unit` is the reading's.
+    """
+    expected = content.get("evidence", {}).get("expected") or {}
+    first: Part = next(iter(expected.get("explanations", [])), {})
+    half = 0.5 * expected.get("speed_per_s", 0.0)
+    key = f"loop_half_speed_{ending}"
+    if key not in first or not 0.0 < half < too_slow_below:
+        return []
+    spread = first.get("plus_minus", {}).get(key)
+    loop = size(first[key], unit) if spread is None else plus_minus(first[key], spread, unit)
+    return [
+        f"the verdict foretells a loop of {loop} at half the speed, {number(half, 3)} {motion_unit}/s, if the "
+        "explanation is right. Nothing that was recorded says whether it is right at that speed: hence no band there"
+    ]
+
+
+def no_band(source: str, run_dir: str, of_run_yaml: bool) -> str:
+    """Why there is no band, and the mend."""
+    if of_run_yaml:
+        return (
+            "no band: run.yaml does not say how well its numbers are known, and the diagnosis.json that was adopted is "
+            f"not where it was, or is another. Mend: diagnose again, {command('diagnose')} {run_dir} --out DIR, "
+            "or give the diagnosis.json by --simulation"
+        )
+    return (
+        f"no band: {source} does not say how well its numbers are known, as an earlier program wrote it. Mend: "
+        f"diagnose again: {command('diagnose')} {run_dir} --out DIR"
+    )
+
+
+def of_rivals(predicted: Array, curves: dict[str, Array], inside: Mask, channel: str, unit: str) -> list[str]:
+    """By how much at most the curve of each explanation that ties leaves that of the best one, a line each.
+
+    Curves by their explanation, each of shape (samples,), in the channel's unit; `inside` the rows within what was
+    recorded.
+    """
+
+    def most(curve: Array) -> str:
+        gap = abs(curve - predicted)
+        if not inside.any() or inside.all():
+            return f"{size(float(gap.max()), unit)} from {channel}"
+        near, far = (size(float(gap[rows].max()), unit) for rows in (inside, ~inside))
+        return f"{near} from {channel} within what was recorded and {far} outside"
+
+    return [
+        f"{column_of(ids, channel)}: the reading if {listing(ids.split(' + '))} acted instead, at most {most(curve)}"
+        for ids, curve in curves.items()
+    ]
+
+
+def column_of(ids: str, channel: str) -> str:
+    """The column of an explanation that ties, such as `if_thermal_and_creep_mm`."""
+    return f"if_{ids.replace(' + ', '_and_')}_{channel.rpartition('_')[2]}"

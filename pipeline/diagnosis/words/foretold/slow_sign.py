@@ -1,0 +1,79 @@
+"""What a hold and a rest show of a slow effect where no number can be given: the sign, and why there is no number."""
+
+from dataclasses import dataclass
+
+from ...document.content import Part, Verdict
+from ..language.quantity import duration, listing, size
+from ..language.vocabulary import Vocabulary
+from .foretold_numbers import Number, apart, of_explanation
+
+STANDS = ("hold", "rest")
+
+
+@dataclass(frozen=True)
+class _Sign:
+    """Where the best explanation changes and a rival stands still: the stands, and the largest change of the rival."""
+
+    rival: Part
+    stands: tuple[str, ...]
+    still: float
+
+
+def lines(content: Verdict, words: Vocabulary, compared: list[Part]) -> list[str]:
+    """The decision in words between the best explanation and a rival; that there is none, where there is none.
+
+    Nothing where the best explanation foretells no hold. The rival is the one that most stands tell from it.
+    """
+    if not compared:
+        return []
+    first, *others = compared
+    own = {stand: of_explanation(first, stand, content, words) for stand in STANDS}
+    if not others or any(cell is None for cell in own.values()):
+        return []
+    signs = [_sign(first, other, content, words) for other in others]
+    best = max(signs, key=lambda sign: len(sign.stands))
+    stand = duration(content["evidence"]["expected"]["stand_s"])
+    if not best.stands:
+        names = listing([apart(first, other)[1] for other in others], "or")
+        return [f"A hold and a rest of {stand} do not tell {apart(first, others[0])[0]} from {names} here."]
+    named, rival = apart(first, best.rival)
+    return [f"{_decision(named, rival, best, own, stand, words)}{_open(own, best.stands, content)}"]
+
+
+def _sign(first: Part, other: Part, content: Verdict, words: Vocabulary) -> _Sign:
+    """Where the rival stands still within its interval, and the best explanation moves by more than that."""
+    stands, still = [], 0.0
+    for stand in STANDS:
+        own, cell = (of_explanation(each, stand, content, words) for each in (first, other))
+        if own is None or cell is None or abs(cell.value) > cell.half_width:
+            continue
+        most = abs(cell.value) + cell.half_width
+        if abs(own.value) > most:
+            stands.append(stand)
+            still = max(still, most)
+    return _Sign(other, tuple(stands), still)
+
+
+def _decision(named: str, rival: str, sign: _Sign, own: dict[str, Number | None], stand: str, words: Vocabulary) -> str:
+    limit = size(sign.still, words.unit)
+    if sign.stands == STANDS:
+        hold, rest = (cell.value if cell else 0.0 for cell in own.values())
+        then = "at least a part of that comes back" if hold * rest < 0.0 else "it goes on in the same way"
+        return (
+            f"In words: if it is {named}, the reading changes by more than {limit} in a hold of {stand}, and {then} in "
+            f"a rest of {stand} after it; if it is {rival}, it changes by less than {limit} in both."
+        )
+    where = f"in a {sign.stands[0]} of {stand}"
+    return f"In words: if it is {named}, the reading changes by more than {limit} {where}; if it is {rival}, by less."
+
+
+def _open(own: dict[str, Number | None], stands: tuple[str, ...], content: Verdict) -> str:
+    """Why it is not said by how much; nothing where the numbers are known better than that."""
+    vague = [stand for stand in stands if (cell := own[stand]) and cell.half_width >= abs(cell.value)]
+    known = content["evidence"].get("covered") or {}
+    if not vague:
+        return ""
+    longest_s = {stand: known.get(f"longest_{stand}_s") for stand in STANDS}
+    longest = [f"{stand}s of up to {duration(seconds)}" for stand, seconds in longest_s.items() if seconds is not None]
+    short = f" (it has {listing(longest)})" if longest else ""
+    return f" By how much more cannot be said: this recording was too short for it{short}."

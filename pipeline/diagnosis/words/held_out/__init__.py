@@ -1,0 +1,1 @@
+"""What strokes that no fit has seen say: whether an explanation holds there, and what must be known first."""

@@ -1,0 +1,71 @@
+"""What run.yaml has adopted, and whether it has seen the strokes that are held out: then no word calls them unseen."""
+
+from ...document.content import Verdict
+
+SPLIT = "last 30 % of strokes"
+NO_EFFECT = "no effect"
+UNSEEN, SEEN, PERHAPS = "unseen", "seen", "perhaps"
+
+
+def included(content: Verdict) -> list[str]:
+    """Ids that the simulator had from run.yaml before it was asked, those that it names once more among them."""
+    new = {entry["id"] for entry in content["mechanisms"]}
+    new -= {id_ for adoption in content.get("adopted", []) for id_ in adoption["effects"]}
+    return [id_ for id_ in dict.fromkeys(entry["id"] for entry in content.get("simulation", [])) if id_ not in new]
+
+
+def status(content: Verdict) -> str:
+    """Whether the adopted effects were fitted to a run of this diagnosis: `unseen`, `seen`, or `perhaps`."""
+    ids = included(content)
+    if not ids:
+        return UNSEEN
+    own = {content["run"]} if isinstance(content["run"], str) else set(content["run"])
+    of_known_runs = [adoption for adoption in content.get("adopted", []) if adoption.get("runs")]
+    if any(own & set(adoption["runs"]) for adoption in of_known_runs):
+        return SEEN
+    known = {id_ for adoption in of_known_runs for id_ in adoption["effects"]}
+    return UNSEEN if set(ids) <= known else PERHAPS
+
+
+def other_name(content: Verdict) -> str:
+    """What the procedure named without the last strokes, if that is not what it names with them; else nothing."""
+    chosen = content["evidence"].get("chosen_without_them")
+    if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
+        return ""
+    return " + ".join(sorted(set(chosen))) or NO_EFFECT
+
+
+def of_other(content: Verdict) -> str:
+    """As `other_name`, of which the error on those strokes is; nothing where no effect was named without them."""
+    other = other_name(content)
+    return f"{other} (named without them)" if other not in ("", NO_EFFECT) else ""
+
+
+def whose(content: Verdict) -> str:
+    """Of which effects the last error on those strokes is, where not of those that are named; goes after its size."""
+    other = other_name(content)
+    return f" (of {other}, which the procedure names without these strokes)" if other else ""
+
+
+def simulator(content: Verdict) -> str:
+    """Of which simulator the last error on those strokes is; goes after `the simulator`."""
+    if other_name(content) == NO_EFFECT:
+        return "without an effect (none is named without them)"
+    other = of_other(content)
+    return f"with {other}" if other else "as diagnosed"
+
+
+def strokes(content: Verdict) -> str:
+    """What the held-out strokes are called: unseen only where no fit has seen them."""
+    return "unseen strokes" if status(content) == UNSEEN else "last strokes"
+
+
+def heading(content: Verdict) -> str:
+    """What the error on the held-out strokes is called."""
+    held = content["fit"]["heldout"]
+    split = held["split"] if held else SPLIT
+    return {
+        UNSEEN: "Error on unseen strokes",
+        SEEN: f"Error on the {split}, which the adopted effects have seen",
+        PERHAPS: f"Error on the {split}, which the adopted effects may have seen",
+    }[status(content)]

@@ -1,0 +1,80 @@
+"""An explanation that improves nothing on strokes that no fit has seen: whether it does not, and what is said then."""
+
+import math
+
+from ...document.content import Verdict
+from ...study.heldout import WORSE
+from ..language.quantity import size
+from ..language.vocabulary import Vocabulary
+from . import holdout
+from .level import NO_BETTER
+from .unseen import errors
+
+SMALL = ", and is too small to show there"
+
+
+def harmful(content: Verdict, words: Vocabulary) -> bool:
+    """Whether what is named makes the simulator worse on strokes that no fit has seen."""
+    unseen_errors = errors(content, words)
+    if unseen_errors is None or content["verdict"] not in ("explained", "ambiguous"):
+        return False
+    _, calibrated, explained = unseen_errors
+    return explained > max(WORSE * calibrated, calibrated + 0.1 * float(content["fit"][f"noise_floor_{words.ending}"]))
+
+
+def improves_nothing(content: Verdict, words: Vocabulary) -> bool:
+    """Whether what is named makes the simulator no better on strokes that no fit has seen; worse is no better."""
+    unseen_errors = errors(content, words)
+    named = content["verdict"] in ("explained", "ambiguous")
+    return named and unseen_errors is not None and unseen_errors[2] > NO_BETTER * unseen_errors[1]
+
+
+def said(content: Verdict, words: Vocabulary) -> str:
+    """What must stand beside each name and number of an explanation that improves nothing; ends a phrase, or nothing.
+
+    It is the same wherever a reader may take a number from.
+    """
+    if not improves_nothing(content, words):
+        return ""
+    if holdout.other_name(content) == holdout.NO_EFFECT:
+        return f"on the {holdout.strokes(content)} nothing was tried, for without them the procedure names no effect"
+    does = "makes the simulator worse" if harmful(content, words) else "improves nothing"
+    return f"on the {holdout.strokes(content)} {tried(content)} {does}{too_small(content, words) * SMALL}"
+
+
+def doubt(content: Verdict, words: Vocabulary) -> str:
+    """The same where it speaks against the explanation: what is too small to show is not doubted for that."""
+    return "" if too_small(content, words) else said(content, words)
+
+
+def too_small(content: Verdict, words: Vocabulary) -> bool:
+    """Whether an explanation that improves nothing could not: all that was missing is little beside their noise."""
+    unseen_errors, missing = errors(content, words), content["mismatch"]
+    if unseen_errors is None or not missing or harmful(content, words) or not improves_nothing(content, words):
+        return False
+    _, calibrated, _ = unseen_errors
+    least = math.sqrt(max(calibrated**2 - float(missing[f"rms_{words.ending}"]) ** 2, 0.0))
+    return least > NO_BETTER * calibrated
+
+
+def tried(content: Verdict) -> str:
+    """What was tried on the strokes that no fit has seen: the explanation, or what was named without them."""
+    return holdout.of_other(content) or "the explanation"
+
+
+def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
+    """That the error on the last strokes is of other effects than are named; nothing where it is of these."""
+    other, unseen_errors = holdout.other_name(content), errors(content, words)
+    named = [entry["id"] for entry in content["mechanisms"]]
+    if not other or not named or unseen_errors is None or (other == holdout.NO_EFFECT and said(content, words)):
+        return []
+    whose = f"{other}'s error" if other.isidentifier() else f"the error of {other}"
+    names = f"Without the last strokes the procedure names {other}, not {' + '.join(sorted(named))}"
+    return [f"{names}: the name is not settled; {size(unseen_errors[2], words.unit)} is {whose}."]
+
+
+def other_choice(content: Verdict) -> list[str]:
+    """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
+    if not holdout.other_name(content):
+        return []
+    return ["So the recording is too short to choose, and what is named here has been tried on no stroke unseen by it."]

@@ -1,0 +1,138 @@
+"""The error on strokes that no fit has seen, in words, and what must be said of it first."""
+
+import math
+
+from ....ground.command import program_name
+from ...document.content import Verdict
+from ..language.quantity import duration, size, times
+from ..language.vocabulary import Vocabulary
+from . import holdout
+
+NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no more is missing on others
+STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing
+AVERAGED = 0.05  # of the noise: what averaging must take off it to be worth a word
+ZERO = (
+    f"{program_name('simulate')} of another run sets the zero of the reading in its first second, which a verdict "
+    "fits: there it can err by more."
+)
+NEAR = 1.5  # times the limit: a ratio below it is said to a hundredth
+
+
+def errors(content: Verdict, words: Vocabulary) -> tuple[float, float, float] | None:
+    """Nominal, calibrated and explained error, or None where no stroke could be held out."""
+    held = content["fit"]["heldout"]
+    if not held:
+        return None
+    nominal, calibrated, explained = (held[f"{name}_{words.ending}"] for name in ("nominal", "calibrated", "explained"))
+    return nominal, calibrated, explained
+
+
+def worse(content: Verdict, words: Vocabulary) -> str:
+    """What must end the first line: that what was learnt is worse than the nominal simulator; else nothing."""
+    unseen_errors = errors(content, words)
+    who = content["fit"].get("worse_than_nominal", [])
+    if unseen_errors is None or not who:
+        return ""
+    nominal, error = unseen_errors[0], unseen_errors[2] if "explained" in who else unseen_errors[1]
+    if size(error, words.unit) == size(nominal, words.unit):
+        return ""
+    sizes = f"{size(error, words.unit)} against {size(nominal, words.unit)}"
+    with_what = holdout.simulator(content) if "explained" in who else "calibrated"
+    if "explained" not in who and content["verdict"] in ("explained", "ambiguous"):
+        named = "with what is named" if not holdout.other_name(content) else holdout.simulator(content)
+        with_it = f"the simulator {named} errs by {size(unseen_errors[2], words.unit)}"
+        return (
+            f" On the {holdout.strokes(content)} {with_it}, as measured by {size(nominal, words.unit)}; calibrated "
+            f"alone it is worse than that ({size(error, words.unit)})."
+        )
+    return f" But on the {holdout.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
+
+
+def partly(content: Verdict, words: Vocabulary) -> bool:
+    """Whether unseen strokes are missed by more than the noise."""
+    unseen_errors = errors(content, words)
+    return unseen_errors is not None and unseen_errors[2] > STILL_MISSING * float(
+        content["fit"][f"noise_floor_{words.ending}"]
+    )
+
+
+def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: bool) -> str:
+    """That unseen strokes are missed by more than the noise, beside what is left of those that the fit has seen.
+
+    `unseen` is the error on unseen strokes in noise floors.
+    """
+    fitted = fitted_times(content, words, named)
+    missed = (
+        f"the {holdout.strokes(content)} are missed by {exact(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
+    )
+    if fitted is None or holdout.status(content) == holdout.SEEN:
+        return f"Something systematic is still missing: {missed}."
+    both = f"{missed}, those that the fit has seen by {exact(fitted)} times"
+    if unseen <= NOTHING_NEW * fitted:
+        return f"Something systematic is still missing: {both}. So it is in what the fit has seen as well."
+    if named:
+        changes = "So something changes from stroke to stroke that the explanation does not foresee"
+        return f"Something systematic is still missing: {both}. {changes}, or too few strokes were seen."
+    return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
+
+
+def beside_limit(ratio: float) -> str:
+    """How many times, to a hundredth where a tenth does not tell on which side of the limit it lies: 1.34, 1.5, 12."""
+    return f"{ratio:.2f}" if times(ratio) == times(STILL_MISSING) else times(ratio)
+
+
+def exact(ratio: float) -> str:
+    """How many times, to a hundredth where that decides: 1.34, 3.4, 96."""
+    return f"{ratio:.2f}" if ratio < NEAR * STILL_MISSING else times(ratio)
+
+
+def nothing_new(content: Verdict, words: Vocabulary) -> bool:
+    """Whether what is missed of unseen strokes is missed as much of those that the fit has seen."""
+    unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=True)
+    if unseen_errors is None or fitted is None:
+        return False
+    return unseen_errors[2] / float(content["fit"][f"noise_floor_{words.ending}"]) <= NOTHING_NEW * fitted
+
+
+def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | None:
+    """What the verdict's simulator leaves of the whole recording, which it was fitted to, in noise floors."""
+    evidence = content["evidence"]
+    left = evidence.get(f"calibrated_{words.ending}")
+    if named:
+        best = [shown for shown in evidence["explanations"] if shown["standing"] == "named"]
+        left = best[0][f"left_{words.ending}"] if best else None
+    return float(left) / float(evidence[f"floor_{words.ending}"]) if left is not None else None
+
+
+def inexact(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the verdict's simulator leaves more than noise of the whole recording."""
+    fitted = fitted_times(content, words, content["verdict"] in ("explained", "ambiguous"))
+    return fitted is not None and fitted > STILL_MISSING
+
+
+def left_over(content: Verdict, words: Vocabulary) -> float:
+    """What a simulator without a name leaves beyond the noise, rms, of all or of unseen strokes; 0 near the noise."""
+    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=False)
+    beyond = [0.0]
+    if fitted is not None and fitted > STILL_MISSING:
+        beyond.append(floor * math.sqrt(fitted**2 - 1.0))
+    if unseen_errors is not None and unseen_errors[2] > STILL_MISSING * noise:
+        beyond.append(math.sqrt(unseen_errors[2] ** 2 - noise**2))
+    return max(beyond)
+
+
+def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:
+    """The noise of what was compared over the whole recording, and that of unseen strokes: by name with its size."""
+    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    if not averaged(content, words):
+        return f"noise: {size(floor, words.unit)}", f"noise: {size(noise, words.unit)}"
+    over = content["evidence"].get("step_s")
+    step = f" of {duration(over)}" if over else ""
+    return f"noise of averages{step}: {size(floor, words.unit)}", f"noise of single samples: {size(noise, words.unit)}"
+
+
+def averaged(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the whole recording was compared in averages, which have less noise than its single samples."""
+    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    return bool(abs(floor - noise) > AVERAGED * noise)

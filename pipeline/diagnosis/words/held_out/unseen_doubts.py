@@ -1,0 +1,56 @@
+"""What must be known first of a simulator that errs on strokes that no fit has seen."""
+
+from ...document.content import Verdict
+from ...study.heldout import WORSE
+from ..language.quantity import percent, size
+from ..language.vocabulary import Vocabulary
+from . import holdout, in_vain, level, unseen
+
+
+def cautions(content: Verdict, words: Vocabulary) -> list[str]:
+    """What a reader must know before anything else; nothing where the simulator foretells strokes to the noise."""
+    unseen_errors = unseen.errors(content, words)
+    if unseen_errors is None:
+        return left_of_whole(content, words)
+    nominal, calibrated, explained = unseen_errors
+    noise, sentences = content["fit"][f"noise_floor_{words.ending}"], []
+    named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
+    named_helps = named and explained < nominal  # then the first line says it
+    if calibrated > WORSE * nominal and not named_helps:
+        sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
+        sentences.append(
+            f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
+            " What calibration alone learnt does not hold later: do not adopt its dimensions."
+        )
+    sentences += in_vain.unsettled(content, words)
+    if in_vain.harmful(content, words):
+        end = "adopt nothing" if holdout.other_name(content) else "do not adopt it"
+        sentences.append(f"On the {strokes} {in_vain.tried(content)} makes the calibrated simulator worse: {end}.")
+        sentences += in_vain.other_choice(content)
+    elif in_vain.improves_nothing(content, words):
+        means = (
+            "so they say nothing of it" if in_vain.too_small(content, words) else "it may be no more than a good fit"
+        )
+        other = in_vain.other_choice(content)
+        sentences += [f"O{in_vain.said(content, words)[1:]}{'' if other else f': {means}'}.", *other]
+    if unseen.partly(content, words) and content["verdict"] != "unknown":
+        lies = level.place_of_missing(content, words)
+        sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())
+    return [*sentences, *left_of_whole(content, words), *level.beaten(content, words)]
+
+
+def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:
+    """That the explanation leaves more than the noise of the whole recording, where unseen strokes do not show it.
+
+    Averages have less noise than the single samples of unseen strokes, so that they show it alone.
+    """
+    fitted = unseen.fitted_times(content, words, named=True)
+    if content["verdict"] not in ("explained", "ambiguous") or unseen.partly(content, words):
+        return []
+    if fitted is None or fitted <= unseen.STILL_MISSING:
+        return []
+    left = size(fitted * float(content["evidence"][f"floor_{words.ending}"]), words.unit)
+    more = f"{unseen.exact(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
+    none = content["evidence"].get("probability_of_none")
+    share = "" if none is None else f"; the {percent(none)} for physics that the library lacks does not cover that"
+    return [f"Something systematic is left: the explanation leaves {left} rms, {more}{share}."]

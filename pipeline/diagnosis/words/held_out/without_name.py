@@ -1,0 +1,23 @@
+"""A verdict that names no effect: whether it moved dimensions in vain, and whether what was adopted still holds."""
+
+from ...document.content import Verdict
+from ..language.vocabulary import Vocabulary
+from . import unseen
+
+LITTLE = 1.05  # times what the moved dimensions leave: who leaves no more without moving them gains nothing by it
+UNNAMED = ("consistent", "parameters")
+
+
+def kept_times(content: Verdict, words: Vocabulary) -> float:
+    """What the simulator leaves as it was adopted, in noise floors, where that explains the recording; else 0."""
+    left = content["evidence"].get(f"adopted_{words.ending}")
+    if content["verdict"] not in UNNAMED or left is None:
+        return 0.0
+    ratio = float(left) / float(content["evidence"][f"floor_{words.ending}"])
+    return ratio if ratio <= unseen.STILL_MISSING else 0.0
+
+
+def moved_in_vain(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the simulation is hardly nearer to the recording with its dimensions moved than without."""
+    before, after = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    return before is not None and after is not None and bool(before <= LITTLE * after)

@@ -1,0 +1,35 @@
+"""The words that a verdict uses, each explained in a line, for who has nothing but `details.txt`."""
+
+import re
+
+from ....ground.glossary import MEANING
+from ...document.content import Verdict
+from ...mechanisms.library import mechanisms
+from .vocabulary import Vocabulary
+
+USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
+
+
+def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
+    """The verdict's word, those of errors, then each mechanism that `text`, the verdict so far, names."""
+    used = [word for word in USUAL if re.search(rf"\b{word}\b", text)]
+    named = [id_ for id_, mechanism in mechanisms().items() if re.search(rf"\b{id_}\b", text)]
+    return [f"{word}: {on_rig(meaning(word), words)}" for word in [content["verdict"], *used, *named]]
+
+
+def meaning(word: str) -> str:
+    """What a word means; of a mechanism of a user's own, what it follows."""
+    return MEANING.get(word) or f"a mechanism of your own; it follows {mechanisms()[word].driver}."
+
+
+def on_rig(sentence: str, words: Vocabulary) -> str:
+    """A meaning, which is written for a string, in the words of a rig."""
+    if words.twisted:
+        return sentence
+    up, down = words.ways
+    sentence = sentence.replace("winding and unwinding", f"{up} and {down}").replace(
+        "first turns move", "first motion moves"
+    )
+    for of_string, own in (("string", words.string), ("twist", words.motion), ("displacement", words.reading)):
+        sentence = re.sub(rf"\b{of_string}\b", own, sentence)
+    return sentence

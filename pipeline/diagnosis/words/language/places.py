@@ -1,0 +1,24 @@
+"""Where something is, in words: motion, strokes and phase; what spans everything is not said."""
+
+from ...document.content import Part
+from .quantity import span
+from .vocabulary import Vocabulary
+
+EVERYWHERE = "over the whole range"
+NEARLY_ALL = 0.75  # of the range of motion, and of the strokes
+
+
+def place(location: Part, evidence: Part, words: Vocabulary) -> str:
+    """A box as `at 0 to 12 turns, in strokes 2 to 9, while winding`."""
+    low, high = evidence[words.driver]
+    start, end = location[words.driver]
+    parts = []
+    if end - start < NEARLY_ALL * (high - low):
+        parts.append(f"at {span(start, end, words.motion_unit, high - low)}")
+    first, last = location["strokes"]
+    earliest, latest = evidence["strokes"]
+    if last - first + 1 < NEARLY_ALL * (latest - earliest + 1):
+        parts.append(f"in stroke {first}" if first == last else f"in strokes {first} to {last}")
+    if location["phase"] != "all":
+        parts.append(words.phase(location["phase"]))
+    return ", ".join(parts) or EVERYWHERE

@@ -1,0 +1,44 @@
+"""Lines → a section of a text that a person reads: a heading, and lines no wider than a page."""
+
+import re
+import textwrap
+
+from ....ground.command import START
+
+WIDE = 112
+Sections = list[tuple[str, list[str]]]  # each a heading and its lines
+
+
+def text(sections: Sections, last: tuple[str, list[str]]) -> str:
+    """Sections of a heading and its lines as a text: the first one, all others that have lines, and the last one."""
+    first, *others = sections
+    return "\n\n".join(section(*part) for part in [first, *(part for part in others if part[1]), last])
+
+
+def shortened(line: str, most: int) -> str:
+    """The first sentences of a line that have no more than `most` letters together; the first one in any case."""
+    first, *others = re.split(r"(?<=[.:]) (?=[A-Z])", line)
+    kept = first
+    for sentence in others:
+        if len(kept) + 1 + len(sentence) > most:
+            break
+        kept += f" {sentence}"
+    return kept
+
+
+def section(head: str, lines: list[str]) -> str:
+    """A heading with its lines, wrapped."""
+    return "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
+
+
+def wrapped(line: str, indent: str) -> list[str]:
+    """A line within the width of a page, indented; a command stays whole."""
+    bare = line.lstrip()
+    if bare.startswith(START) and bare != line:
+        return [f"{indent}{line}"]
+    own = indent + " " * (len(line) - len(bare))
+    hang = re.match(r"\d+\. ", bare)
+    return textwrap.wrap(
+        bare, WIDE, initial_indent=own, subsequent_indent=own + " " * (len(hang[0]) if hang else 2),
+        break_long_words=False, break_on_hyphens=False,
+    )  # fmt: skip

@@ -1,0 +1,78 @@
+"""How exactly to measure a dimension again: to tell two values apart, or only to find a gross error."""
+
+import math
+import re
+from collections.abc import Mapping
+
+from ....ground.units import unit_of
+from ...document.bounds import at_bound
+from ...document.content import Verdict
+from ..language.quantity import listing, quantity
+from . import tolerances
+
+TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact tells the two values apart
+ENOUGH_SAID = "is enough"
+ENOUGH = 0.99  # of its tolerance: where no more is asked for, the exactness of the value in run.yaml is enough
+NEVER_SAID = ("scale", "angle_turns")  # dimensions that run.yaml has no values of
+TRADES = 0.8  # correlation of two dimensions from which on one of them alone settles little
+
+
+def tells(content: Verdict, name: str) -> str:
+    """How exactly to measure a dimension: to a third of the way that it moved."""
+    return quantity(TELLS * way(content, name), unit_of(tolerances.stem(name)))
+
+
+def way(content: Verdict, name: str) -> float:
+    """How far a dimension moved, in its unit."""
+    known = content["parameters"][name]
+    return abs(float(known["value"]) - float(known["nominal"]))
+
+
+def distance(content: Verdict, name: str) -> str:
+    """How far a dimension moved, with its unit."""
+    return quantity(way(content, name), unit_of(tolerances.stem(name)))
+
+
+def gross(content: Verdict, name: str) -> bool:
+    """Whether a dimension that somebody measured stands at its bound, so that its own tolerance is exact enough."""
+    sigma = content["evidence"].get("tolerance", {}).get(name)
+    bounds = at_bound(content["evidence"]["moved_sigma"])
+    return bool(sigma) and not assumed(name) and name in bounds and TELLS * way(content, name) >= ENOUGH * sigma
+
+
+def cell(content: Verdict, name: str) -> str:
+    """How exactly to measure a dimension, in a table: `0.0037 mm or better`, or `1 mm is enough`."""
+    if not gross(content, name):
+        return f"{tells(content, name)} or better"
+    return f"{quantity(content['evidence']['tolerance'][name], unit_of(tolerances.stem(name)))} {ENOUGH_SAID}"
+
+
+def mistakes(content: Verdict, names: Mapping[str, str]) -> list[str]:
+    """That a gross error is to be looked for, where the exactness of before is enough; nothing where it is not.
+
+    `names` are what the dimensions are called, by their own names.
+    """
+    off = [f"{distance(content, name)} for the {called}" for name, called in names.items() if gross(content, name)]
+    return [
+        f"As exact as before is enough where this says so, but look for a gross error: what fits best is three "
+        f"tolerances away, {listing(off)}. Such an error is another spool, another place or a misread scale."
+    ] * bool(off)
+
+
+def assumed(name: str) -> bool:
+    """Whether `run.yaml` gives no value of a dimension; of the stiffness too, for one that was measured never moves."""
+    return re.sub(r"_\d+$", "", name) in NEVER_SAID or name.startswith("stiffness")
+
+
+def trading(content: Verdict, names: list[str]) -> list[tuple[str, str, float]]:
+    """Pairs of dimensions that take each other's place in the fit, with their correlation, the strongest first."""
+    moves = {doubt["name"]: doubt["moves"] for doubt in content.get("uncertainty", []) if "id" not in doubt}
+    known = [name for name in names if name in moves]
+    pairs = []
+    for place, first in enumerate(known):
+        for second in known[place + 1 :]:
+            shared = sum(a * b for a, b in zip(moves[first], moves[second], strict=False))
+            whole = math.hypot(*moves[first]) * math.hypot(*moves[second])
+            if whole > 0.0 and abs(shared) >= TRADES * whole:
+                pairs.append((first, second, shared / whole))
+    return sorted(pairs, key=lambda pair: -abs(pair[2]))

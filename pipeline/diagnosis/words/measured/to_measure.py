@@ -1,0 +1,77 @@
+"""The dimensions to measure again: what run.yaml says, what fits best, how to measure, and then what."""
+
+from ...document.bounds import of_later_run
+from ...document.content import Verdict
+from ..language.table import aligned
+from ..language.vocabulary import Vocabulary
+from . import exactness, tolerances
+from .dimensions import far_moved, from_to, name_of, whence
+from .in_run_yaml import tolerance_keys
+from .tolerances import stem
+
+HEAD = ["dimension", "run.yaml says", "tolerance", "fits best", "measure to"]
+FIRST = 4  # of them, on the page
+HOW = "How each is measured: details.txt."
+DETAILS = "details.txt"
+BESIDE = 2.0  # sigma: one that moved so far is measured too where another must be, for they take each other's place
+
+
+def to_measure(content: Verdict) -> list[str]:
+    """The dimensions to measure again, the farthest first; none where none moved far."""
+    moved = content["evidence"]["moved_sigma"] if far_moved(content) else {}
+    known = [name for name in moved if name in content["parameters"] and not of_later_run(name)]
+    again = [name for name in known if abs(moved[name]) >= BESIDE]
+    return sorted(again, key=lambda name: -abs(moved[name]))
+
+
+def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
+    """Each dimension to measure again, with how it is measured below it; `short`: the first ones, without how."""
+    names, rows = to_measure(content), []
+    more = len(names) - FIRST if short else 0
+    names = names[:FIRST] if more > 0 else names
+    for name in names:
+        nominal, value = from_to(content, name)
+        given = f"{nominal} ({whence(content, name)})" if exactness.assumed(name) else nominal
+        known = tolerances.marked(content, name, words) or "–"
+        rows.append([name_of(name), given, known, value, exactness.cell(content, name)])
+    head, *lines = aligned([HEAD, *rows])
+    measured = [head]
+    for name, line in zip(names, lines, strict=True):
+        how = words.measured.get(stem(name))
+        measured += [line, *([f"    {how}"] if how and not short else [])]
+    if short:
+        rest = [f"And {more} more dimensions: {DETAILS}."] if more > 0 else []
+        return [*measured, *rest, HOW, *_together(content, names)]
+    return [
+        *measured,
+        *exactness.mistakes(content, {name: name_of(name) for name in names}),
+        *_together(content, names),
+    ]
+
+
+def _together(content: Verdict, names: list[str]) -> list[str]:
+    """The dimensions to measure in one go, since they take each other's place in the fit."""
+    return [
+        f"Measure the {name_of(first)} and the {name_of(second)} in one go: they take each other's place in the fit "
+        f"(correlation {share:.2f}), so that one of them alone settles little."
+        for first, second, share in exactness.trading(content, names)
+    ]
+
+
+def consequences(content: Verdict, then: str, short: bool) -> list[str]:
+    """What to do with what was measured; `then` is what to do where nothing changed; `short`: as one sentence."""
+    moved = to_measure(content)
+    where = ", ".join(f"{key}: …" for key in tolerance_keys(moved))
+    exact = f"- if the same, known better than its tolerance: say how well (`tolerance: {{{where}}}`)"
+    scaled = any(stem(name) == "scale" for name in moved)
+    gain = " (a gain as `scale`, its inverse: details.txt, Dimensions)" if scaled else ""
+    if short:
+        return [
+            f"Write what you measured, or how well, into run.yaml and diagnose again (how: {DETAILS}). If nothing "
+            f"changes, {then}."
+        ]
+    return [
+        f"- If you find another value: write it into run.yaml{gain}, and diagnose again;",
+        *([f"{exact} and diagnose again;"] if where else []),
+        f"- if the same, no better known: {then}. The percentages do not hold where other physics moved it.",
+    ]

@@ -1,0 +1,42 @@
+"""The table of what run.yaml has adopted: each effect by its name, as what it was adopted, how large it is here."""
+
+from ...document.content import Adoption, Part, Verdict
+from ..language.explained_words import meaning, on_rig
+from ..language.quantity import size
+from ..language.table import aligned
+from ..language.vocabulary import Vocabulary
+from .effect_table import at_the_top
+
+HEADING = "What was adopted, by the library's names"
+HEAD = ["effect", "adopted as", "its size here, rms"]
+HELD = "Sizes are what the adopted numbers do here. How sure each effect is stands in the verdict that was adopted."
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """A row for each adopted effect with what it does below it; nothing where none was, or an older file has none."""
+    entries: list[Part] = content["evidence"].get("adopted_effects", [])
+    if not entries:
+        return []
+    rows = [
+        [entry["id"], _adopted_as(content, entry["id"]), size(entry[f"rms_{words.ending}"], words.unit)]
+        for entry in entries
+    ]
+    head, *table = aligned([HEAD, *rows])
+    table_lines = [head]
+    for entry, row in zip(entries, table, strict=True):
+        does = entry["sentence"] or on_rig(meaning(entry["id"]), words)
+        top = at_the_top(content, entry.get(f"top_{words.ending}"), words)
+        table_lines += [row, f"    {does}{top}"]
+    return [*table_lines, HELD]
+
+
+def _adopted_as(content: Verdict, id_: str) -> str:
+    """Whether an effect was adopted as the one explanation, or as a part of one that tied with others."""
+    of: list[Adoption] = [adoption for adoption in content.get("adopted", []) if id_ in adoption["effects"]]
+    if not of:
+        return "nobody wrote it down"
+    sets = [of[-1]["effects"], *of[-1]["tied"]]
+    if len(sets) == 1:
+        return "explained"
+    count = sum(id_ in ids for ids in sets)
+    return f"in {'all' if count == len(sets) else count} of {len(sets)} likely explanations"

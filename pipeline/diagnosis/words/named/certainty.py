@@ -1,0 +1,200 @@
+"""Which effects are sure, which probable and which open, from how likely each is in whichever explanation; in words."""
+
+from ...document.bounds import at_bound
+from ...document.content import Verdict, mismatch_of
+from ...document.time_constants import time_constants_s
+from ...mechanisms.library import mechanisms
+from ..explanations import probability, rivals
+from ..held_out import in_vain
+from ..language.quantity import duration, listing, percent, size
+from ..language.vocabulary import Vocabulary
+from ..measured.dimensions import far_moved, name_of
+from . import coarse
+from .missing_signs import missing
+
+SURE, PROBABLE = 0.8, 0.5
+MORE = 0.02  # of a probability: what a reader wonders about
+ALSO_ELSEWHERE = (
+    "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
+    "more than the {} of this one explanation."
+)
+COMPARES = (
+    "The percentages compare explanations made of the library's effects, in which each dimension may move by up to "
+    "three times its tolerance"
+)
+WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
+
+
+def slow_others(slow: list[str]) -> list[str]:
+    """The other slow effects of the library."""
+    return [id_ for id_, mechanism in mechanisms().items() if mechanism.slow and id_ not in slow]
+
+
+def is_likely(content: Verdict, id_: str) -> bool:
+    """Whether a named effect is so likely among the library's that it is sure, if nothing holds that back."""
+    return known(content).get(id_, 0.0) >= SURE
+
+
+def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
+    """Why an effect is not called sure, however likely it is among the library's: ends a phrase with `while`."""
+    lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
+    not_recorded = f"no other {listing(list(lacks), 'and no other')} was recorded" if lacks else ""
+    return at_limit(content) or coarse.too_small(content, words, id_) or in_vain.doubt(content, words) or not_recorded
+
+
+def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
+    """The named effects that are slow, where a recording under one load cannot tell them from others that are."""
+    if content["evidence"]["loaded"] or words.load is None:
+        return []
+    return [entry["id"] for entry in content["mechanisms"] if mechanisms()[entry["id"]].slow]
+
+
+def asks(content: Verdict, words: Vocabulary) -> list[str]:
+    """The test at the rig that tells slow effects apart, with its least time; nothing where none is named."""
+    slow = slow_alike(content, words)
+    if not slow:
+        return []
+    tests = "; ".join(dict.fromkeys(mechanisms()[id_].told_apart_by for id_ in slow))
+    named = [entry for entry in content["mechanisms"] if entry["id"] in slow]
+    longest_s = max((seconds for entry in named for seconds in time_constants_s(entry)), default=0.0)
+    enough = f"Hold and rest for {duration(2.0 * longest_s)} or longer each: twice its time constant."
+    least = f" {enough}" if longest_s else ""
+    run = " The run to make next is not this test." if content.get("next_run") else ""
+    return [f"What tells {listing(slow)} from what looks like it: {tests}.{least}{run}"]
+
+
+def limits(content: Verdict) -> str:
+    """What the percentages stand on, and which dimensions are at the end of it."""
+    at_limit = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
+    if not at_limit:
+        return f"{COMPARES}."
+    stand = f"The {listing(at_limit)} {'stand' if len(at_limit) > 1 else 'stands'} at that limit"
+    return f"{COMPARES}. {stand}: measured better, {'they' if len(at_limit) > 1 else 'it'} can change the percentages."
+
+
+def at_limit(content: Verdict) -> str:
+    """The dimensions that stand at their limit and are to be measured again: names are provisional while they do."""
+    limited = [f"the {name_of(name)}" for name in at_bound(far_moved(content)) if name in content["parameters"]]
+    return f"{listing(limited)} {'stand at their' if len(limited) > 1 else 'stands at its'} limit" if limited else ""
+
+
+def known(content: Verdict) -> dict[str, float]:
+    """How likely each named effect is at work; nothing where no probability is known."""
+    if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
+        return {}
+    return {entry["id"]: entry["confidence"] for entry in content["mechanisms"] if "confidence" in entry}
+
+
+def summary(content: Verdict, words: Vocabulary) -> list[str]:
+    """The effects by how sure each is; those that only an explanation beside the best one has are open."""
+    shares = known(content)
+    likely = {id_: f"{id_} ({percent(share)})" for id_, share in shares.items() if share >= SURE}
+    reasons = {id_: held_back(content, words, id_) for id_ in likely}
+    sure = f"Sure ({percent(SURE)} or more)"
+    likely_while: dict[str, list[str]] = {sure: []}
+    for id_, reason in reasons.items():
+        likely_while.setdefault(f"Probable while {reason}" if reason else sure, []).append(likely[id_])
+    probable = [f"{id_} ({percent(share)})" for id_, share in shares.items() if PROBABLE <= share < SURE]
+    doubtful = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share < PROBABLE]
+    others = {id_: probability.at_work(content, id_) for ids in content["alternatives"] for id_ in ids}
+    beside = [f"{id_} ({percent(share)})" for id_, share in others.items() if id_ not in shares]
+    groups = {
+        **likely_while,
+        f"Probable ({percent(PROBABLE)} or more)": probable,
+        "Open": [*doubtful, *beside],
+    }
+    sentences = [f"{word}: {listing(ids)}." for word, ids in groups.items() if ids]
+    also = [*to_write(content, words), *_than_the_explanation(content), limits(content)]
+    return [" ".join(sentences), *also] if shares else []
+
+
+def to_write(content: Verdict, words: Vocabulary) -> list[str]:
+    """Which word a paper should use, and why, of each effect whose percentage alone would make it sure."""
+    reasons: dict[str, list[str]] = {}
+    for id_ in known(content):
+        reason = held_back(content, words, id_)
+        if reason and is_likely(content, id_):
+            reasons.setdefault(reason, []).append(id_)
+    return [
+        f"In a paper call {listing(ids)} probable, not sure: from {percent(SURE)} on the word is sure, but {reason}."
+        for reason, ids in reasons.items()
+    ]
+
+
+def _than_the_explanation(content: Verdict) -> list[str]:
+    """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
+    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    if content["alternatives"] or share is None or max(known(content).values(), default=0.0) < share + MORE:
+        return []
+    return [ALSO_ELSEWHERE.format(percent(share))]
+
+
+def sizes(content: Verdict, words: Vocabulary) -> list[str]:
+    """How much is missing, and which effects' own sizes the recording leaves open; nothing where nothing is named."""
+    if content["verdict"] not in ("explained", "ambiguous") or not content["mismatch"]:
+        return []
+    missing = size(mismatch_of(content)[f"rms_{words.ending}"], words.unit)
+    sizes_of = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
+    poorly = [f"{id_} ({span(low, high, words)})" for id_, (low, high) in poorly_known(content, words).items()]
+    own = f"Poorly known is how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone" if poorly else ""
+    if not poorly and all(known["high"] > known["low"] for known in sizes_of.values()):
+        own = "Each effect's own size is known" if len(sizes_of) > 1 else "The effect's own size is known"
+        own += f" to {percent(max(_half(known) for known in sizes_of.values()))} or better"
+    return [f"Size: {missing} rms is missing after calibration.{f' {own}, if this explanation is right.' * bool(own)}"]
+
+
+def _half(known: dict[str, float]) -> float:
+    """The longer half of an interval, as a share of the value."""
+    longer = max(known["high"] - known["value"], known["value"] - known["low"])
+    return longer / known["value"] if known["value"] else 0.0
+
+
+def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, float]]:
+    """The effects whose own size the recording leaves open, each with its interval."""
+    sizes_of = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
+    return {
+        id_: (known["low"], known["high"])
+        for id_, known in sizes_of.items()
+        if wide(known) or hidden(known["value"], content, words)
+    }
+
+
+def partly_hidden(content: Verdict, words: Vocabulary) -> list[str]:
+    """The effects that are larger than what is missing, so that moved dimensions must take some of each back."""
+    key = f"rms_{words.ending}"
+    limit = rivals.MORE * mismatch_of(content)[key] if content["mismatch"] else float("inf")
+    return [entry["id"] for entry in content["mechanisms"] if entry[key]["value"] > limit]
+
+
+def wide(known: dict[str, float]) -> bool:
+    """Whether the interval of a size is wide."""
+    return known["high"] > max(WIDE * known["low"], known["low"])
+
+
+def hidden(own: float, content: Verdict, words: Vocabulary) -> bool:
+    """Whether an effect is far larger than what is missing, so that moved dimensions must take most of it back."""
+    return bool(own > rivals.LARGER * mismatch_of(content)[f"rms_{words.ending}"])
+
+
+def span(low: float, high: float, words: Vocabulary) -> str:
+    """An interval of a size: `0 to 0.40 mm`."""
+    least, most = size(low, words.unit), size(high, words.unit)
+    return f"{least.removesuffix(most[most.find(' ') :])} to {most}"
+
+
+def needed(content: Verdict) -> list[str]:
+    """What to think of an effect of the best explanation that is less likely than not."""
+    best = {entry["id"] for entry in content["mechanisms"]}
+    others = [set(ids) for ids in content["alternatives"]]
+    lines = []
+    for id_, share in known(content).items():
+        rest = best - {id_}
+        swapped = [ids - rest for ids in others if ids >= rest]
+        if share >= PROBABLE:
+            continue
+        if others and len(swapped) == len(others) and all(len(swap) == 1 for swap in swapped):
+            instead = dict.fromkeys(other for swap in swapped for other in sorted(swap))
+            lines.append(f"One of {listing([id_, *instead])} is needed; which one is open.")
+        else:
+            lines.append(f"{id_} is more likely absent than at work ({percent(share)}).")
+    return lines

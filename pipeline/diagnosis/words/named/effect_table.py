@@ -1,0 +1,160 @@
+"""The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
+
+from ...document.content import Part, Verdict, mismatch_of
+from ..explanations import probability
+from ..language.explained_words import meaning, on_rig
+from ..language.quantity import at, listing, percent, size
+from ..language.table import aligned
+from ..language.vocabulary import Vocabulary
+from ..measured.dimensions import far_moved, name_of
+from . import cancelling, certainty
+from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, own_with_interval
+
+HEADING = "What acts, by the library's names"
+HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
+PROBABLY = "probable"
+OF_IT = "of it no dimension could do"
+NO_SIZE = "–"  # of an effect that the best explanation has not
+UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of that size, however sure the effect is."
+TAKEN_BACK = (
+    "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
+)
+ELSEWHERE, CHIEF = 0.5, 3  # tolerances that a dimension moved in an effect's place, to be named; how many are
+NEAR_0 = 0.02  # of an interval's upper end: a lower end that is less reads as 0
+BOTH_HOLD = (
+    "{} {} though the interval reaches 0, and both hold: the percentage compares explanations by all signs in the "
+    "recording; the interval says how much of the size dimensions or other effects could take over."
+)
+IN_ALL = "A part of {} no dimension could do: {}. The rest {} could do as well. Sizes in rms do not subtract."
+SOME_TAKEN_BACK = (
+    "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
+    "its own size stands and falls with them."
+)
+
+
+def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
+    """The effects of the best explanation, then those that only another likely one has; nothing where none is named.
+
+    `short`: a line on each effect, and no more remarks than which effect is open and whose the sizes are.
+    """
+    if not content["mechanisms"]:
+        return []
+    shares = certainty.known(content)
+    entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
+    parts = any(own_part(entry, content, words) for entry in entries)
+    sizes = {entry["id"]: in_columns(entry, content, words, parts, short) for entry in entries}
+    columns = [*HEAD, *([OF_IT] if parts else [])]
+    rows = [[id_, how_sure(content, id_, words), *cells] for id_, cells in sizes.items()]
+    elsewhere = only_elsewhere(content)
+    rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
+    head, *table = aligned([columns, *rows])
+    does = {} if short else {entry["id"]: entry["sentence"] for entry in entries}
+    table_lines = [head]
+    for (id_, *_), row in zip(rows, table, strict=True):
+        what = does.get(id_) or on_rig(meaning(id_), words)
+        table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}"]
+    several = len(content["mechanisms"]) > 1 and content["alternatives"]
+    whose = ["Sizes are those of the best explanation."] if several else []
+    if short:
+        against = cancelling.lines(content, entries, words)
+        return [
+            *table_lines,
+            *_in_one([*certainty.needed(content), *whose, *against]),
+            *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
+        ]
+    thoughts = [own_size(entry, content, words) for entry in entries]
+    return [
+        *table_lines,
+        *_in_all(content, entries, words),
+        *_in_one([*certainty.needed(content), *whose]),
+        *cancelling.lines(content, entries, words),
+        *_sure_and_near_0(content, entries, words),
+        *([UNSURE_SIZE] if any(POORLY in thought for thought in thoughts) else []),
+        *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in thought for thought in thoughts) else []),
+        *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in thought for thought in thoughts) else []),
+    ]
+
+
+def _in_all(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+    """The part of each effect that no dimension could do, and what could do the rest; nothing where it is the whole."""
+    parts = {
+        entry["id"]: own_with_interval(entry, content, words) for entry in entries if own_part(entry, content, words)
+    }
+    sizes = [f"{id_} {part}" if len(parts) > 1 else part for id_, part in parts.items()]
+    return [IN_ALL.format(listing(list(parts)), listing(sizes), _in_its_place(content))] if parts else []
+
+
+def _in_its_place(content: Verdict) -> str:
+    """The dimensions that calibration alone moves elsewhere than the explanation does, the farthest first."""
+    alone, beside = content["evidence"].get("moved_alone_sigma", {}), content["evidence"]["moved_sigma"]
+    apart = {name: abs(alone[name] - beside[name]) for name in alone if name in beside}
+    names = [name for name in sorted(apart, key=lambda name: -apart[name]) if apart[name] >= ELSEWHERE][:CHIEF]
+    return f"a slightly different {listing([name_of(name) for name in names])}" if names else "moved dimensions"
+
+
+def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+    """Why an effect can be sure whose interval reaches 0; nothing where none is so."""
+    shares, sizes = certainty.known(content), {entry["id"]: entry[f"rms_{words.ending}"] for entry in entries}
+    both = [
+        id_
+        for id_, known in sizes.items()
+        if shares.get(id_, 0.0) >= certainty.SURE and known["low"] <= NEAR_0 * known["high"] and known["value"]
+    ]
+    are = "are" if len(both) > 1 else "is"
+    sure = "probable" if any(certainty.held_back(content, words, id_) for id_ in both) else "sure"
+    return [BOTH_HOLD.format(listing(both), f"{are} {sure}")] if both else []
+
+
+def _in_one(sentences: list[str]) -> list[str]:
+    """Short sentences as one line, which takes less of a page."""
+    return [" ".join(sentences)] if sentences else []
+
+
+def _of_strokes(content: Verdict, id_: str, words: Vocabulary) -> str:
+    """What a named effect does from stroke to stroke."""
+    return at_the_top(content, content["evidence"].get(f"tops_{words.ending}", {}).get(id_), words)
+
+
+def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str:
+    """By how much a slow effect moves the reading at the highest motion from stroke to stroke: what a person sees.
+
+    `change` is from the first stroke to the last.
+    """
+    if not change or abs(change) < content["evidence"][f"floor_{words.ending}"]:
+        return ""
+    low, high = content["evidence"][words.driver]
+    top, way = at(high, words.motion_unit, high - low), "more" if change > 0.0 else "less"
+    return (
+        f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke than in the first, which no "
+        "dimension can do."
+    )
+
+
+def only_elsewhere(content: Verdict) -> list[str]:
+    """The effects that only another likely explanation has, the likeliest first."""
+    best = {entry["id"] for entry in content["mechanisms"]}
+    others = dict.fromkeys(id_ for ids in content["alternatives"] for id_ in ids if id_ not in best)
+    return sorted(others, key=lambda id_: -probability.at_work(content, id_))
+
+
+def how_sure(content: Verdict, id_: str, words: Vocabulary) -> str:
+    """How probable an effect is, with the word for it; where that is unknown, in how many explanations it is."""
+    if not certainty.known(content):
+        sets = [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
+        return "named" if len(sets) == 1 else f"in {sum(id_ in ids for ids in sets)} of {len(sets)} explanations"
+    share = certainty.known(content).get(id_, probability.at_work(content, id_))
+    named = {entry["id"] for entry in content["mechanisms"]}
+    surely = share >= certainty.SURE and not certainty.held_back(content, words, id_)
+    probably = share >= certainty.SURE or (share >= certainty.PROBABLE and id_ in named)
+    word = "sure" if surely else PROBABLY if probably else "open"
+    return f"{word}, {percent(share)}"
+
+
+def only_probable(content: Verdict, words: Vocabulary) -> list[str]:
+    """The named effects that are called probable."""
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    return [id_ for id_ in ids if how_sure(content, id_, words).startswith(PROBABLY)]
+
+
+def _missing(content: Verdict, words: Vocabulary) -> str:
+    return size(mismatch_of(content)[f"rms_{words.ending}"], words.unit)

@@ -1,0 +1,149 @@
+"""A named mechanism → its sentence: the library's words with the size, the reach and the parameters that were found."""
+
+import re
+from string import Formatter
+
+from ...document.content import Part
+from ...document.time_constants import BRANCH_S, time_constants_s
+from ...mechanisms.interface import Mechanism
+from ...recording.system_units import Units
+from ..language.quantity import duration, listing, quantity, size
+from ..language.vocabulary import Vocabulary
+from .certainty import SURE
+
+CALCULATED = (
+    "a temperature that is calculated from how fast and under what load the motor moves (it is not a measured one)"
+)
+NOTHING = (
+    "The search's first fit, which is an approximation, gave it a part, but the exact fit of everything together gives "
+    "it a strength of 0."
+)
+BETWEEN_RUNS = {
+    0.0: "Its memory fits best as going on from run to run, a minute apart.",
+    1.0: "It fits best with each run begun as the first one was: what it had done was gone between the runs.",
+    2.0: "It fits best with the {string} loaded for long before each later run.",
+}  # by the way in which a later run begins
+CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
+
+
+def sentence(
+    mechanism: Mechanism, entry: Part, span: float | None, words: Vocabulary, units: Units,
+    opened: Part | None = None, trend: float | None = None,
+) -> str:  # fmt: skip
+    """What a mechanism does on this rig, in one sentence; `entry` is its own of `mechanisms`, `span` low to high.
+
+    `opened` is its loop: the width, and the motion where it is so wide; None where no whole strokes show one. `trend`:
+    by how much it moves the reading in the course of the recording; None in an older file.
+    """
+    worth = entry[f"rms_{words.ending}"]["value"]
+    if not worth:
+        return f"{NOTHING} So nothing shows that it is at work."
+    fields = {**words.fields, "size": f"{size(worth, words.unit)} rms"}
+    fields["span"] = size(span, words.unit) if span is not None else ""
+    fields["lowers"] = "moves" if not trend else "raises" if trend > 0.0 else "lowers"
+    fields["grows"] = "changes" if not trend else "grows" if trend > 0.0 else "falls"
+    fields["loop"] = loop(fields["span"], words, opened)
+    fields["times"] = time_constants(entry["parameters"])
+    fields["temperature"] = CALCULATED if calculated(mechanism, entry) else "the measured temperature"
+    phrase = filled(mechanism.sentence, fields).rstrip(".")
+    detail = details(mechanism, entry["parameters"], words, units)
+    return f"{phrase}{': ' if detail else ''}{detail}."
+
+
+def loop(span: str, words: Vocabulary, opened: Part | None) -> str:
+    """By how much both ways differ at one place, and where; where that is unknown, the span, called what it is."""
+    if opened:
+        near = quantity(opened[words.driver], words.motion_unit)
+        widths = [
+            f"{size(width, words.unit)} under {quantity(load, words.load_unit)}"
+            for load, width in opened.get("by_load", [])
+        ]
+        return f"up to {listing(widths) or size(opened[f'width_{words.ending}'], words.unit)}, most near {near}"
+    return f"{span} from the lowest to the highest value" if span else ""
+
+
+def interval(entry: Part, words: Vocabulary, limit: str = "") -> str:
+    """The 90 % interval of an effect's size, or why it has none; nothing where the size is 0.
+
+    `limit` names the dimensions that stand at their limit, while which nothing is sure.
+    """
+    known = entry[f"rms_{words.ending}"]
+    if not known["value"]:
+        return ""
+    if known["high"] <= known["low"]:
+        return "Its rms has no interval: the fit gives it one value alone."
+    low, high = (size(known[end], words.unit) for end in ("low", "high"))
+    unit = high.partition(" ")[2]
+    phrase = f"90 % interval of its rms, if this explanation is right: {low.removesuffix(f' {unit}')} to {high}."
+    if known["low"] > 0.0 or entry.get("confidence", 0.0) < SURE:
+        return phrase
+    sure = f"probable while {limit}" if limit else "sure"
+    return f"{phrase} That it is there is {sure}, its size is not: dimensions or other effects can take its place."
+
+
+def between_runs(entry: Part, words: Vocabulary) -> str:
+    """In what state the runs of one diagnosis begin, where an effect remembers; nothing where it does not."""
+    way = entry["parameters"].get("later_runs")
+    return BETWEEN_RUNS[way["value"]].format(**words.fields) if way else ""
+
+
+def calculated(mechanism: Mechanism, entry: Part) -> bool:
+    """Whether a mechanism follows a temperature, and this one is that of self-heating, from the motion."""
+    return "{temperature}" in mechanism.sentence and not entry["parameters"].get("measured", {"value": 0.0})["value"]
+
+
+def filled(template: str, fields: dict[str, str]) -> str:
+    """A template with its fields; the words around a field that has nothing to say go with it."""
+    parts = re.split(r"(?<=,) ", template)
+    kept = [part for part in parts if all(fields.get(name, "") for name in names_in(part))]
+    if len(kept) == len(parts):
+        return template.format(**fields)
+    return f"{' '.join(part.format(**fields) for part in kept).rstrip(',.')}."
+
+
+def names_in(template: str) -> list[str]:
+    """The fields of a template."""
+    return [name for _, name, _, _ in Formatter().parse(template) if name]
+
+
+def details(mechanism: Mechanism, parameters: Part, words: Vocabulary, units: Units) -> str:
+    """The first detail whose parameters were all found, once for every event."""
+    for template in mechanism.details:
+        wanted = {name: units.name(name) for name in names_in(template) if name not in words.fields}
+        phrases = []
+        for number in range(1, mechanism.steps + 1):
+            ending = "" if number == 1 else f"_{number}"
+            values = {name: parameters.get(f"{key}{ending}") for name, key in wanted.items()}
+            if any(value is None or not value["value"] for value in values.values()):
+                continue
+            spelled = {name: with_interval(value) for name, value in values.items() if value}
+            phrases.append(template.format(**words.fields, **spelled))
+        if phrases:
+            return listing(phrases)
+    return ""
+
+
+def with_interval(known: Part) -> str:
+    """A constant of an effect with its 90 % interval, if it has one: `0.141 turns (0.137 to 0.144)`."""
+    value, low, high = (quantity(known[key], known["unit"], digits=3) for key in ("value", "low", "high"))
+    unit = value.partition(" ")[2]
+    return value if low == high else f"{value} ({low.removesuffix(unit).strip()} to {high.removesuffix(unit).strip()})"
+
+
+def has_constants(entry: Part) -> bool:
+    """Whether an effect's sentence gives a constant with its interval."""
+    return bool(CONSTANT.search(entry["sentence"]))
+
+
+def time_constants(parameters: Part) -> str:
+    """The time constants that carry most of an effect, from the names of its strengths."""
+    kept = time_constants_s(
+        {"parameters": {name: value for name, value in parameters.items() if BRANCH_S.search(name)}}
+    )
+    if not kept:
+        return ""
+    longest = parameters.get("slowest_s", {"value": None})["value"]
+    bound = f" ({duration(kept[-1])} is the longest, so it may be longer)" if kept[-1] == longest else ""
+    if len(kept) == 1:
+        return f"best with a time constant of {duration(kept[0])} of those that were tried{bound}"
+    return f"best with time constants of {duration(kept[0])} to {duration(kept[-1])} of those that were tried{bound}"

@@ -1,0 +1,71 @@
+"""The size of a named effect in a cell: what no dimension could do of it, all of it, and what to think of that."""
+
+from ...document.content import Part, Verdict
+from ..language.quantity import size
+from ..language.vocabulary import Vocabulary
+from . import certainty
+
+POORLY, HIDDEN, PARTLY = ", poorly known", ", poorly known: mostly hidden", ", partly hidden"
+PART = "the part that no dimension could do"
+OWN = 0.8  # of an effect's size: a part that no dimension could do stands first if it is less
+
+
+def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
+    """How much an effect moves the reading, with its interval if it has one, and what to think of it."""
+    known = entry[f"rms_{words.ending}"]
+    if not known["value"]:
+        return "none"
+    if known["high"] <= known["low"]:
+        return size(known["value"], words.unit)
+    if own_part(entry, content, words):
+        poorly = POORLY if certainty.wide(known) else ""
+        return f"{own_with_interval(entry, content, words)}, in all {size(known['value'], words.unit)}{poorly}"
+    return f"{with_interval(entry, words)}{doubt_of(entry, content, words)}"
+
+
+def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, short: bool) -> list[str]:
+    """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one.
+
+    `short`: of what to think of the size, no more than that it is poorly known.
+    """
+    known = entry[f"rms_{words.ending}"]
+    if not known["value"]:
+        return ["none", *["–"] * parts]
+    whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
+    part = own_part(entry, content, words)
+    doubt = "" if part else doubt_of(entry, content, words)  # a part says by itself that the rest is hidden
+    doubt = POORLY if certainty.wide(known) or (short and doubt == HIDDEN) else "" if short else doubt
+    return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
+
+
+def with_interval(entry: Part, words: Vocabulary, factor: float = 1.0) -> str:
+    """All of an effect with its 90 % interval, or a part of it, `factor` of all: 0.25 mm (0.21 to 0.32 mm)."""
+    value, low, high = (factor * entry[f"rms_{words.ending}"][end] for end in ("value", "low", "high"))
+    return f"{size(value, words.unit)} ({certainty.span(low, high, words)})"
+
+
+def own_with_interval(entry: Part, content: Verdict, words: Vocabulary) -> str:
+    """The part of an effect that no dimension could do: as a share of its strength, it is as uncertain as that."""
+    own = own_part(entry, content, words)
+    return with_interval(entry, words, own / entry[f"rms_{words.ending}"]["value"])
+
+
+def reportable(entry: Part, content: Verdict, words: Vocabulary) -> bool:
+    """Whether an effect has a size that can be reported: all of it, or the part that no dimension could do."""
+    doubt = doubt_of(entry, content, words)
+    narrow = not certainty.wide(entry[f"rms_{words.ending}"])
+    return narrow and (not doubt or own_part(entry, content, words) > 0.0)
+
+
+def doubt_of(entry: Part, content: Verdict, words: Vocabulary) -> str:
+    """What to think of an effect's size: that it is poorly known, or hidden; nothing where it is known."""
+    known = entry[f"rms_{words.ending}"]
+    much = content["mismatch"] and certainty.hidden(known["value"], content, words)
+    partly = entry["id"] in certainty.partly_hidden(content, words)
+    return HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if partly else ""
+
+
+def own_part(entry: Part, content: Verdict, words: Vocabulary) -> float:
+    """How much of an effect no dimension could do, rms, where that is clearly less than all of it; else 0."""
+    left = content["evidence"].get(f"beyond_dimensions_{words.ending}", {}).get(entry["id"])
+    return float(left) if left and left < OWN * entry[f"rms_{words.ending}"]["value"] else 0.0

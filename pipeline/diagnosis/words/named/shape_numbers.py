@@ -1,0 +1,81 @@
+"""What the numbers in the formulas themselves mean, by their names: places, widths, times, and what was chosen."""
+
+from ....ground.units import unit_of
+from ...facts.mechanism_entries import unit_of_nonlinear
+from ..language.quantity import said_unit
+from ..language.vocabulary import Vocabulary
+
+CHOSEN = "a number in the formula itself, chosen by the search or fitted"
+SCALE = "for scale alone, so that the numbers above are of its size"
+MEANS = {
+    "at_s": "when it happens, from the start of the recording; below 0: a little in every stroke",
+    "back_share": "how much of the reach is given back at a slip, as a share of it",
+    "critical_turns": "the {motion} from which on it acts",
+    "damping": "how fast the swing dies: 0 never, 1 at once",
+    "falls_turns_per_s": "the speed above which it is gone",
+    "fastest_s": "the shortest time constant that the recording could show",
+    "fastest_turns_per_s": "the highest speed of the recording, {scale}",
+    "forgets_s": "how long it shows afterwards",
+    "frequency_hz": "how fast it swings, under 10 N",
+    "fresh": "1 means: the {string} was first loaded at the first sample, and 0: it had been loaded for long before",
+    "from_load": "the load, in 10 N, at which it does nothing",
+    "from_turns": "where the travel begins",
+    "half_turns": "half the width of the narrow stop that rounds the loop",
+    "half_waves": "by how many half waves over the recording it may wander",
+    "half_width_turns": "the widest part of the play; half the play is a share of it, which the verdict gives in turns",
+    "heavy_slow": "1 means: it swings slower under a heavier load, and 0: always alike",
+    "highest_pressure": "the highest load x tan(helix angle)^2 of the recording, {scale}",
+    "highest_torque": "the highest torque of the recording, {scale}",
+    "hz": "how often it comes in a second",
+    "load_power": "to which power the load counts in the work: 0 not at all, 1 in proportion",
+    "loaded": "1 means: the load varied, so that parts that grow with it were tried, and 0: it did not",
+    "later_runs": (
+        "0 means: each later run goes on from the one before, a minute after it; 1: it begins as the first one did; "
+        "2: the {string} had been loaded for long before it"
+    ),
+    "loop_turns": "over which {motion} the part that rubs turns round",
+    "measured": "1 means: it follows the measured temperature, and 0: one that is calculated from the motion",
+    "play_turns": "half the width of the play under the usual load",
+    "reach_mm": "how far the reading falls behind before it slips",
+    "rim_mm": "the reading at which it overflows, from where the recording begins",
+    "sag_mm": "the whole slack, as a length",
+    "second_hz": "how fast the second swing is",
+    "side": "1 means: at the upper end; -1 means: at the lower end",
+    "sign": "1 means: more, as thicker or longer, with what it follows; -1 means: less",
+    "slow_turns_per_s": "the speed below which what slides begins to stick",
+    "slowest_s": "the longest time constant that the recording could show",
+    "soft_mm": "how softly the stop begins: 0 is hard",
+    "softness": "how softly it ends, as a share of the slack",
+    "softness_turns": "how softly it begins",
+    "span_turns": "the range of the {motion}, {scale}",
+    "steepest": "the largest tan(helix angle) of the recording, {scale}",
+    "stop": "1 means: a stop holds the slack, as a length, and 0: it is {motion} that does nothing",
+    "stop_mm": "where the reading stops, from where the recording begins",
+    "take_up_mm": "the slack, as a length",
+    "take_up_turns": "the {motion} that the slack takes up",
+    "top_turns": "the highest {motion} of the recording, {scale}",
+    "travel_turns": "the whole travel of the recording, {scale}",
+    "usual_load": "the usual load, in 10 N, {scale}",
+    "usual_rate": "the usual speed, in {motion_unit}/s: far below it is slow",
+    "wheel_mm": "the circumference of the sensor's wheel; 0: it follows the motor's own turn",
+    "whole_s": "the length of the recording, {scale}",
+    "wide_half_turns": "half the width of the wide stop that rounds the loop",
+    "within_s": "in which time it is over; 0: at once",
+    "work": "the whole work of the recording, {scale}",
+}
+
+
+def meaning_of(key: str) -> str:
+    """What the library's number `key` is, with fields for the rig's words; nothing where nobody said it."""
+    return (
+        "how much of what heats there usually is, {scale}"
+        if key.startswith("usual_") and key not in MEANS
+        else (MEANS.get(key, ""))
+    )
+
+
+def shape_number(key: str, name: str, words: Vocabulary) -> str:
+    """Unit and meaning of the library's number `key`, which is called `name` on this rig; goes after its value."""
+    unit = said_unit(unit_of(name)) if unit_of_nonlinear(key) != "1" else ""
+    fields = {"scale": SCALE, "motion": words.motion, "string": words.string, "motion_unit": words.motion_unit}
+    return f"{f' {unit}' if unit else ''}: {meaning_of(key).format(**fields) or CHOSEN}."

@@ -1,0 +1,96 @@
+"""Of each slow effect that looks like a named one under one load: excluded by this recording, or open; in words."""
+
+from ...document.content import Part, Verdict
+from ...mechanisms.library import mechanisms
+from ..explanations import other_effects
+from ..language.quantity import listing, size, times
+from ..language.vocabulary import Vocabulary
+from . import certainty
+
+EXCLUDED = (
+    "Excluded means: not in the place of {}, so you may write that it alone is excluded. Beside {} it may still act, "
+    "but too little to be named."
+)
+
+
+def excluded(content: Verdict, words: Vocabulary) -> dict[str, str]:
+    """The look-alikes that this recording excludes, each with by what: whatever its law, it is still while others act.
+
+    Nothing where the motor never stood long enough, and of a file that does not say what each effect leaves.
+    """
+    first, *others = content["evidence"].get("not_kept") or [None]
+    if first is None:
+        return {}
+    floor, out = content["evidence"][f"floor_{words.ending}"], {}
+    for entry in others:
+        if entry["id"] in _all(content, words) and (wrong := other_effects.wrong_standing(entry, first, floor, words)):
+            out[str(entry["id"])] = f"while the motor stands it is wrong by {listing(wrong)}"
+    return out
+
+
+def still_open(content: Verdict, words: Vocabulary) -> list[str]:
+    """The look-alikes that this recording does not exclude."""
+    out = excluded(content, words)
+    return [id_ for id_ in _all(content, words) if id_ not in out]
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """A sentence for each look-alike, for the details; nothing where no slow effect is named under one load."""
+    slow = certainty.slow_alike(content, words)
+    if not slow:
+        return []
+    named, out = listing(slow), excluded(content, words)
+    sentences = [f"- {id_}: excluded in the place of {named} by this recording: {why}." for id_, why in out.items()]
+    sentences += [f"- {id_}: open{_why_open(content, id_, words)}" for id_ in still_open(content, words)]
+    meant = [EXCLUDED.format(named, named)] if out else []
+    sure = f" {_how_sure(content, slow)}" if still_open(content, words) else ""
+    head = f"Under one load slow effects look alike.{sure} What {named} could be instead:"
+    return [head, *sentences, *meant]
+
+
+def doubts(content: Verdict, words: Vocabulary) -> list[str]:
+    """What the page says first of the look-alikes that are open; nothing where none is."""
+    slow, may_be = certainty.slow_alike(content, words), still_open(content, words)
+    if not slow or not may_be:
+        return []
+    return [
+        f"Under one load slow effects look alike: what is called {listing(slow)} here can be {listing(may_be, 'or')}. "
+        f"{_how_sure(content, slow)}"
+    ]
+
+
+def _how_sure(content: Verdict, slow: list[str]) -> str:
+    """How sure it is that one of the `slow` effects acts, whichever."""
+    surely = not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
+    return f"That something slow acts is {'sure' if surely else 'likely'}; its name is not sure."
+
+
+def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
+    """What a report must add to the slow effects among those at work that are `sure`; ends a statement."""
+    slow = [id_ for id_ in certainty.slow_alike(content, words) if id_ in sure]
+    may_be, out = still_open(content, words), list(excluded(content, words))
+    if not slow:
+        return ""
+    if may_be:
+        rest = f"one load cannot tell it from {listing(may_be, 'or')}"
+        return f" ({listing(slow)} as the library's name for a slow effect: {rest})"
+    return f"; not {listing(out, 'or')} in its place, which are wrong while the motor stands"
+
+
+def _all(content: Verdict, words: Vocabulary) -> list[str]:
+    slow = certainty.slow_alike(content, words)
+    return certainty.slow_others(slow) if slow else []
+
+
+def _why_open(content: Verdict, id_: str, words: Vocabulary) -> str:
+    """Why a look-alike is open, and what recording would tell it from what is named."""
+    tells = f"A recording tells: {mechanisms()[id_].told_apart_by}."
+    if any(id_ in ids for ids in content["alternatives"]):
+        return f": another likely explanation has it. {tells}"
+    entry: Part = next((entry for entry in content["evidence"].get("not_kept", []) if entry["id"] == id_), {})
+    left = entry.get(f"left_{words.ending}")
+    if left is None:
+        return f": this recording does not show it. {tells}"
+    ratio = times(left / content["evidence"][f"floor_{words.ending}"])
+    leaves = f"the library's formula of it leaves {size(left, words.unit)} ({ratio} times the noise)"
+    return f": {leaves}, but another law of it could do what is seen. {tells}"

@@ -1,0 +1,76 @@
+"""The ready lines that make a proposed run: its folder, its recording, and its diagnosis together with the old one."""
+
+import shlex
+from pathlib import Path
+
+from ....ground.command import command
+from ....ground.errors import BadInput
+from ....run.folder import read_run
+from ....run.whence import mapping_of, own_log
+
+DIAGNOSE = command("diagnose")
+CAPTURE = (
+    "PORT is the rig's; --text where it prints lines of numbers. With a file of your own logger give new_run "
+    "--recording FILE instead, and leave the capture line out."
+)
+OWN_LOG = "{file} is the new file of your logger, with the columns of the one that {old} was made of."
+IMPORTED = "{file} is the new file of your logger. The mapping says the load too: where it changes, copy and change it."
+
+
+def lines(folders: list[Path], out: Path | None, loads: list[str]) -> list[str]:
+    """The commands for one new run beside the last of `folders` for each of `loads`, then that of the diagnosis.
+
+    A load is that of `--load-n`, empty where it stays. `out` is the folder of the diagnosis that proposes the run.
+    A run that came from a file, or through a mapping, is made in that way again.
+    """
+    old = folders[-1]
+    endings = [f"-{number}" for number in range(1, len(loads) + 1)] if len(loads) > 1 else [""]
+    new = [old.with_name(f"{old.name}-next{ending}") for ending in endings]
+    made = []
+    for folder, load, ending in zip(new, loads, endings, strict=True):
+        made += _recorded(old, folder, load, _file(old, ending))
+    where = shlex.quote(str(out.with_name(f"{out.name}-next"))) if out else "DIR"
+    named = " ".join(shlex.quote(str(folder)) for folder in (*folders, *new))
+    return [*made, f"{DIAGNOSE} {named} --together --out {where}"]
+
+
+def _recorded(old: Path, new: Path, load: str, file: str) -> list[str]:
+    """The commands that make the run `new` with its recording, as `old` was made; `file` is a logger's."""
+    name, mapping = shlex.quote(new.name), mapping_of(old)
+    if mapping:
+        out = shlex.quote(str(new.parent))
+        again = f"{command('import_run')} {file} --map {shlex.quote(mapping)} --run {name}{_of_string(old)} --out {out}"
+        return [again]
+    like = f"{command('new_run')} {name} --like {shlex.quote(str(old))}{f' --load-n {load}' if load else ''}"
+    if own_log(old):
+        return [f"{like} --recording {file}"]
+    return [like, f"{command('capture')} PORT {shlex.quote(str(new))}"]
+
+
+def _of_string(old: Path) -> str:
+    """The option that says that a new run is of the string of an old one; empty where that has none."""
+    try:
+        run = read_run(old)
+    except BadInput:
+        return ""
+    return f" --string-id {shlex.quote(run.string_id)}" if run.string else ""
+
+
+def _file(old: Path, ending: str = "") -> str:
+    """What stands for a logger's new file; one that was imported may end in anything."""
+    return f"FILE{ending}{'' if mapping_of(old) else own_log(old)}"
+
+
+def remark(old: Path) -> str:
+    """What to fill into the commands that make a run as `old` was made."""
+    if mapping_of(old):
+        return IMPORTED.format(file=_file(old))
+    return OWN_LOG.format(file=_file(old), old=old.name) if own_log(old) else CAPTURE
+
+
+def block(commands: list[str], old: Path, twisted: bool) -> list[str]:
+    """The commands as a verdict shows them, with what they take from the run `old` and what to fill in."""
+    taken = f"--like takes the dimensions{' and the string id' if twisted else ''} from {old.name}"
+    if mapping_of(old):
+        taken = f"the mapping {'and the string id are those' if twisted else 'is that'} of {old.name}"
+    return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), remark(old)]

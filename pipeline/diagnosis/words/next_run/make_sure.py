@@ -1,0 +1,189 @@
+"""What makes sure of the one explanation: more strokes where something is still missing, and each effect's own sign."""
+
+import shlex
+from pathlib import Path
+
+from ....ground.command import command, program_name
+from ...document.content import Verdict
+from ...document.time_constants import time_constants_s
+from ...mechanisms.library import mechanisms
+from ..foretold import expectation
+from ..held_out import holdout, in_vain, unseen
+from ..language.quantity import duration, listing, number, quantity, times
+from ..language.vocabulary import Vocabulary
+from ..measured.dimensions import far_moved
+from ..named.missing_signs import ALIKE, missing, recorded
+from . import commands, recipe, second_load, worth
+
+AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
+HERE = " (this recording has it)"
+OPTIONAL = "Optional, to be surer of a name{after}: before adopting, {record}"
+NEEDED = "Make sure of the name before you adopt or report it, for {vain}: {record}"
+RECORD = "record what tells the effect from others:"
+ALL_HERE = "record again what tells the effect from others, which this recording has:"
+BEFORE = f"If you have adopted it already, first take it out of each run ({program_name('adopt')} --remove)."
+WHERE = "Its tests, the numbers to expect of it and the commands: {}."
+ANEW = (
+    "What is adopted is not weighed again, and --like copies it. So record the run, then take it out of each run, and "
+    "diagnose all together:"
+)
+DETAILS = "details.txt"
+RUN = "The run to make next"  # the heading of its steps and commands in the details
+LEAVE = "Leave what is still missing, unless it is too much for your use."
+NO_NAME = "No effect of the library is named for it."
+TIED = "The best explanation leaves it too, and no further effect of the library is named for it."
+MORE = "Other speeds and loads, diagnosed together, show more of it."
+ABOVE = " (commands: the step before)"
+AS_MANY = (
+    "If what is still missing is too much for your use: record as many strokes again in the same way, and "
+    "diagnose the runs together{where}. If the error on the {strokes} falls to the noise, there were too few strokes; "
+    "else this rig has physics that the library lacks."
+)
+
+
+def of_what_is_missing(
+    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool
+) -> list[list[str]]:
+    """What to do about what is still missing beside what is named; nothing where nothing is."""
+    if not unseen.partly(content, words) or content["verdict"] not in ("explained", "ambiguous"):
+        return []
+    tie = content["verdict"] == "ambiguous"
+    if unseen.nothing_new(content, words):
+        return [[f"{LEAVE} {TIED if tie else NO_NAME} {MORE}"]]
+    run = content["next_run"]
+    shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
+    if short:
+        where = f" (commands: {DETAILS}, {RUN})" if shown else f" (commands: {DETAILS})"
+        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where)]]
+    again = commands.lines(folders, out, [""])
+    printed = {line.strip() for step in of_names(content, words, folders, out, False) for line in step}
+    above = set(again) <= printed  # the step before has them
+    where = f" (commands: {DETAILS}, {RUN})" if shown else ABOVE if above else ""
+    typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
+    return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
+
+
+def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:
+    """What to do about what is left beside what was adopted; nothing where that is noise."""
+    return [[f"{LEAVE} {NO_NAME} {MORE}"]] if unseen.left_over(content, words) else []
+
+
+def of_names(
+    content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool
+) -> list[list[str]]:
+    """What at the rig shows that the effects of the one explanation are what they are called.
+
+    `short`: the run to record, or the tests where there is none, without numbers to expect and commands.
+    """
+    if content["verdict"] != "explained":
+        return []
+    ids = [entry["id"] for entry in content["mechanisms"]] if words.twisted else []
+    numbers = expectation.lines(content, words, recipe.shows(content, words, ids))
+    has = {id_ for id_ in ids if recorded(content, words, id_)}
+    tests = [
+        f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}{HERE if id_ in has else ''}."
+        for id_ in ids
+    ]
+    if ids and has == set(ids) and not in_vain.doubt(content, words):
+        return []  # the recording has all that it would ask for
+    if not tests:
+        if numbers and short:
+            return [[f"To make sure of the name, see which numbers the rig shows ({DETAILS})."]]
+        return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
+    run = recipe.sentence(content, words, ids)
+    load = recipe.to_type(content, words, ids)
+    if short and run:
+        return [[_head(content, words, f"record {run.removeprefix(recipe.SO)}"), WHERE.format(DETAILS)]]
+    head = _head(content, words, ALL_HERE if has == set(ids) else RECORD)
+    if short:
+        return [[head, *tests, WHERE.format(DETAILS)]]
+    again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
+    made = [*([run] if run else []), *again, BEFORE] if numbers or run else []
+    return [[head, *tests, *held(content, words, tests), *numbers, *made]]
+
+
+def _head(content: Verdict, words: Vocabulary, record: str) -> str:
+    """Whether making sure of a name is needed or optional, and when; it agrees with the advice on adopting."""
+    doubt = in_vain.doubt(content, words)
+    if doubt:
+        return NEEDED.format(vain=doubt, record=record)
+    return OPTIONAL.format(after=", after step 1" if far_moved(content) else "", record=record)
+
+
+def _again(old: Path, load: str) -> str:
+    """What to fill into the commands that record what tells an effect from others, as the run `old` was recorded."""
+    remark = commands.remark(old)
+    return AGAIN if remark == commands.CAPTURE and not load else remark
+
+
+def of_adopted(
+    content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path], short: bool
+) -> list[list[str]]:
+    """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
+    lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms()}
+    lines = [f"- {id_}: {mechanisms()[id_].told_apart_by}." for id_, lacks in lacking.items() if lacks]
+    if not lines:
+        return []
+    head = "Still open since adopting, if you need to be surer of a name: this recording has no second"
+    lacked = listing(list(dict.fromkeys(what for lacks in lacking.values() for what in lacks)), "and no second")
+    load = recipe.to_type(content, words, list(lacking))
+    *made, diagnose = commands.lines(folders, None, [load])
+    runs = [*folders, folders[-1].with_name(f"{folders[-1].name}-next")]
+    removed = [f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in runs]
+    typed = [*(f"  {line}" for line in (*made, *removed, diagnose)), _again(folders[-1], load)]
+    run = recipe.sentence(content, words, list(lacking))
+    typed = ["The commands are in details.txt."] if short else typed
+    return [[f"{head} {lacked}.", *lines, *([run] if run else []), ANEW, *typed]]
+
+
+def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
+    """How long to hold and to rest for an effect of time, and under which loads; nothing for others."""
+    known = content["evidence"].get("covered")
+    entry = next(entry for entry in content["mechanisms"] if entry["id"] == id_)
+    if known is None or not mechanisms()[id_].acts_at_rest:
+        return ""
+    constants = time_constants_s(entry)
+    longest_s = max(constants or [known["longest_hold_s"], known["longest_rest_s"]])
+    twice = f"twice {'its longest time constant' if constants else 'the longest one here'}"
+    (least, most), unit = known["load"], words.load_unit
+    load = f"{number(least, 3)} to " * content["evidence"]["loaded"] + quantity(most, unit, 3)
+    under = f", under {load} as recorded here" if words.load is not None and most > 0.0 else ""
+    return f" ({duration(2.0 * longest_s)} or longer each, {twice}{under})" if longest_s > 0.0 else ""
+
+
+def held(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
+    """What this recording holds of loads, speeds, holds and rests, and whether that is what `tests` ask for.
+
+    Nothing where an older file does not say it.
+    """
+    known = content["evidence"].get("covered")
+    if known is None:
+        return []
+    (least, most), (slow, fast) = known["load"], known["speed_per_s"]
+    loads = (
+        f"loads of {number(least, 3)} to {quantity(most, words.load_unit, 3)}"
+        if content["evidence"]["loaded"]
+        else "one load"
+    )
+    speeds = f"speeds of {number(slow)} to {quantity(fast, f'{words.motion_unit}/s')}"
+    if fast < ALIKE * slow:
+        speeds = f"one speed, {quantity(fast, f'{words.motion_unit}/s')}"
+    stands = (
+        f"holds of up to {duration(known['longest_hold_s'])} and rests of up to {duration(known['longest_rest_s'])}"
+    )
+    more = " or more" if content["evidence"]["loaded"] else ""
+    under = f" under {quantity(least, words.load_unit, 3)}{more}" if words.load is not None and least > 0.0 else ""
+    wanted, counts = " ".join(tests), []
+    if "speed" in wanted and fast > 0.0:
+        other = f"{number(fast / 2.0, 3)} or {quantity(2.0 * fast, f'{words.motion_unit}/s', 3)}"
+        two = f"Its speeds count as two: the fastest is {times(fast / slow)} times the slowest" if slow > 0.0 else ""
+        counts.append(
+            f"{two}." if two and fast >= ALIKE * slow else f"It has no second speed: {other}, half or twice, would do."
+        )
+    if "load" in wanted and words.load is not None and most > 0.0:
+        counts.append(
+            "Its loads count as more than one."
+            if content["evidence"]["loaded"]
+            else second_load.sentence(content, words)
+        )
+    return [" ".join([f"Recorded so far: {loads}, {speeds}, {stands}{under}.", *counts])]

@@ -1,0 +1,89 @@
+"""Which of the likeliest explanations a proposed run can tell apart, and which it leaves together, in words."""
+
+from itertools import combinations
+
+from ...document.content import NextRun, Verdict, proposal
+from ...proposal import design
+from ..explanations import rivals
+from ..language.quantity import listing
+
+Ids = tuple[str, ...]
+
+
+def sentence(content: Verdict) -> str:
+    """What the run parts and what it leaves together; nothing of two explanations, or where an older file lacks it."""
+    run = proposal(content)
+    names = _order(content, run)
+    if len(names) < 3:
+        return ""
+    groups = together(run, names)
+    if len(groups) == len(names):
+        return f"It can tell all {len(names)} likeliest explanations apart."
+    close, own = _close(run), {ids: _called(ids, names) for ids in names}
+    if len(close) == len(names) * (len(names) - 1) // 2:
+        return f"It is sure to part none of the {len(names)} likeliest explanations from all others."
+    alone = [f"({own[group[0]]})" if "+" in own[group[0]] else own[group[0]] for group in groups if len(group) == 1]
+    parts = [f"it can tell {listing(alone)} from the others"] if alone else []
+    left = [part for group in groups if len(group) > 1 for part in _left(group, close, own)]
+    parts += ["it can tell these apart"] if not alone and all("stay together" in part for part in left) else []
+    return f"Of the {len(names)} likeliest explanations {'; '.join([*parts, *left])}."
+
+
+def _left(group: list[Ids], close: set[frozenset[Ids]], own: dict[Ids, str]) -> list[str]:
+    """What a run leaves together of a group, in words; where it parts some of them, that first, pair by pair.
+
+    `close` are the pairs of explanations that it need not part.
+    """
+    pairs = [frozenset(pair) for pair in combinations(group, 2)]
+    if close.issuperset(pairs):
+        return [f"{listing([own[ids] for ids in group], 'and')} stay together"]
+    clauses, left = list[str](), [pair for pair in pairs if pair not in close]
+    for pattern, rest in (
+        ("it can tell {} from {}", left),
+        ("it need not tell {} from {}", [*close.intersection(pairs)]),
+    ):
+        while rest:
+            first = max(group, key=lambda ids: sum(ids in pair for pair in rest))
+            others = [own[ids] for ids in group if ids != first and frozenset((first, ids)) in rest]
+            clauses.append(pattern.format(own[first], listing(others, "or" if "need not" in pattern else "and")))
+            rest = [pair for pair in rest if first not in pair]
+    return clauses
+
+
+def some(content: Verdict) -> bool:
+    """Whether the run parts some of three or more explanations from the others, and leaves others together."""
+    run = proposal(content)
+    names = _order(content, run)
+    return len(names) > 2 and 1 < len(together(run, names)) < len(names)
+
+
+def together(run: NextRun, names: list[Ids]) -> list[list[Ids]]:
+    """The explanations in groups: of two in one group the run need not tell which is right, at least over a third."""
+    groups = [[ids] for ids in names]
+    for pair in _close(run):
+        ends = [next(group for group in groups if ids in group) for ids in pair]
+        if ends[0] is not ends[1]:
+            groups.remove(ends[1])
+            ends[0] += ends[1]
+    return sorted((sorted(group, key=names.index) for group in groups), key=lambda group: names.index(group[0]))
+
+
+def _close(run: NextRun) -> set[frozenset[Ids]]:
+    """The pairs of explanations of which the run need not tell which is right."""
+    apart = (pair for pair in run["pairs"] if not design.decides(pair["gap_now"], pair["gap_then"]))
+    return {frozenset(tuple(ids) for ids in pair["ids"]) for pair in apart}
+
+
+def _order(content: Verdict, run: NextRun) -> list[Ids]:
+    """The explanations that were compared, in the order of the verdict."""
+    best = [entry["id"] for entry in content["mechanisms"]]
+    ordered = [tuple(ids) for pair in run.get("pairs", []) for ids in pair["ids"]]
+    rank = [tuple(sorted(ids)) for ids in (best, *content["alternatives"])]
+    places = {ids: rank.index(tuple(sorted(ids))) if tuple(sorted(ids)) in rank else len(rank) for ids in ordered}
+    return sorted(dict.fromkeys(ordered), key=lambda ids: places[ids])
+
+
+def _called(ids: Ids, names: list[Ids]) -> str:
+    """An explanation without what all that are compared have in common, where something is left then."""
+    shared = set.intersection(*map(set, names))
+    return rivals.called([id_ for id_ in ids if id_ not in shared] or list(ids))

@@ -1,0 +1,82 @@
+"""The next recording as a recipe: so many strokes, under which load, at which speed, with which holds and rests."""
+
+from ...document.content import Verdict
+from ...mechanisms.library import mechanisms
+from ..language.quantity import at, duration, ends, number, quantity, span
+from ..language.vocabulary import Vocabulary
+from ..named.missing_signs import missing
+from . import second_load
+
+SO = "So record: "
+FEWEST = 4  # strokes: of fewer a diagnosis leaves none out
+
+
+def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
+    """The load that the next recording asks for, where it is another one than was recorded; else None."""
+    known = content["evidence"].get("covered")
+    if known is None or _lasting(content, ids) or "load" not in _lacking(content, words, ids):
+        return None
+    chosen = second_load.best(content, words)
+    share = chosen[0] if chosen and chosen[1] >= 1.0 else second_load.HALF
+    return float(f"{share * second_load.base(content):.3g}")
+
+
+def shows(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str] | None:
+    """Which of the numbers that explanations foretell its recording will show, by their keys; None where it has none.
+
+    Under another load the loop under that load alone: at another speed it was foretold under the recorded one.
+    """
+    if not sentence(content, words, ids):
+        return None
+    new_load = load(content, words, ids)
+    if new_load is not None:
+        more = new_load > second_load.base(content)
+        return {second_load.ROWS[second_load.TWICE if more else second_load.HALF]}
+    slower = {"loop_half_speed"} if "speed" in _lacking(content, words, ids) else set()
+    stands = {"hold", "rest"} if _lasting(content, ids) else set()
+    return {"loop_as_before", "top"} | slower | stands
+
+
+def to_type(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
+    """The load for `--load-n`; empty where it stays, or where a column of the recording holds it."""
+    new_load, known = load(content, words, ids), content["evidence"].get("covered")
+    if new_load is None or known is None or not words.twisted or known["load"][0] != known["load"][1]:
+        return ""
+    return f"{new_load:g}"
+
+
+def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
+    """What to record for the effects `ids`; nothing where their tests ask for no other load, speed, hold or rest."""
+    known, lacking = content["evidence"].get("covered"), _lacking(content, words, ids)
+    lasting = _lasting(content, ids)
+    if known is None or not words.twisted or not (lacking or lasting):
+        return ""
+    (first, last), (low, high) = content["evidence"]["strokes"], content["evidence"][words.driver]
+    count, (slow, fast) = max(last - first + 1, FEWEST), known["speed_per_s"]
+    top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
+    new_load = load(content, words, ids)
+    hung = quantity(second_load.base(content) if new_load is None else new_load, words.load_unit, 3)
+    under = f" under {hung}" if words.load is not None and known["load"][1] > 0.0 else ""
+    speed = ends(slow, fast, f"{words.motion_unit}/s")
+    if "speed" in lacking:
+        speed = (
+            f"{number(fast, 3)} {words.motion_unit}/s, then as many at {number(fast / 2.0, 3)} {words.motion_unit}/s"
+        )
+    if lasting:
+        stand = duration(lasting)
+        still = f", and in the last one hold {stand} at {top} and rest {stand} at {bottom} after it"
+    else:
+        stood = known["longest_hold_s"] > 0.0 or known["longest_rest_s"] > 0.0
+        still = ", with the same holds and rests" * stood
+    turned = span(low, high, words.motion_unit, high - low)
+    return f"{SO}the same {count} strokes, {turned}{under}, at {speed}{still}."
+
+
+def _lasting(content: Verdict, ids: list[str]) -> float:
+    """How long to hold and to rest for an effect that goes on at rest, in s; 0 where nobody can say or none does."""
+    stand_s = (content["evidence"].get("expected") or {}).get("stand_s")
+    return float(stand_s or 0.0) if any(mechanisms()[id_].acts_at_rest for id_ in ids) else 0.0
+
+
+def _lacking(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str]:
+    return {what for id_ in ids for what in missing(content, words, id_)}

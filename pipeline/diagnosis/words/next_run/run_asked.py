@@ -1,0 +1,48 @@
+"""Which run a verdict asks for that proposes none step by step, or why it asks for none: for page and details."""
+
+from ...document.bounds import at_bound
+from ...document.content import Verdict
+from ..held_out import holdout, in_vain, unseen
+from ..held_out.without_name import UNNAMED, moved_in_vain
+from ..language.vocabulary import Vocabulary
+
+NONE_NEEDED = {
+    "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
+    "would show more.",
+    "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
+    "explained": "None is needed: no other explanation of the library is as likely. What makes sure of a name stands "
+    "above, under What to do.",
+}
+PROVISIONAL = (
+    "None is needed before dimensions are measured again: no other explanation of the library is as likely, but names "
+    "are provisional while a dimension stands at its limit. What comes first, and what then makes sure of a name, "
+    "stands above, under What to do."
+)
+NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
+NONE_PROPOSED = (
+    "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
+    "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
+)
+MORE_STROKES = "Record the rig once more, with more strokes, and diagnose all runs together."
+TO_MAKE_SURE = (
+    "No other explanation of the library is as likely, but make sure of the name before you adopt or report it: by the "
+    "run that stands above, under What to do."
+)
+
+
+def no_run(content: Verdict, words: Vocabulary) -> list[str]:
+    """The run that the page asks for, where none is proposed step by step; else why none is."""
+    verdict = content["verdict"]
+    if in_vain.harmful(content, words):
+        return [MORE_STROKES]
+    if verdict in UNNAMED and unseen.left_over(content, words):
+        return [NONE_PROPOSED]
+    if verdict in UNNAMED and holdout.included(content):
+        return [NONE_WITH_ADOPTED]
+    if verdict == "parameters" and moved_in_vain(content, words):
+        verdict = "consistent"
+    if verdict == "explained" and at_bound(content["evidence"]["moved_sigma"]):
+        return [PROVISIONAL]
+    if verdict == "explained" and in_vain.doubt(content, words):
+        return [TO_MAKE_SURE]
+    return [NONE_NEEDED[verdict]] if verdict in NONE_NEEDED else []

@@ -1,0 +1,48 @@
+"""Which other load to hang for the next recording: the one under which the loops of two explanations part more."""
+
+from ...document.content import Verdict
+from ..foretold.foretold_numbers import apart, compared, of_explanation, tells
+from ..language.quantity import number, quantity
+from ..language.vocabulary import Vocabulary
+
+HALF, TWICE = 0.5, 2.0
+ROWS = {HALF: "loop_half_load", TWICE: "loop_twice_load"}
+SHARES = {HALF: "half", TWICE: "twice"}
+
+
+def base(content: Verdict) -> float:
+    """The recorded load of which halves and doubles are foretold."""
+    foretold = (content["evidence"].get("expected") or {}).get("load")
+    return float(foretold or content["evidence"]["covered"]["load"][1])
+
+
+def best(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
+    """The share of the recorded load that parts the best explanation from its rival more, and how far, as `tells`.
+
+    None where no loop is foretold under another load.
+    """
+    columns = compared(content)[:2]
+    parted = {
+        share: tells([of_explanation(each, row, content, words) for each in columns]) for share, row in ROWS.items()
+    }
+    known = {share: ratio for share, ratio in parted.items() if ratio is not None}
+    return max(((share, ratio) for share, ratio in known.items()), key=lambda pair: pair[1]) if known else None
+
+
+def sentence(content: Verdict, words: Vocabulary) -> str:
+    """Which second load to hang beside the only one that was recorded, and whether it tells."""
+    load, chosen = base(content), best(content, words)
+    if chosen is None:
+        other = f"{number(HALF * load, 3)} or {quantity(TWICE * load, words.load_unit, 3)}"
+        return f"It has no second load: {other}, half or twice, would do if the rig bears it."
+    share, ratio = chosen
+    named, rival = apart(*compared(content)[:2])
+    hung, rest = quantity(share * load, words.load_unit, 3), HALF + TWICE - share
+    other = quantity(rest * load, words.load_unit, 3)
+    if ratio < 1.0:
+        return (
+            f"It has no second load, and neither {hung} nor {other} parts {named} from {rival} here by more than the "
+            "plus-minus of their loops."
+        )
+    bears = " if the rig bears it" if share > 1.0 else f"; where that is too little, {other}"
+    return f"It has no second load: {hung}, {SHARES[share]}, parts {named} from {rival} most{bears}."

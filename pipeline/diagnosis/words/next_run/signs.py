@@ -1,0 +1,32 @@
+"""What at the rig tells the open effects apart, where no run is sure to: each one's own sign."""
+
+from ...document.content import Verdict
+from ...mechanisms.library import mechanisms
+from ..foretold import expectation
+from ..language.vocabulary import Vocabulary
+from ..named import certainty, effect_table
+from . import worth
+
+HEADING = "What tells the open effects apart at the rig"
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """A line for each open or probable effect with its sign, then the test for slow effects; nothing else."""
+    if content["verdict"] not in ("explained", "ambiguous"):
+        return []
+    numbers = expectation.lines(content, words) if content["verdict"] == "ambiguous" else []
+    return [*_open(content, words), *certainty.asks(content, words), *numbers]
+
+
+def _open(content: Verdict, words: Vocabulary) -> list[str]:
+    run = content["next_run"]
+    if content["verdict"] != "ambiguous":
+        return []
+    sets = [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
+    every = dict.fromkeys(id_ for ids in sets for id_ in sorted(ids))
+    probable = effect_table.only_probable(content, words)
+    open_or_probable = [id_ for id_ in every if id_ in probable or not all(id_ in ids for ids in sets)]
+    tests = [f"{id_}: {mechanisms()[id_].told_apart_by}." for id_ in open_or_probable]
+    tried = "These hold in general. Other loads and speeds were tried in simulation: on this rig they need not tell."
+    decided = run is not None and ("parts" not in run or worth.decides(run))
+    return [*([] if decided else [tried]), *tests] if tests else []

@@ -1,0 +1,76 @@
+"""The run to make between explanations that are likely, as a step of the page."""
+
+import shlex
+from pathlib import Path
+
+from ....ground.command import command
+from ...document.content import NextRun, Verdict
+from ..language.quantity import listing, quantity
+from ..language.vocabulary import Vocabulary
+from ..named import effect_table
+from . import experiment, parting, worth
+from .make_sure import DETAILS, RUN
+from .technician import every_load, lasting
+
+LONG = 80  # letters: a title that is told in the details alone
+SETTLE = "To have it proposed, recorded and weighed for you:"
+
+
+def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
+    """The run to make between explanations that are likely; that none decides, where none does.
+
+    `short`: what it is, without what it parts and foretells.
+    """
+    run = content["next_run"]
+    if content["verdict"] != "ambiguous":
+        return []
+    if not run or "parts" not in run:
+        return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
+    title = experiment.title(run, words)
+    which = f"{'It takes ' if len(title) > LONG else f'{title}: '}{lasting(run)} in all{_asks(content, run, words)}."
+    where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}."
+    where = f"{which} {where}" if short else f"{which} {where} {_own_tests(content, words)} stands there too."
+    differ, parts = ("", "") if short else (worth.readings(run, words), parting.sentence(content))
+    care = "" if short else worth.care(content, words)
+    alone = _alone(words, folders)
+    question, others = worth.question(content), "" if short else _not_asked(content, words)
+    if worth.decides(run):
+        need = f"Make the run that can decide {question}{others}, if you need to know. {where}"
+        return [[" ".join(part for part in (need, parts, differ, care) if part), *alone]]
+    if worth.raises(run):
+        hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
+        need = f"Only if you need to know {question}{hard}: try the run that parts them most{others}."
+        tried = "About half of such runs decided in tests."
+        return [[" ".join(part for part in (need, tried, parts, where) if part), *alone]]
+    if parting.some(content):
+        best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
+        return [[f"No run that was tried decides {question}{others}. {parting.sentence(content)} {best}"]]
+    return [[f"Make no other run: none that was tried decides {question}{others}."]]
+
+
+def _alone(words: Vocabulary, folders: list[Path]) -> list[str]:
+    """The command that makes the run for a person; nothing on a rig that `settle` cannot move."""
+    if not words.twisted:
+        return []
+    return [SETTLE, f"  {command('settle')} {shlex.quote(str(folders[-1]))} --port PORT"]
+
+
+def _not_asked(content: Verdict, words: Vocabulary) -> str:
+    """That the run is not for the names that are only probable, in brackets; nothing where none of the others is."""
+    known = effect_table.only_probable(content, words)
+    known = [id_ for id_ in known if id_ not in worth.differing(content)]
+    return f" (it is not there to make the probable {listing(known)} surer)" if known else ""
+
+
+def _own_tests(content: Verdict, words: Vocabulary) -> str:
+    return f"The test of each open {'or probable ' * bool(effect_table.only_probable(content, words))}effect"
+
+
+def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
+    """What a run asks of the rig: other loads, other speeds."""
+    title = experiment.title(run, words)
+    usual = quantity(run["load"], words.load_unit) if run.get("load") else ""
+    hung = [load for load in every_load(run, words) if load != usual]
+    loads = f"{'other loads' if len(hung) > 1 else 'another load'} ({listing(hung)})" if hung else "another load"
+    demands = ["another speed"] * worth.asks_speed(content, words) + [loads] * ("load" in title)
+    return f"; it asks for {listing(demands)}" if demands else ""

@@ -1,0 +1,179 @@
+"""What a proposed run is expected to tell, and whether it is worth making, in words."""
+
+import itertools
+
+from ....ground.command import command
+from ...document.content import NextRun, Verdict, proposal
+from ...fit.adopt import NO_USE
+from ...proposal import design
+from ...proposal.design import PLAIN, deviations
+from ..explanations import probability, rivals
+from ..held_out import in_vain
+from ..language.quantity import listing, number, quantity, size, times
+from ..language.vocabulary import Vocabulary
+from . import parting
+
+NEW = 0.1  # of a speed: one that leaves what was recorded by less is none
+COMPARED = 4  # explanations that a proposed run is to part
+CARE = {
+    "twice the speed": "Only if the motor can go so fast.",
+    "twice the load": "Only if the rig bears so much.",
+    "another load": "Only if the rig bears so much.",
+}  # by what a title says
+MEANT = (
+    "Standard deviations say how far apart the two predictions of the run are, in the noise of the recording. Names "
+    "are right less often than they suggest: of 22 ties in tests 12 were settled rightly."
+)
+WRONG = "That is no noise, but a formula that is wrong by a few per cent can make it too"
+
+
+def first(run: NextRun) -> list[str]:
+    """What to know before the steps of a run that decides nothing."""
+    return [] if "parts" not in run or raises(run) else [f"{NO_USE}: you can skip it."]
+
+
+def purpose(content: Verdict, words: Vocabulary, whether: bool = True) -> str:
+    """Which two explanations the run parts, how probable each is, how far; before it `whether` it is worth making."""
+    run = proposal(content)
+    if "parts" not in run:
+        return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
+    worth = "Worth making" if decides(run) else "Worth a try"
+    advice = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
+    value = (advice if raises(run) else first(run)[0]) + " " if whether else ""
+    explanation, other = (probable(ids, content) for ids in run["parts"])
+    count = min(COMPARED, 1 + len(content["alternatives"]))
+    closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
+    sentences = (
+        f"{value}It is to tell {explanation} from {other}{closest}.{aside(content)}",
+        parting.sentence(content),
+        readings(run, words),
+        gaps(run),
+    )
+    return " ".join(part for part in sentences if part)
+
+
+def gaps(run: NextRun) -> str:
+    """How far the closest two predictions are apart without the run and with it, and what that is worth."""
+    now, then = deviations(run["gap_now"]), deviations(run["gap_then"])
+    so_far = f"So far the closest two predictions differ by {number(now)} standard deviations"
+    if not decides(run):
+        who = "A formula that is wrong by a few per cent" if then > PLAIN else "Noise alone"
+        best = "No other run that was tried in simulation does better"
+        end = f"{best}, so none decides."
+        if raises(run):
+            end = "So it need not decide; in tests about half of such runs did."
+        return f"{so_far}; with the run by {number(then)}. {who} can make as much. {end} {MEANT}"
+    if now <= PLAIN:
+        return f"{so_far}; with the run it should be {number(then)}. {MEANT}"
+    more = f"{times(then / now)} times as much"
+    with_it = f"With the run it should be {number(then)}, {more}: a formula would have to be wrong by {more}"
+    return f"{so_far}. {WRONG}, so it does not decide. {with_it} to make that. So the run can decide. {MEANT}"
+
+
+def readings(run: NextRun, words: Vocabulary) -> str:
+    """By how much the two readings should differ in the run; nothing where an older file does not say it."""
+    known = run.get("apart")
+    if not known:
+        return ""
+    most, near = size(known[f"by_{words.ending}"], words.unit), quantity(known[words.driver], words.motion_unit)
+    names = [rivals.called(ids) for ids in run["parts"]]
+    both = [quantity(known[f"{which}_{words.ending}"], words.unit, 4) for which in ("first", "second")]
+    return (
+        f"In it the two predicted readings differ by up to {most}, most near {near}: {both[0]} if it is {names[0]}, "
+        f"{both[1]} if it is {names[1]}."
+    )
+
+
+def asks_speed(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the run moves at a speed that was not recorded; by its title where an older file does not say."""
+    run, known = proposal(content), content["evidence"].get("covered")
+    if known is None or "speed" not in run["title"]:
+        return "speed" in run["title"]
+    slow, fast = known["speed_per_s"]
+    places = [leg[words.driver] for leg in run["legs"]]
+    ways = zip(itertools.pairwise(places), run["legs"][1:], strict=True)
+    speeds = [abs(to - at) / leg["seconds"] for (at, to), leg in ways if to != at]
+    return not all((1.0 - NEW) * slow <= speed <= (1.0 + NEW) * fast for speed in speeds)
+
+
+def probable(ids: list[str], content: Verdict) -> str:
+    """An explanation by its name with its probability, if it has one."""
+    shown = [explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == set(ids)]
+    likely = probability.said(shown[0]) if shown else ""
+    return f"{rivals.called(ids)}{f' ({likely})' if likely else ''}"
+
+
+def question(content: Verdict) -> str:
+    """What the run is to answer: what the two explanations that it parts differ in."""
+    first_ids, other_ids = proposal(content)["parts"]
+    rests = [
+        listing([id_ for id_ in ids if id_ not in both])
+        for ids, both in ((first_ids, other_ids), (other_ids, first_ids))
+    ]
+    if not all(rests):
+        return f"whether {''.join(rests)} is at work"
+    return f"which is at work: {', or '.join(rests) if any(' and ' in rest for rest in rests) else ' or '.join(rests)}"
+
+
+def differing(content: Verdict) -> set[str]:
+    """The effects that one alone of the two explanations has which the run parts."""
+    first_ids, other_ids = proposal(content)["parts"]
+    return set(first_ids) ^ set(other_ids)
+
+
+def aside(content: Verdict) -> str:
+    """Where the run is chosen for two others: that the best explanation differs from them by at least as much."""
+    best = {entry["id"] for entry in content["mechanisms"]}
+    concerned = best in [set(ids) for ids in proposal(content)["parts"]]
+    return "" if concerned else " The best explanation is neither of the two: it differs from both by at least as much."
+
+
+def otherwise(content: Verdict, words: Vocabulary) -> str:
+    """What to do with what ties without the run."""
+    count = 1 + len(content["alternatives"])
+    if in_vain.harmful(content, words):
+        return f"report all {count} explanations and adopt none"
+    return f"report the best explanation as one of {count}"
+
+
+def decides(run: NextRun) -> bool:
+    """Whether a run parts two explanations by so much more, and so far, that it can be expected to decide."""
+    return design.decides(run["gap_now"], run["gap_then"])
+
+
+def raises(run: NextRun) -> bool:
+    """Whether a run is expected to part two explanations further, so far that it can be seen at all."""
+    return design.raises(run["gap_now"], run["gap_then"])
+
+
+def under_this_load(run: NextRun, words: Vocabulary) -> str:
+    """The command that looks for a run without another load; nothing where no run of such a rig is looked for."""
+    load = run.get("load")
+    if words.driver != "motor_turns" or not run.get("fixed_load") or not load:
+        return ""
+    hangs = f"{load:.4g}"
+    look = f"{command('settle')} RUN --limits '{{load_n: [{hangs}, {hangs}]}}'"
+    return f" `{look}` looks for one under this load; it says where none does."
+
+
+def care(content: Verdict, words: Vocabulary) -> str:
+    """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
+    run = proposal(content)
+    changes = {change: text for change, text in CARE.items() if "speed" not in change or asks_speed(content, words)}
+    caution = next((text for change, text in changes.items() if change in run["title"]), "")
+    if "load" in run["title"] and words.load:
+        cannot = "If your rig cannot change its load, "
+    elif caution:
+        cannot = "If your rig cannot go so fast, "
+    else:
+        return ""
+    if "parts" in run:
+        lost = "the likelier explanations stay tied" if decides(run) else "less is learnt"
+        cannot += f"leave this run out: {lost}."
+        if "load" in run["title"] and words.load:
+            cannot += under_this_load(run, words)
+    else:
+        cannot += (
+            "make the run at the other speed alone: it shows less." if "speed" in run["title"] else "leave it out."
+        )
+    return " ".join(part for part in (caution, cannot) if part)

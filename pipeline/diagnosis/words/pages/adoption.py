@@ -1,0 +1,174 @@
+"""What run.yaml has adopted, and how what was found is adopted, in words."""
+
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+
+from ....ground.command import command, program_name
+from ...document.content import Verdict
+from ...mechanisms.library import mechanisms
+from ..explanations.rivals import called
+from ..foretold import answered
+from ..foretold.prediction import AFTER_RECORDING
+from ..held_out import holdout, in_vain
+from ..language.quantity import listing
+from ..language.vocabulary import Vocabulary
+from ..measured.dimensions import far_moved
+from ..next_run import worth
+from . import advice
+
+NAMED = 2  # explanations that tied, by name; the others are counted
+COMMAND = command("adopt")
+SIMULATE = command("simulate")
+WEIGHED_ANEW = (
+    "While it is in run.yaml its name is not weighed again, and new_run --like copies it. To try the name on another "
+    "run of the string, take it out of each run, and diagnose them together."
+)
+
+
+def cautions(content: Verdict) -> list[str]:
+    """What a verdict is worth where run.yaml has adopted effects."""
+    ids = holdout.included(content)
+    if not ids:
+        return doubtful(content)
+    them = "it" if len(ids) == 1 else "them"
+    own = (
+        f" {program_name('simulate')} takes the dimensions that were adopted with {them}, and errs as the adopted "
+        "verdict says; below they are fitted anew, from the measured ones."
+    )
+    own = own if dimensions_came(content) else ""
+    lines = [
+        f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {them}.{own}{_sight(content, ids)}"
+    ]
+    doubt = doubtful(content)
+    if content["verdict"] in ("consistent", "parameters"):
+        lines[0] += " An adopted effect can also cover another one that is really there."
+        doubt = doubt or [
+            "Whether another explanation fits as well stands in the verdict that was adopted, not here: if it was "
+            "ambiguous, it is so still, and its run decides."
+        ]
+    return [*lines, now_means(content["verdict"], listing(ids)), *doubt]
+
+
+def now_means(verdict: str, effects: str) -> str:
+    """What the verdict's word, `nominal` and `calibrated` mean once effects are adopted; `effects`: their names."""
+    meaning = {
+        "consistent": f"with {effects} in the simulator nothing further can be named",
+        "parameters": f"with {effects} in the simulator, and dimensions moved, nothing further can be named",
+    }.get(verdict, f"beside {effects} more is missing")
+    return (
+        f"`{verdict}` now means: {meaning}. `nominal` now means the simulator with {effects} and the dimensions of "
+        f"run.yaml, `calibrated` the same with dimensions moved. Neither is the rig without {effects}."
+    )
+
+
+def dimensions_came(content: Verdict) -> bool:
+    """Whether the adopted effects brought the dimensions with them that they were fitted with."""
+    return any(adoption.get("dimensions") for adoption in content.get("adopted", []))
+
+
+def adopted_again(content: Verdict) -> bool:
+    """Whether calibration found for each dimension that moved far what was adopted with the effects already."""
+    came = [adoption["dimensions"] for adoption in content.get("adopted", []) if adoption.get("dimensions")][-1:]
+    known, sigma = content["parameters"], content["evidence"].get("tolerance", {})
+    far = [name for name in far_moved(content) if name in known]
+    return bool(came and far) and all(
+        name in came[0] and abs(known[name]["value"] - came[0][name]["fitted"]) <= sigma.get(name, 0.0) for name in far
+    )
+
+
+def _sight(content: Verdict, ids: list[str]) -> str:
+    """What the adopted effects have seen of this recording; nothing where it was another."""
+    they, were = ("It", "was") if len(ids) == 1 else ("They", "were")
+    fitted = f"{they} {were} fitted to this very recording"
+    return {
+        holdout.UNSEEN: "",
+        holdout.SEEN: f" {fitted}, all its strokes included: the error on its last strokes below is no test.",
+        holdout.PERHAPS: f" Nobody wrote down which recording {they.lower()} {were} fitted to: if it is this one, the "
+        "error on its last strokes below is no test.",
+    }[holdout.status(content)]
+
+
+def doubtful(content: Verdict) -> list[str]:
+    """Which explanations tied with what was adopted, a sentence for each verdict that was; nothing where none says."""
+    lines = []
+    for adoption in content.get("adopted", []):
+        effects, tied = listing(adoption["effects"]), adoption["tied"]
+        if not tied:
+            lines.append(f"No other explanation was as likely as what was adopted ({effects}).")
+            continue
+        named = listing([called(ids) for ids in tied[:NAMED]], "or")
+        rest = f", or one of {len(tied) - NAMED} more (`adopted` in run.yaml)" if len(tied) > NAMED else ""
+        lines.append(
+            f"Instead of what was adopted ({effects}) this may be right, for it was likely as well: {named}{rest}."
+        )
+    return lines
+
+
+def predictions(source: Path, folders: list[Path], ids: Sequence[str]) -> list[str]:
+    """The commands that predict with a diagnosis, its dimensions included: the recorded motion, and a planned one.
+
+    `ids` are the effects that act: where one stays in the string, the planned motion goes on from the recorded one.
+    """
+    starts = [f"{SIMULATE} {shlex.quote(str(folder))} --simulation {shlex.quote(str(source))}" for folder in folders]
+    planned = f"--motion PLAN.csv {f'{AFTER_RECORDING} ' * bool(staying(ids))}--out FILE.csv"
+    return [line for start in starts for line in (f"{start} --out FILE", f"{start} {planned}")]
+
+
+def staying(ids: Sequence[str]) -> list[str]:
+    """Those of some effects that leave the string another one than it was."""
+    return [id_ for id_ in ids if id_ in mechanisms() and mechanisms()[id_].stays]
+
+
+def of_staying(ids: Sequence[str]) -> list[str]:
+    """From where a planned motion goes on, where one of the effects stays in the string or the sensor; else nothing."""
+    stay = staying(ids)
+    if not stay:
+        return []
+    what = f"{listing(stay)} {'go' if len(stay) > 1 else 'goes'} on from where the recording ended"
+    return [f"{what}; without {AFTER_RECORDING} a plan begins as the recording began."]
+
+
+def adopted_predictions(folder: Path, driver: str, load: str | None, ids: list[str]) -> list[str]:
+    """How to predict with the effects `ids`, which a run has adopted; its system's columns are `driver` and `load`."""
+    start = f"  {SIMULATE} {shlex.quote(str(folder))}"
+    plan = columns_of_plan(driver, load)
+    lines = [f"To predict with it ({plan}):", f"{start} --out FILE.csv"]
+    if not staying(ids):
+        return [*lines, f"{start} --motion PLAN.csv --out FILE.csv"]
+    planned = f"{start} --motion PLAN.csv"
+    used = f"{planned} {AFTER_RECORDING} --out FILE.csv"
+    return [*lines, f"{used}   # the string as this recording left it", f"{planned} --out FILE.csv   # as before it"]
+
+
+def columns_of_plan(driver: str, load: str | None) -> str:
+    """What a planned motion's file holds, by the rig's columns `driver` and `load`."""
+    loads = f" and, unless it stands still, {load}" if load else ""
+    return f"PLAN.csv is a motion that you plan: time_s, {driver}{loads}; its corners will do"
+
+
+def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
+    """The command that puts what is named into run.yaml; `out` is the folder of the diagnosis."""
+    if out is None or content["verdict"] not in ("explained", "ambiguous") or not content.get("simulation", [True]):
+        return []
+    if in_vain.harmful(content, words):
+        return [advice.worse(content)]
+    source = out / "diagnosis.json"
+    lines = [f"To predict with it, dimensions included ({columns_of_plan(words.driver, words.load)}):"]
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    lines += [f"  {line}" for line in predictions(source, folders, ids)]
+    lines += of_staying(ids)
+    where = answered.within(content, words)
+    lines += [f"A plan has an error band within {where}."] if where else []
+    lines.append(advice.of_adopting(content, words))
+    lines.append("To put its effects into run.yaml, with the dimensions that fit with them; yours stay as measured:")
+    lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]
+    if far_moved(content):
+        lines.append("It takes effects that stand on dimensions which may be wrong, so measure again first.")
+    if content["verdict"] == "ambiguous":
+        run = content["next_run"]
+        can = run is not None and "parts" in run and worth.decides(run)
+        mend = "make the run above first" if can else "no run that was tried is sure to decide between them"
+        lines.append(f"Another explanation may be the right one: {mend}.")
+    lines.append("Diagnose again into another folder (--out): in the same one this verdict is replaced.")
+    return lines

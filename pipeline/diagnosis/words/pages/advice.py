@@ -1,0 +1,52 @@
+"""Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
+
+from ...document.content import Verdict
+from ..held_out import holdout, in_vain
+from ..language.quantity import listing
+from ..language.vocabulary import Vocabulary
+from ..measured.dimensions import far_moved, name_of
+from . import report
+
+NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
+MAY = "You may adopt"
+
+
+def worse(content: Verdict) -> str:
+    """The advice where what is named makes the simulator worse on strokes that no fit has seen."""
+    return f"Adopt nothing: on the {holdout.strokes(content)} {in_vain.tried(content)} makes the simulator worse."
+
+
+def against(content: Verdict, words: Vocabulary) -> str:
+    """The advice to adopt nothing, where it is given; else nothing."""
+    if content["verdict"] == "unknown":
+        return NOTHING_NAMED
+    return worse(content) if in_vain.harmful(content, words) else ""
+
+
+def of_adopting(content: Verdict, words: Vocabulary) -> str:
+    """What to do about adopting what is named, by what the page says of it already; nothing decides anew here."""
+    if in_vain.harmful(content, words):
+        return worse(content)
+    if "explained" in content["fit"].get("worse_than_nominal", []):
+        which = holdout.simulator(content) if holdout.other_name(content) else "with it"
+        strokes = holdout.strokes(content)
+        return f"Do not adopt this: on the {strokes} the simulator {which} is worse than the nominal one."
+    far = [f"the {name_of(name)}" for name in far_moved(content)]
+    if far:
+        return f"Do not adopt before {listing(far)} {'is' if len(far) == 1 else 'are'} measured again."
+    if in_vain.improves_nothing(content, words):
+        return f"Adopting gains nothing: {in_vain.said(content, words)}."
+    reportable = report.own_sizes(content, words)
+    sizes = f"; of its sizes report that of {listing(reportable)} alone" if reportable else "; do not report its sizes"
+    sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes
+    other = ", though another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
+    return f"{MAY} this to predict motions like the recorded ones{other}{sizes}."
+
+
+def contrary(content: Verdict, words: Vocabulary) -> str:
+    """The advice that adopting would go against; nothing where it lets adopt, or where a file does not tell enough."""
+    try:
+        whether = of_adopting(content, words) if content["verdict"] in ("explained", "ambiguous") else MAY
+    except (LookupError, TypeError, ValueError, AttributeError):  # a file without evidence gives no advice
+        return ""
+    return "" if whether.startswith(MAY) else whether

@@ -1,0 +1,155 @@
+"""The one table of errors that every sentence of a verdict refers to: of which simulator, on which strokes."""
+
+import math
+
+from ....ground.command import program_name
+from ...document.bounds import of_later_run
+from ...document.content import Verdict
+from ..explanations import rivals
+from ..held_out import holdout, unseen
+from ..held_out.without_name import kept_times
+from ..language.quantity import duration, size, times
+from ..language.table import UNKNOWN, aligned
+from ..language.vocabulary import Vocabulary
+from ..measured.dimensions import far_moved, from_to, name_of
+
+HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
+HALVED = 2.0  # times less: from there on dimensions took most of the error away
+WHOLE = "whole recording (seen by the fit)"
+OTHER = "* of {}, which the procedure names without these strokes"
+TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
+WHOSE = {
+    holdout.UNSEEN: "For the right column all was fitted anew without those strokes.",
+    holdout.SEEN: "Seen before: the adopted effects were fitted to these strokes too, so it is no test.",
+    holdout.PERHAPS: "Perhaps seen before: the adopted effects may have been fitted to these strokes, too.",
+}
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """The table, a line each row, and what must be known to read it."""
+    seen, held = _seen(content, words), unseen.errors(content, words)
+    zero = any(name.startswith("zero") for name in content["parameters"])
+    remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if held else [TOO_FEW]
+    remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
+    return [*aligned(_rows(content, words)), *_moved_most(content, words), *(line for line in remarks if line)]
+
+
+def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
+    """The table's cells, the heads first."""
+    seen, held = _seen(content, words), unseen.errors(content, words)
+    columns = [(WHOLE, seen, content["evidence"][f"floor_{words.ending}"])]
+    if held:
+        columns.append((held_out(content), list(held), content["fit"][f"noise_floor_{words.ending}"]))
+    rows = [["simulator", *(head for head, _, _ in columns)]]
+    for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
+        rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
+    if held and holdout.other_name(content):
+        rows[-1][-1] += " *"
+    if rows[-1][1:] == rows[-2][1:] and not content["mechanisms"]:  # nothing is named
+        rows.pop()
+    adopted = content["evidence"].get(f"adopted_{words.ending}")
+    if adopted is not None:
+        rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])
+    rows.append(
+        [
+            "noise",
+            *(
+                size(noise, words.unit) + kind
+                for (_, _, noise), kind in zip(columns, _kinds(content, words), strict=False)
+            ),
+        ]
+    )
+    return rows
+
+
+def short(content: Verdict, words: Vocabulary) -> list[str]:
+    """The table with its rows said in words, and no remarks; the details have those."""
+    rows, held = _rows(content, words), unseen.errors(content, words)
+    if kept_times(content, words):  # nobody simulates with adopted effects and the dimensions of run.yaml
+        rows = [row for row in rows if row[0] != "nominal"]
+    named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
+    first = (
+        "adopted effects, dimensions of run.yaml" if holdout.included(content) else "nominal: dimensions of run.yaml"
+    )
+    moved = "calibrated anew: dimensions moved" if holdout.included(content) else "calibrated: dimensions moved"
+    in_words = {"nominal": first, "calibrated": moved}
+    in_words |= {
+        "as adopted": "as adopted: effects and dimensions",
+        "as diagnosed": named,
+        "noise": "noise: about the least possible",
+    }
+    cells = aligned([[in_words.get(first, first), *rest] for first, *rest in rows])
+    return [*cells, *(_of_other(content) if held else [TOO_FEW])]
+
+
+def _of_other(content: Verdict) -> list[str]:
+    """Whose error on unseen strokes the last row holds, where it is not of what the verdict names."""
+    other = holdout.other_name(content)
+    who = "calibration alone: the procedure names no effect without these strokes"
+    return [f"* of {who}." if other == holdout.NO_EFFECT else f"{OTHER.format(other)}."] if other else []
+
+
+def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:
+    """The dimension that moved the most, where moving dimensions took most of the error away."""
+    nominal, calibrated, _ = _seen(content, words)
+    measured = {
+        name: abs(sigma)
+        for name, sigma in content["evidence"]["moved_sigma"].items()
+        if name in content["parameters"] and not name.startswith("stiffness") and not of_later_run(name)
+    }
+    if nominal is None or calibrated is None or not measured or nominal < HALVED * calibrated or far_moved(content):
+        return []
+    most = max(measured, key=lambda name: measured[name])
+    nominal_value, value = from_to(content, most)
+    moved = f"The {name_of(most)} moved the most, from {nominal_value} to {value}"
+    leave = f"{times(measured[most])} times its tolerance, which is no reason to measure it again"
+    return [f"Most of the nominal error is dimensions. {moved}: {leave}."]
+
+
+def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
+    """What the last error of the whole recording is of single samples, where it was compared in averages.
+
+    Averages take noise away and leave what is systematic, so the noise of single samples comes in its place.
+    """
+    if error is None or not unseen.averaged(content, words):
+        return ""
+    floor, noise = content["evidence"][f"floor_{words.ending}"], content["fit"][f"noise_floor_{words.ending}"]
+    single = math.sqrt(max(error**2 - floor**2, 0.0) + noise**2)
+    least = size(error, words.unit)
+    return (
+        f"The left column is of averages. Of single samples, as {program_name('simulate')} and {program_name('adopt')} "
+        f"count, {least} would be about {size(single, words.unit)}."
+    )
+
+
+def held_out(content: Verdict) -> str:
+    """What the strokes are that were held out, and who has seen them."""
+    split = content["fit"]["heldout"]["split"]
+    return {
+        holdout.UNSEEN: f"{split} (seen by no fit)",
+        holdout.SEEN: f"{split} (seen before)",
+        holdout.PERHAPS: f"{split} (perhaps seen before)",
+    }[holdout.status(content)]
+
+
+def _seen(content: Verdict, words: Vocabulary) -> list[float | None]:
+    """Errors over the whole recording: nominal, calibrated, as diagnosed; None where an older file has none."""
+    evidence, named = content["evidence"], rivals.entries(content, "named")
+    nominal, calibrated = (evidence.get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    return [nominal, calibrated, named[0][f"left_{words.ending}"] if named else calibrated]
+
+
+def _cell(error: float | None, noise: float, words: Vocabulary) -> str:
+    return (
+        UNKNOWN
+        if error is None
+        else f"{size(error, words.unit)} ({unseen.beside_limit(error / noise)} times the noise)"
+    )
+
+
+def _kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
+    """Of what each noise is, where the two differ."""
+    if not unseen.averaged(content, words):
+        return "", ""
+    over = content["evidence"].get("step_s")
+    return f", of averages{f' of {duration(over)}' if over else ''}", ", of single samples"

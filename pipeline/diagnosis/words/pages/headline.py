@@ -1,0 +1,130 @@
+"""The verdict in one line: it says no more than what is left allows."""
+
+from ...document.bounds import at_bound
+from ...document.content import Verdict
+from ..explanations import left_out, rivals
+from ..held_out import holdout, unseen
+from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
+from ..language.quantity import listing, percent, size, times
+from ..language.vocabulary import Vocabulary
+
+WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml that errs by more
+SAID = {
+    "consistent": "the simulation explains the recording to its noise ({floor}).",
+    "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
+    "explained": "physics is missing, and named{sure}.",
+    "ambiguous": "physics is missing; {recordings} cannot decide between {count} explanations{sure}.",
+    "unknown": "the mismatch is real, and nothing in the library explains it.",
+}
+WITH_ADOPTED = {
+    "consistent": "with {it} the simulation explains the recording to its noise ({floor}); {adopted}.",
+    "parameters": "with {it} the simulation explains the recording once its dimensions move{far}; {adopted}.",
+}
+AS_ADOPTED = (
+    "with {it} and the dimensions that came with {it} the simulator explains the recording ({error} rms, {ratio} times "
+    "the noise); {adopted}."
+)
+HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({floor}); moving dimensions adds little."
+HOLDS, NEW, LEFT = "and still hold{s}", "and something new is there", "and something without a name is left"
+MAY_HOLD, UNFIT = "and may hold", "and fit{s} no more with the dimensions of run.yaml"
+FAR = ", some by three times their tolerance: measure them again before you trust it"
+PARTLY = "physics is missing, and named in part{sure}."
+LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
+NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
+
+
+def headline(content: Verdict, words: Vocabulary) -> str:
+    """The verdict in one line."""
+    run = ", ".join(_runs(content))
+    verdict, adopted = content["verdict"], holdout.included(content)
+    fitted = unseen.fitted_times(content, words, named=False) if verdict in UNNAMED else None
+    sentence = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
+    if fitted is not None and fitted > unseen.STILL_MISSING:
+        sentence = LEFT_OVER
+    elif verdict == "explained" and unseen.partly(content, words):
+        sentence = PARTLY
+    elif verdict == "parameters" and moved_in_vain(content, words):
+        sentence = HARDLY_MOVED
+    evidence, named = content["evidence"], NOTHING_FURTHER if adopted else NOTHING_NAMED
+    likely = max((len(adoption["tied"]) for adoption in content.get("adopted", [])), default=0)
+    if adopted and likely:
+        named = f"{named}; what was adopted is one of {1 + likely} likely explanations"
+    fields = {
+        "recordings": "this recording" if len(_runs(content)) == 1 else "these recordings",
+        "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
+        + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
+        "count": 1 + len(content["alternatives"]),
+        "sure": how_sure(content),
+        "adopted": named,
+        "beside": f"{named}; with {_them(adopted)} " if adopted else "",
+        "it": _them(adopted),
+        "far": FAR if at_bound(evidence["moved_sigma"]) else "",
+        "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
+        "ratio": times(fitted or 0.0),
+    }
+    if kept := kept_times(content, words):
+        sentence = AS_ADOPTED
+        fields |= {"error": size(content["evidence"][f"adopted_{words.ending}"], words.unit), "ratio": times(kept)}
+    warning = unfit(content, words)
+    state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
+    state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
+    about, sentence = f"{run}: {_lead(verdict, adopted, UNFIT if warning else state)}", sentence.format(**fields)
+    if warning:
+        return f"{about}: {warning}. {sentence[0].upper()}{sentence[1:]}{unseen.worse(content, words)}"
+    return f"{about}: {sentence}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+
+
+def _runs(content: Verdict) -> list[str]:
+    """The runs that a verdict is on."""
+    return [content["run"]] if isinstance(content["run"], str) else list(content["run"])
+
+
+def _them(adopted: list[str]) -> str:
+    """How adopted effects are referred to."""
+    return "it" if len(adopted) == 1 else "them"
+
+
+def _lead(verdict: str, adopted: list[str], state: str) -> str:
+    """The verdict's word; where effects are adopted, first which ones, and the `state` that they are in."""
+    if not adopted:
+        return verdict
+    single = len(adopted) == 1
+    return (
+        f"{listing(adopted)} {'was' if single else 'were'} adopted {state.format(s='s' if single else '')} ({verdict})"
+    )
+
+
+def unfit(content: Verdict, words: Vocabulary) -> str:
+    """The warning not to predict with a run.yaml whose adopted effects do not fit its dimensions; else nothing."""
+    errors = errors_of_adopted(content, words)
+    if errors is None or errors[0] <= WORSE * errors[1]:
+        return ""
+    now, calibrated = (size(error, words.unit) for error in errors)
+    return (
+        f"do not predict with run.yaml as it stands: it errs by {now} rms, and by {calibrated} once its dimensions move"
+    )
+
+
+def as_it_stands(content: Verdict, words: Vocabulary) -> str:
+    """By how much run.yaml errs with the effects that it has adopted; nothing where none is adopted."""
+    errors = errors_of_adopted(content, words)
+    if errors is None:
+        return ""
+    now, calibrated = (size(error, words.unit) for error in errors)
+    return f" run.yaml as it stands errs by {now} rms, calibrated by {calibrated}."
+
+
+def errors_of_adopted(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
+    """The errors of run.yaml with adopted effects and its own dimensions, nominal and calibrated; else None."""
+    if any(adoption.get("dimensions") for adoption in content.get("adopted", [])):
+        return None  # run.yaml simulates with these
+    nominal, calibrated = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    return (nominal, calibrated) if holdout.included(content) and nominal and calibrated else None
+
+
+def how_sure(content: Verdict) -> str:
+    """How probable the best explanation is; nothing where no probability is known."""
+    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    which = "the best one" if content["alternatives"] else "the explanation"
+    which = "the best one that can be named" if left_out.likelier(content, share) else which
+    return "" if share is None else f"; {which} has a probability of {percent(share)}"

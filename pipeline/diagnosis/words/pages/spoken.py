@@ -1,0 +1,42 @@
+"""The content of a diagnosis, all numbers → the same with the sentences of `diagnosis/document/content.py`."""
+
+from ....systems import System
+from ...document.content import Part, Verdict
+from ...mechanisms.library import mechanisms
+from ...recording.system_units import Units
+from ..language.quantity import listing
+from ..language.vocabulary import Vocabulary
+from ..named import effects
+from ..next_run import experiment
+
+
+def spoken(content: Verdict, system: System) -> Verdict:
+    """The content with `sentence` of each mechanism, `next_experiment`, and the driver of the mismatch in words."""
+    words, units, evidence = Vocabulary.of(system), Units.of(system), content["evidence"]
+    spans, opened = evidence[f"spans_{words.ending}"], evidence.get("loops", {})
+    trends = evidence.get(f"trends_{words.ending}", {})
+    for entry in [*content["mechanisms"], *content.get("of_your_own", {"mechanisms": []})["mechanisms"]]:
+        mechanism = mechanisms()[entry["id"]]
+        entry["sentence"] = effects.sentence(
+            mechanism, entry, spans.get(entry["id"]), words, units, opened.get(entry["id"]), trends.get(entry["id"])
+        )
+    if content["mismatch"]:
+        driver = followed(content["mismatch"]["driver"], words, evidence["loaded"])
+        if any(effects.calculated(mechanisms()[entry["id"]], entry) for entry in content["mechanisms"]):
+            driver = driver.replace("the temperature", effects.CALCULATED)
+        content["mismatch"]["driver"] = driver
+    if content["next_run"]:
+        content["next_experiment"] = experiment.in_one_line(content, words, whole(evidence, words))
+    return content
+
+
+def followed(drivers: list[str], words: Vocabulary, loaded: bool) -> str:
+    """Several drivers as a list."""
+    phrases = list(dict.fromkeys(words.follows(driver, loaded) for driver in drivers))
+    return "; ".join(phrases) if any(" and " in phrase for phrase in phrases) and len(phrases) > 1 else listing(phrases)
+
+
+def whole(evidence: Part, words: Vocabulary) -> float:
+    """Range of the motion."""
+    low, high = evidence[words.driver]
+    return float(high - low)

@@ -1,0 +1,142 @@
+"""What to do next, in numbered steps, the first one first; they follow from the verdict and decide nothing."""
+
+from pathlib import Path
+
+from ....ground.command import command
+from ...document.content import Verdict
+from ..held_out import holdout, in_vain, unseen
+from ..held_out.without_name import moved_in_vain
+from ..language.quantity import listing
+from ..language.vocabulary import Vocabulary
+from ..measured import to_measure
+from ..measured.dimensions import far_moved, name_of
+from ..next_run import deciding_run, make_sure, to_decide
+from ..next_run.make_sure import DETAILS, RUN
+from ..next_run.run_asked import MORE_STROKES
+from . import advice, to_use
+from .adoption import dimensions_came, predictions
+
+HEADING = "What to do, in this order"
+NAMED = ("explained", "ambiguous")
+
+
+def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool) -> list[str]:
+    """The steps, numbered where there are several; what belongs to a step stands below it, indented.
+
+    `short`: as the page has them; else as the details do, where to predict and to adopt has a section of its own.
+    """
+    steps = (
+        _named(content, words, folders, out, short)
+        if content["verdict"] in NAMED
+        else _unnamed(content, words, folders, short)
+    )
+    if len(steps) == 1:
+        return steps[0]
+    numbered = []
+    for place, (first, *rest) in enumerate(steps, start=1):
+        numbered += [f"{place}. {first}", *(f"   {line}" for line in rest)]
+    return numbered
+
+
+def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool) -> list[list[str]]:
+    """The steps where something is named."""
+    if in_vain.harmful(content, words):
+        return [
+            [f"{advice.worse(content)} {MORE_STROKES}"],
+            *_measure(content, words, short, "leave it, and take this verdict as provisional"),
+            *to_decide.step(content, words, folders, short),
+        ]
+    return [
+        *_measure(content, words, short),
+        *to_decide.step(content, words, folders, short),
+        *make_sure.of_names(content, words, folders, out, short),
+        *make_sure.of_what_is_missing(content, words, folders, out, short),
+        *(to_use.predict(content, words, folders, out) if short else []),
+        *(to_use.adopt(content, words, folders, out) if short else []),
+    ]
+
+
+def asks_to_measure(content: Verdict, words: Vocabulary) -> bool:
+    """Whether one of the steps is to measure dimensions again."""
+    if not far_moved(content):
+        return False
+    if content["verdict"] in (*NAMED, "unknown") or any(adoption["tied"] for adoption in content.get("adopted", [])):
+        return True
+    moved_for_nothing = content["verdict"] == "parameters" and moved_in_vain(content, words)
+    adopted = bool(holdout.included(content))
+    return not unseen.left_over(content, words) and (adopted or not moved_for_nothing)
+
+
+def _measure(content: Verdict, words: Vocabulary, short: bool, then: str = "go on with step 2") -> list[list[str]]:
+    """What to measure again, and what then; nothing where no dimension moved far."""
+    if not far_moved(content):
+        return []
+    return [
+        [
+            "Measure again what calibration moved far:",
+            *to_measure.table(content, words, short),
+            *to_measure.consequences(content, then, short),
+        ]
+    ]
+
+
+def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
+    """The steps where nothing is named."""
+    if content["verdict"] == "unknown":
+        run = content["next_run"]
+        shows = f"Make the run in {DETAILS} under {RUN}: it shows more of what is missing."
+        again = _measure(content, words, short, "go on")
+        return [*again, *([[shows]] if run else []), [advice.NOTHING_NAMED]]
+    tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
+    if tied and not deciding_run.worth_making(tied):
+        count = 1 + max(len(adoption["tied"]) for adoption in tied)
+        text = f"Report what was adopted as one of {count} explanations: no run that was tried decides between them."
+        return [[text], *_anew(content, words, folders, short), *make_sure.of_what_is_left(content, words)]
+    if tied:
+        return [
+            *_anew(content, words, folders, short),
+            [
+                "Decide between what was adopted and what was likely as well, if you need to know: the run is in "
+                f"{DETAILS} under {RUN}. Take out what was adopted first, for it is not weighed again:",
+                *to_use.remove(folders, short),
+            ],
+            *make_sure.of_what_is_left(content, words),
+        ]
+    if unseen.left_over(content, words):
+        return [[f"Record the rig in other ways, as {DETAILS} says under {RUN}, and diagnose the runs together."]]
+    if holdout.included(content) and far_moved(content):
+        return _anew(content, words, folders, short)
+    if asks_to_measure(content, words):
+        names = listing([f"the {name_of(name)}" for name in far_moved(content)])
+        return [
+            [
+                f"Measure {names} again, and write what you measured into run.yaml.",
+                *to_measure.table(content, words, short),
+            ]
+        ]
+    open_still = make_sure.of_adopted(content, words, holdout.included(content), folders, short)
+    return [["Nothing needs to be done: this recording shows nothing further."], *open_still]
+
+
+def _anew(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
+    """What to measure again after adopting, and what follows for the adopted effects."""
+    if not far_moved(content):
+        return []
+    remove = to_use.remove(folders, short)
+    again = ["Measure again what calibration moved far:", *to_measure.table(content, words, short)]
+    change = (
+        "Where you find another value, take the adopted effects out, write the value into run.yaml, diagnose again, "
+        "and adopt what the new verdict names: effects and dimensions were fitted together."
+    )
+    if dimensions_came(content):
+        keep = f"If nothing changed, keep what was adopted, and predict with {command('simulate')} as it is."
+        return [again, [change, *remove], [keep]]
+    adopted = [adoption for adoption in content.get("adopted", []) if adoption.get("diagnosis")][-1:]
+    known = [(Path(str(adoption["diagnosis"])), adoption["effects"]) for adoption in adopted]
+    predict = [
+        f"  {line}" for source, ids in known for line in predictions(source, folders[:1] if short else folders, ids)
+    ]
+    keep = (
+        f"If nothing changed, predict with {'the diagnosis that was adopted:' if adopted else 'that diagnosis.json.'}"
+    )
+    return [again, [change, *remove], [keep, *predict]]

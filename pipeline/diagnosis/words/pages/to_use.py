@@ -1,0 +1,44 @@
+"""What a diagnosis is used for, as steps of the page: to predict the rig, and to put the effects into run.yaml."""
+
+import shlex
+from pathlib import Path
+
+from ....ground.command import command
+from ...document.content import Verdict
+from ..language.vocabulary import Vocabulary
+from . import advice
+from .adoption import columns_of_plan, of_staying, predictions
+
+LIKEWISE = "For the other runs likewise (details.txt)."
+
+
+def predict(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
+    """The command that predicts a planned motion with what was found; the details have the others."""
+    if out is None or not content.get("simulation", [True]):
+        return []
+    head = f"To predict the rig, at loads, speeds and {words.motion}s like those recorded"
+    ids = [entry["id"] for entry in content["mechanisms"]]
+    planned = predictions(out / "diagnosis.json", folders, ids)[1::2]
+    return [[f"{head}. {columns_of_plan(words.driver, words.load)}:", f"  {planned[0]}", *of_staying(ids)]]
+
+
+def adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
+    """Whether to put the effects into run.yaml, and the command that does."""
+    if out is None or not content.get("simulation", [True]):
+        return []
+    whether = advice.of_adopting(content, words)
+    source = shlex.quote(str(out / "diagnosis.json"))
+    commands = [f"{command('adopt')} {source} {shlex.quote(str(folder))}" for folder in folders]
+    return [[f"{whether} To put it into run.yaml, dimensions included:", *_of_each(commands, short=True)]]
+
+
+def remove(folders: list[Path], short: bool) -> list[str]:
+    """The command that takes adopted effects out of each run."""
+    return _of_each([f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders], short)
+
+
+def _of_each(commands: list[str], short: bool) -> list[str]:
+    """A command for each run, indented; `short`: that of the first run alone."""
+    if short and len(commands) > 1:
+        return [f"  {commands[0]}", LIKEWISE]
+    return [f"  {line}" for line in commands]

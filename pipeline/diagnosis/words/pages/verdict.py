@@ -1,0 +1,148 @@
+"""The content of `diagnosis.json` → `verdict.txt`: one page that says what acts, how well it fits, and what to do."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from ....systems import System
+from ...document.content import Verdict
+from ...mechanisms.interface import physics
+from ..explanations import chances, rejected_explanations, rivals, unexplained_pattern
+from ..held_out import holdout, level, unseen, unseen_doubts
+from ..held_out.without_name import UNNAMED, kept_times
+from ..language.places import EVERYWHERE, place
+from ..language.quantity import listing, size, times
+from ..language.sections import shortened, text
+from ..language.vocabulary import Vocabulary
+from ..measured import breaks, tolerances
+from ..measured.dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
+from ..named import adopted_table, effect_table, logged, slow_look_alikes
+from . import adoption, error_table, spikes, to_do
+from .headline import headline
+
+DOUBTS = "What to know first"
+LONG = 200  # letters of a doubt on the page
+MORE = "More: details.txt (reasons, steps in full, what can be reported, words), diagnosis.pdf (figures)."
+
+
+def verdict_text(
+    content: Verdict, system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
+) -> str:
+    """The verdict on one page; `folders` are the runs it is about and `out` its own folder, for the commands.
+
+    `doubts` are sentences on the recording itself, which a reader must know before anything else.
+    """
+    words = Vocabulary.of(system)
+    missing, would, temperature = _unknown(content, words), _would(content, words), logged.temperature(content, words)
+    acts = effect_table.lines(content, words, short=True) if content["mechanisms"] else []
+    first = [*what_first(content, words), *slow_look_alikes.doubts(content, words)]
+    first = [shortened(line, LONG) for line in first]
+    sections = [
+        (headline(content, words), []),
+        (DOUBTS, [*doubts, *first, *spikes.on_page(content, words)]),
+        (effect_table.HEADING, acts),
+        (adopted_table.HEADING, adopted_table.lines(content, words)),
+        (chances.HEADING, chances.lines(content, words, short=True)),
+        ("What is missing", [*missing, *temperature] if missing else []),
+        (error_table.SHORT, error_table.short(content, words)),
+        ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),
+        (to_do.HEADING, to_do.lines(content, words, folders, out, short=True)),
+        ("What would have been seen", [*would, *temperature] if would else []),
+    ]
+    return text(sections, (MORE, []))
+
+
+def what_first(content: Verdict, words: Vocabulary) -> list[str]:
+    """What a reader must know before he trusts a verdict, a line each: what counts most stands in its first sentences.
+
+    Slow effects that look alike are not in it: the page has a line on them, and the details have one on each.
+    """
+    return [
+        *adoption.cautions(content),
+        *breaks.changed(content),
+        *unseen_doubts.cautions(content, words),
+        *_left(content, words),
+        *_provisional(content, words),
+    ]
+
+
+def _left(content: Verdict, words: Vocabulary) -> list[str]:
+    """Where the pattern lies that is left, where unseen strokes are missed and nothing says by what."""
+    if not unseen.partly(content, words) or level.place_of_missing(content, words):
+        return []
+    least = rivals.NOISY if level.beaten(content, words) else 0.0
+    return unexplained_pattern.remains(content, words, least)
+
+
+def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
+    """Why names may not last: dimensions that calibration moved far, and odd tolerances."""
+    moved = far_moved(content)
+    lines = tolerances.doubts(content, words)
+    if moved:
+        names = listing([f"the {name_of(name)}" for name in moved])
+        single = len(moved) == 1
+        their, are = ("its", "it is") if single else ("their", "they are")
+        below = " (below)" * to_do.asks_to_measure(content, words)
+        lines.append(
+            f"Calibration moved {names} by {_span(moved)} times {their} tolerance; three is the most that it may. "
+            f"Until {are} measured again{below}, {_what(content)} provisional."
+        )
+    if moved and adoption.dimensions_came(content) and adoption.adopted_again(content):
+        lines.append("These are the values that were adopted with the effects: nothing new was found about them.")
+    elif moved and adoption.dimensions_came(content):
+        lines.append(
+            "What was adopted fitted with other dimensions (`adopted` in run.yaml): dimensions take each other's "
+            "place, so these need not be the wrong ones."
+        )
+    if (
+        adopted_fit(content)
+        and not kept_times(content, words)
+        and any(abs(sigma) > LEAVES for sigma in content["evidence"]["moved_sigma"].values())
+    ):
+        lines.append(
+            "Fitted anew, dimensions moved far. That is no reason to measure them again: the dimensions that were "
+            "adopted lie within their tolerances, and fit this rig as well."
+        )
+    return lines
+
+
+def _what(content: Verdict) -> str:
+    return "names, percentages and sizes are" if content["mechanisms"] else "this verdict is"
+
+
+def _span(moved: dict[str, float]) -> str:
+    ends = list(dict.fromkeys(times(abs(sigma)) for sigma in sorted(moved.values(), key=abs)))
+    return ends[0] if len(ends) == 1 else f"{ends[0]} to {ends[-1]}"
+
+
+def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
+    """Of a mismatch without a name: how large it is, where, what it follows, what comes closest, the level to reach."""
+    mismatch = content["mismatch"]
+    if not mismatch or content["verdict"] != "unknown":
+        return []
+    rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    where = place(mismatch["location"], content["evidence"], words)
+    lies = "spread over the whole range" if where == EVERYWHERE else f"mostly {where}"
+    missing = f"{size(rms, words.unit)} rms is missing after calibration ({times(rms / floor)} times the noise)"
+    return [
+        f"{missing}, {lies}. It follows {mismatch['driver']}.",
+        "What comes closest, and does not do:",
+        *(f"  {line}" for line in rejected_explanations.insufficient(content, words)),
+        *level.to_reach(content, words),
+    ]
+
+
+def _would(content: Verdict, words: Vocabulary) -> list[str]:
+    """What a verdict without a name is worth, in short: from which size on effects would have been seen."""
+    detectable = content["fit"][f"detectable_{words.ending}"]
+    sizes = {
+        id_: least for id_, least in detectable.items() if physics((id_,)) and id_ not in holdout.included(content)
+    }
+    if content["verdict"] not in UNNAMED or not sizes:
+        return []
+    left = unseen.left_over(content, words)
+    if left:
+        more = f"Of the errors above, {size(left, words.unit)} rms is more than noise"
+        return [f"{more}: effects of that size and less may hide in it."]
+    ends = [min(sizes, key=lambda id_: sizes[id_]), max(sizes, key=lambda id_: sizes[id_])]
+    from_to = " to ".join(f"{size(sizes[id_], words.unit)} ({id_})" for id_ in dict.fromkeys(ends))
+    return [f"An effect would have been seen from this size on: {from_to} rms. details.txt has the size of each."]

@@ -1,0 +1,93 @@
+"""Why an explanation is less likely than the best one: exact parts of the judge's score, and words for them."""
+
+import json
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis.facts.aspects import MARKS, SIGNS, by_aspect, chief
+from pipeline.diagnosis.facts.evidence import explanations
+from pipeline.diagnosis.numerics.judge import Weighed, judge
+from pipeline.diagnosis.words.explanations.reasons import NAMES, SAID, chiefly, reason, why
+
+NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "wear")]
+
+
+@pytest.fixture
+def some() -> list[Weighed]:
+    """Explanations of every size, their signs drawn over all that the judge has knots for."""
+    draw = np.random.default_rng(1)
+    knots = judge().knots.items()
+    return [Weighed(ids, {name: float(draw.uniform(ends[0], ends[-1])) for name, ends in knots}) for ids in NAMED]
+
+
+def test_the_parts_of_the_judges_score_add_up_to_the_log_of_the_ratio_of_probabilities(some) -> None:
+    shares = judge().probabilities(some)
+    for one, share in zip(some, shares, strict=False):
+        for other, beside in zip(some, shares, strict=False):
+            ratio = pytest.approx(np.log(share / beside), abs=1e-9)
+            assert sum(judge().because(one, other).values()) == ratio
+            assert sum(by_aspect(judge(), one, other).values()) == ratio
+            assert set(judge().because(one, other)) == {*judge().knots, "names", "size"}
+
+
+def test_a_sign_in_which_two_explanations_agree_counts_nothing(some) -> None:
+    one, other = some[1], Weighed(some[3].ids, {**some[3].signs, "left_share": some[1].signs["left_share"]})
+    assert judge().because(one, other)["left_share"] == 0.0 and judge().because(one, other)["size"] == 0.0
+    assert judge().because(one, Weighed(one.ids[:1], one.signs))["size"] != 0.0
+
+
+def test_every_sign_of_the_judge_has_an_aspect_and_every_aspect_a_word(some) -> None:
+    of_signs = [sign for signs in SIGNS.values() for sign in signs]
+    assert len(of_signs) == len(set(of_signs)) and set(SAID) == {*SIGNS, "size"}
+    assert {sign for sign in judge().knots if not sign.startswith(MARKS)} == set(of_signs)
+    for aspect in by_aspect(judge(), some[0], some[1]):
+        for more in (-1.0, 0.0, 1.0):
+            assert reason({"aspect": aspect, "log_odds": -1.0, "more": more})
+
+
+def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_likely_it_is(some) -> None:
+    found = chief(judge(), some[0], some[1])
+    parts = by_aspect(judge(), some[0], some[1])
+    assert [each["log_odds"] for each in found] == sorted(parts.values())[:2] and found[0]["log_odds"] < 0.0
+    because = [
+        {"aspect": "weakest", "log_odds": -1.0, "more": -2.0},
+        {"aspect": "mark_jam", "log_odds": -1, "more": -1},
+    ]
+    said = why({"probability": 0.2, "because": because}, {"probability": 0.6})
+    assert said == (
+        "It is 3.0 times less likely than the best one, chiefly since its weakest part is worth less and since it "
+        "leaves out jam, whose mark this recording shows."
+    )
+    names = {"aspect": "names", "log_odds": -2.0, "more": 0.0}
+    said = why({"probability": 0.2, "because": [names, because[1]]}, {"probability": 0.6})
+    assert said.endswith("best one, partly since it leaves out jam, whose mark this recording shows.")
+    said = why({"probability": 0.2, "because": [because[1], names]}, {"probability": 0.6})
+    assert said.endswith("best one, chiefly since it leaves out jam, whose mark this recording shows.")
+    said = why({"probability": 0.2, "because": [names]}, {"probability": 0.6})
+    assert said.endswith("were right less often in the simulated recordings that taught the judge.")
+    assert why({"probability": 0.2}, {"probability": 0.6}) == "It is 3.0 times less likely than the best one."
+    for share in (0.0, None, 0.6):
+        assert why({"probability": share, "because": because}, {"probability": 0.6}) == ""
+
+
+def test_a_diagnosis_keeps_the_reasons_against_each_explanation_that_was_weighed(studied) -> None:
+    shown = explanations(studied("creep")[0], "mm")
+    reasons = [one["because"] for one in shown if one["ids"] and one["standing"] != "named"]
+    assert reasons and any(reasons) and all(len(each or []) <= 2 for each in reasons)
+    assert all(part["log_odds"] < 0.0 for each in reasons for part in each or [])
+    assert json.dumps(shown) and "because" not in next(one for one in shown if one["standing"] == "named")
+
+
+def test_what_a_reader_takes_for_a_merit_is_no_reason_against_an_explanation() -> None:
+    worse, fewer = (
+        {"aspect": aspect, "log_odds": -1.0, "more": more} for aspect, more in (("fit", -1.0), ("numbers", -2.0))
+    )
+    assert chiefly({"because": [worse, fewer]}) == "chiefly since it fits the recording worse"
+    assert chiefly({"because": [fewer, worse]}) == "partly since it fits the recording worse"
+    assert chiefly({"because": [fewer]}) == (
+        "though it has fewer free numbers: such explanations were right less often in the simulated recordings that "
+        "taught the judge"
+    )
+    names = {"aspect": "names", "log_odds": -1.0, "more": -1.0}
+    assert chiefly({"because": [names]}) == f"chiefly since {NAMES}"
