@@ -5,7 +5,7 @@ import re
 from .units import SAID, UNITS
 
 SIGNS = {"°": "deg", "grad": "deg", "u": "turns", "umdrehungen": "turns", "turn": "turns", "rot": "turns"}
-SIGNS |= {"°c": "degC", "c": "degC", "amp": "A", "kg": "kgf", "sekunden": "s", "counts": "count", "ticks": "count"}
+SIGNS |= {"°c": "degC", "c": "degC", "amp": "A", "sekunden": "s", "counts": "count", "ticks": "count"}
 SIGNS |= {"\u03bcs": "us", "usec": "us", "micros": "us", "millis": "ms", "n*m": "Nm", "meter": "m", "metre": "m"}
 KNOWN = {**SIGNS, **SAID, **{unit.lower(): unit for unit in UNITS}}
 PLACES = (

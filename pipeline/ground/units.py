@@ -70,7 +70,9 @@ def conversion(column: str, unit: str | None, counts_per_turn: float | None = No
             return quantity[unit] / quantity[own], 0.0
     if unit not in UNITS:
         raise ValueError(f"is not a known unit; {_near(unit)}known are {', '.join(UNITS)}")
-    raise ValueError(f"does not measure what the channel is; give a unit that converts to {own}")
+    is_load = unit == "kg" and own in _FORCE
+    aside = ": a load cell that shows kg shows kilograms of force, so write kgf" if is_load else ""
+    raise ValueError(f"does not measure what the channel is; give a unit that converts to {own}{aside}")
 
 
 def ending_of(column: str, channel: str) -> str:

@@ -127,6 +127,24 @@ def test_counts_and_guessed_units_are_said(tmp_path):
     assert "motor_turns: {column: angle, unit: deg}" in text and "theta may be meant as well" in text
 
 
+@pytest.mark.parametrize("name", ["Last [kg]", "Kraft (kg)", "load_kg", "Gewicht in kg", "Last"])
+def test_a_load_in_kg_is_drafted_as_kilograms_of_force_to_be_checked(tmp_path, name):
+    columns = {"Zeit [s]": T, "Winkel [deg]": M * 360, "Weg [mm]": X, name: 2.0 + 0.1 * np.sin(T)}
+    rows = [] if "kg" in name else [["s", "deg", "mm", "kg"]]
+    lines = [";".join(columns), *(";".join(map(str, row)) for row in [*rows, *np.column_stack([*columns.values()])])]
+    (tmp_path / "a.csv").write_text("\n".join(lines))
+    done = program("--guess", "a.csv", cwd=tmp_path)
+    assert re.search(r"load_n: \{column: .+, unit: kgf\} +# check: kg is taken as kilograms of force", done.stdout)
+    assert "  load_n:  # fill in" not in done.stdout and "not read" not in done.stderr
+
+
+def test_a_mass_in_kg_that_no_name_calls_a_load_is_none(tmp_path):
+    columns = {"Zeit [s]": T, "Winkel [deg]": M * 360, "Weg [mm]": X, "Masse [kg]": 2.0 + 0.1 * np.sin(T)}
+    table(**columns).to_csv(tmp_path / "a.csv", index=False)
+    done = program("--guess", "a.csv", cwd=tmp_path)
+    assert "load_n: {" not in done.stdout and "load_n:  # fill in" in done.stdout and "Masse" in done.stderr
+
+
 def test_a_unit_in_the_header_that_gives_no_rate_of_a_rig_is_doubted(tmp_path):
     table(**{"Time [ms]": T, "theta_deg": M * 360, "x_mm": X}).to_csv(tmp_path / "a.csv", index=False)
     text = program("--guess", "a.csv", cwd=tmp_path).stdout

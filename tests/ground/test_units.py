@@ -39,6 +39,13 @@ def test_counts():
         conversion("displacement_mm", "count", 100.0)
 
 
+def test_a_load_in_kg_is_told_to_be_in_kilograms_of_force():
+    with pytest.raises(ValueError, match="converts to N: a load cell that shows kg .* write kgf$"):
+        conversion("load_n", "kg")
+    with pytest.raises(ValueError, match="converts to mm$"):
+        conversion("displacement_mm", "kg")
+
+
 @pytest.mark.parametrize("unit", ["\u00b5m", "\u03bcm", "micron", "micrometre"])
 def test_a_micrometre_is_not_mistaken_for_a_metre(unit):
     """A column in micrometres was told: did you mean 'm'?"""
