@@ -40,9 +40,9 @@ def test_counts():
 
 
 def test_a_load_in_kg_is_told_to_be_in_kilograms_of_force():
-    with pytest.raises(ValueError, match="converts to N: a load cell that shows kg .* write kgf$"):
+    with pytest.raises(ValueError, match=r"converts to N: a load cell that shows kg .* write kgf$"):
         conversion("load_n", "kg")
-    with pytest.raises(ValueError, match="converts to mm$"):
+    with pytest.raises(ValueError, match=r"converts to mm$"):
         conversion("displacement_mm", "kg")
 
 

@@ -23,6 +23,7 @@ SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as ado
 BAND = "0.92"  # the noise
 BINS = 24
 TITLE_WIDE = 34  # characters
+HIGHEST = 0.65  # of an axis' height: where the largest error on unseen strokes stands at most
 NAMED = "as diagnosed"
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
@@ -142,7 +143,9 @@ def held_out(
         axes.set_xlabel(fill(f"* named without them: {without}", TITLE_WIDE), fontsize=8)
     axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
-    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(0.5 * min(*values, floor), 3.0 * max(*values, floor)))
+    low, high = 0.5 * min(*values, floor), max(*values, floor)
+    room = low * (high / low) ** (1.0 / HIGHEST)  # for the label of the highest point, and the legend above that
+    axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(low, max(3.0 * high, room)))
     axes.tick_params(axis="x", labelsize=8)
     plain(axes.yaxis)
-    axes.legend(fontsize=7, frameon=False)
+    axes.legend(fontsize=7, frameon=False, loc="upper center")

@@ -144,6 +144,29 @@ def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_poin
     assert not axes.patches and [line[0][1] for line in axes.collections[0].get_segments()] == [0.02] * 3
 
 
+@pytest.mark.parametrize(
+    "errors",
+    [(5.0, 2.0, 37.0), (37.0, 2.0, 0.03), (0.4, 37.0, 0.03), (37.0, 36.0, 35.0), (0.4, 0.2, 0.2), (900.0,) * 3],
+)
+@pytest.mark.parametrize("without", ["", "creep + friction_hysteresis + axial_elasticity + wear"])
+def test_no_label_of_an_error_on_unseen_strokes_runs_into_the_legend(errors, without) -> None:
+    """A large error's label was printed over the words of the noise."""
+    figure = plt.figure(figsize=(figures.SIZE_INCHES[0], 3.6), layout="constrained")
+    _, axes = figure.subplots(1, 2, width_ratios=[3, 2])
+    held = dict(zip(("nominal_mm", "calibrated_mm", "explained_mm"), errors, strict=True))
+    single, long_title = "noise of single samples: 0.030 mm", "Error on the last 2 strokes, which the effects have seen"
+    panels.held_out(axes, held, 0.03, "mm", "mm", single, long_title, without=without)
+    figure.draw_without_rendering()
+    legend = axes.get_legend().get_window_extent()
+    labels = [text.get_window_extent() for text in axes.texts]
+    assert labels and not any(label.overlaps(legend) for label in labels)
+    assert all(label.y1 < axes.get_window_extent().y1 for label in labels)
+    assert legend.width < axes.get_window_extent().width
+    top = max(axes.collections[1].get_offsets()[:, 1])
+    assert axes.transData.transform((0, top))[1] < legend.y0, "no point stands beneath the legend"
+    plt.close(figure)
+
+
 def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_them() -> None:
     _, axes = plt.subplots()
     held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
