@@ -12,6 +12,7 @@ from .choice.outcome import Study, rms
 from .document.bounds import at_bound
 from .document.content import Verdict
 from .document.tidy import DIGITS, tidy
+from .facts.beyond_seen import beyond_seen
 from .facts.detectable import detectable
 from .facts.evidence import evidence
 from .facts.mechanism_entries import as_entry, listed
@@ -174,6 +175,7 @@ def diagnosis(
     content["evidence"] = evidence(study) | ({"pattern": pattern} if pattern else {})
     if heldout:
         content["evidence"]["chosen_without_them"] = heldout["chosen"]
+        content["evidence"]["beyond_seen"] = beyond_seen(problem.record, heldout["until_s"])
     if heldout and "left" in heldout:
         content["evidence"]["left_of_unseen"] = heldout["left"]
     for name, which in at_bound(content["evidence"]["moved_sigma"]).items():

@@ -140,7 +140,7 @@ def held_out(
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
     other = {NAMED: f"{NAMED}*"} if without else {}
     if without:
-        axes.set_xlabel(fill(f"* named without them: {without}", TITLE_WIDE), fontsize=8)
+        axes.set_xlabel(fill(f"* named without these strokes: {without}", TITLE_WIDE), fontsize=8)
     axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     low, high = 0.5 * min(*values, floor), max(*values, floor)

@@ -19,7 +19,7 @@ class Rig:
         speed = np.abs(np.gradient(record.motion, record.time_s))
         self.low, self.high = (float(value) for value in np.percentile(record.motion, [0.5, 99.5]))
         self.speed = float(np.median(speed[speed > 0.2 * np.percentile(speed, 99)]))
-        self.load = float(f"{np.median(record.load):.3g}")
+        self.load = float(f"{np.percentile(record.load, 50.0, method='lower'):.3g}")  # one that hung, of two
         self.stroke_s = (self.high - self.low) / max(self.speed, 1e-9)
         self.at, self.under = float(record.motion[-1]), float(f"{np.median(record.load[-LAST:]):.3g}")
 

@@ -99,9 +99,9 @@ def test_the_table_has_a_column_for_each_explanation_and_no_row_that_nobody_woul
         ["the loop at half the speed, 1 turns/s", "0.10 mm", "0.20 mm"],
         ["change in a rest of 2 min at 0 turns after it", "+0.10 mm", "–"],
     ], "what tells most comes first, what only one foretells last"
-    assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 8
+    assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 9
     assert rows[-1][0].endswith("by less than that: the loop of a stroke as before under 20 N.")
-    assert rows[-3] == ["–: this explanation foretells no such number."]
+    assert rows[-4] == ["–: this explanation foretells no such number."]
     small = EXPECTED | {"explanations": [{"ids": BOTH, "loop_as_before_mm": 0.05}]}
     assert lines(content(evidence__expected=small), WORDS) == [] == lines(content(), WORDS)
 

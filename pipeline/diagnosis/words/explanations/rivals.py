@@ -134,7 +134,7 @@ def hidden(content: Verdict, words: Vocabulary) -> dict[str, str]:
         if not whole or own <= MORE * whole:
             continue
         others = ", and in the other effects" if len(content["mechanisms"]) > 1 else ""
-        unsure = "Its size is poorly known: it" if own > LARGER * whole else "It"
+        unsure = "Its size is no surer than the dimensions: it" if own > LARGER * whole else "It"
         lines[entry["id"]] = (
             f"{unsure} moves the reading by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is "
             f"missing. Much of it hides in dimensions that calibration moved (see {DIMENSIONS}){others}."

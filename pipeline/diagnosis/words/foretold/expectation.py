@@ -13,6 +13,7 @@ from .foretold_numbers import LEAST, Number, compared, error, of_explanation, pr
 
 SEEN = 2.0  # noise floors, from which a person sees a change in one stroke
 NOT = "hardly"  # what nobody would see
+AT_ONCE = "Changes are of a run that follows the recording at once. After a rest a slow effect can begin anew."
 STAND = ("change in a hold", "change in a rest")  # rows
 INDENT = 5  # of the table on the page
 
@@ -95,6 +96,7 @@ def _table(
         *([_loop(words)] if any(map(_is_loop, keys)) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
         *([_spread(keys)] if known_spread else []),
+        *([AT_ONCE] if not all(map(_is_loop, keys)) else []),
         *_untelling(alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)),
     ]
     return aligned([["What to expect of", *heads], *rows]), remarks, bool(telling) and not alone

@@ -1,4 +1,4 @@
-"""What a hold and a rest show of a slow effect where no number can be given: the sign, and why there is no number."""
+"""What a hold and a rest show of a slow effect where no row of the table has it: in words, or that they do not tell."""
 
 from dataclasses import dataclass
 
@@ -12,11 +12,15 @@ STANDS = ("hold", "rest")
 
 @dataclass(frozen=True)
 class _Sign:
-    """Where the best explanation changes and a rival stands still: the stands, and the largest change of the rival."""
+    """Where the best explanation changes and a rival stands still: the stands, and the largest change of the rival.
+
+    `firm`: the best explanation's own plus-minus leaves no doubt that it changes by more than that.
+    """
 
     rival: Part
     stands: tuple[str, ...]
     still: float
+    firm: bool
 
 
 def lines(content: Verdict, words: Vocabulary, compared: list[Part]) -> list[str]:
@@ -37,12 +41,14 @@ def lines(content: Verdict, words: Vocabulary, compared: list[Part]) -> list[str
         names = listing([apart(first, other)[1] for other in others], "or")
         return [f"A hold and a rest of {stand} do not tell {apart(first, others[0])[0]} from {names} here."]
     named, rival = apart(first, best.rival)
-    return [f"{_decision(named, rival, best, own, stand, words)}{_open(own, best.stands, content)}"]
+    if not best.firm:
+        return [_undecided(named, rival, best, stand, content, words)]
+    return [_decision(named, rival, best, own, stand, words)]
 
 
 def _sign(first: Part, other: Part, content: Verdict, words: Vocabulary) -> _Sign:
     """Where the rival stands still within its interval, and the best explanation moves by more than that."""
-    stands, still = [], 0.0
+    stands, still, firm = [], 0.0, True
     for stand in STANDS:
         own, cell = (of_explanation(each, stand, content, words) for each in (first, other))
         if own is None or cell is None or abs(cell.value) > cell.half_width:
@@ -51,7 +57,8 @@ def _sign(first: Part, other: Part, content: Verdict, words: Vocabulary) -> _Sig
         if abs(own.value) > most:
             stands.append(stand)
             still = max(still, most)
-    return _Sign(other, tuple(stands), still)
+            firm = firm and abs(own.value) - own.half_width > most
+    return _Sign(other, tuple(stands), still, firm)
 
 
 def _decision(named: str, rival: str, sign: _Sign, own: dict[str, Number | None], stand: str, words: Vocabulary) -> str:
@@ -67,13 +74,14 @@ def _decision(named: str, rival: str, sign: _Sign, own: dict[str, Number | None]
     return f"In words: if it is {named}, the reading changes by more than {limit} {where}; if it is {rival}, by less."
 
 
-def _open(own: dict[str, Number | None], stands: tuple[str, ...], content: Verdict) -> str:
-    """Why it is not said by how much; nothing where the numbers are known better than that."""
-    vague = [stand for stand in stands if (cell := own[stand]) and cell.half_width >= abs(cell.value)]
+def _undecided(named: str, rival: str, sign: _Sign, stand: str, content: Verdict, words: Vocabulary) -> str:
+    """What the rival does alone, and why nobody can say by how much the best explanation changes there."""
     known = content["evidence"].get("covered") or {}
-    if not vague:
-        return ""
-    longest_s = {stand: known.get(f"longest_{stand}_s") for stand in STANDS}
-    longest = [f"{stand}s of up to {duration(seconds)}" for stand, seconds in longest_s.items() if seconds is not None]
+    longest_s = {each: known.get(f"longest_{each}_s") for each in STANDS}
+    longest = [f"{each}s of up to {duration(seconds)}" for each, seconds in longest_s.items() if seconds is not None]
+    where = listing([f"in a {each} of {stand}" for each in sign.stands])
     short = f" (it has {listing(longest)})" if longest else ""
-    return f" By how much more cannot be said: this recording was too short for it{short}."
+    return (
+        f"In words: if it is {rival}, the reading changes by less than {size(sign.still, words.unit)} {where}. By how "
+        f"much it changes if it is {named} cannot be said: this recording was too short for it{short}."
+    )

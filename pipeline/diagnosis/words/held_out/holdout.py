@@ -38,7 +38,7 @@ def other_name(content: Verdict) -> str:
 def of_other(content: Verdict) -> str:
     """As `other_name`, of which the error on those strokes is; nothing where no effect was named without them."""
     other = other_name(content)
-    return f"{other} (named without them)" if other not in ("", NO_EFFECT) else ""
+    return other if other not in ("", NO_EFFECT) else ""
 
 
 def whose(content: Verdict) -> str:
@@ -50,9 +50,9 @@ def whose(content: Verdict) -> str:
 def simulator(content: Verdict) -> str:
     """Of which simulator the last error on those strokes is; goes after `the simulator`."""
     if other_name(content) == NO_EFFECT:
-        return "without an effect (none is named without them)"
+        return "without an effect (the procedure names none without these strokes)"
     other = of_other(content)
-    return f"with {other}" if other else "as diagnosed"
+    return f"with {other} (which the procedure names without these strokes)" if other else "as diagnosed"
 
 
 def strokes(content: Verdict) -> str:

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...study.heldout import WORSE
-from ..language.quantity import percent, size
+from ..language.quantity import ends, listing, percent, size
 from ..language.vocabulary import Vocabulary
 from . import holdout, in_vain, level, unseen
 
@@ -23,6 +23,8 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
             " What calibration alone learnt does not hold later: do not adopt its dimensions."
         )
     sentences += in_vain.unsettled(content, words)
+    if unseen.partly(content, words):
+        sentences += beyond(content, words)
     if in_vain.harmful(content, words):
         end = "adopt nothing" if holdout.other_name(content) else "do not adopt it"
         sentences.append(f"On the {strokes} {in_vain.tried(content)} makes the calibrated simulator worse: {end}.")
@@ -37,6 +39,23 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
         lies = level.place_of_missing(content, words)
         sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())
     return [*sentences, *left_of_whole(content, words), *level.beaten(content, words)]
+
+
+def beyond(content: Verdict, words: Vocabulary) -> list[str]:
+    """That the unseen strokes went to a load or a motion that no stroke before them did; nothing where they did not."""
+    known = content["evidence"].get("beyond_seen") or {}
+    units = {"load": words.load_unit, "motion": words.motion_unit}
+    wider = []
+    for name, ranges in known.items():
+        seen, later = (ends(low, high, units[name]) for low, high in ranges)
+        wider.append(f"{later} of {words.motion if name == 'motion' else name} (before them: {seen})")
+    if not wider:
+        return []
+    strokes = holdout.strokes(content)
+    return [
+        f"The {strokes} had {listing(wider)}: their error is also that of conditions which no fit has seen. "
+        "Record each load and each twist among the first strokes as well."
+    ]
 
 
 def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:

@@ -9,12 +9,17 @@ from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..foretold import expectation
 from ..held_out import holdout, in_vain, unseen
-from ..language.quantity import duration, listing, number, quantity, times
+from ..language.quantity import duration, listing, number, quantity
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
-from ..named.missing_signs import ALIKE, missing, recorded
-from . import commands, recipe, second_load, worth
+from ..named import certainty
+from ..named.missing_signs import missing, recorded
+from . import commands, recipe, recorded_so_far, second_load, worth
 
+OTHER_LOAD = (
+    "Better under another load, {half} or {twice}, if the rig bears it: under one load alone no slow effect's name is "
+    "sure."
+)
 AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
 HERE = " (this recording has it)"
 OPTIONAL = "Optional, to be surer of a name{after}: before adopting, {record}"
@@ -92,14 +97,15 @@ def of_names(
         return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
+    other = _other_load(content, words, load)
     if short and run:
-        return [[_head(content, words, f"record {run.removeprefix(recipe.SO)}"), WHERE.format(DETAILS)]]
+        return [[_head(content, words, f"record {run.removeprefix(recipe.SO)}"), *other, WHERE.format(DETAILS)]]
     head = _head(content, words, ALL_HERE if has == set(ids) else RECORD)
     if short:
         return [[head, *tests, WHERE.format(DETAILS)]]
     again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
-    made = [*([run] if run else []), *again, BEFORE] if numbers or run else []
-    return [[head, *tests, *held(content, words, tests), *numbers, *made]]
+    made = [*([run] if run else []), *other, *again, BEFORE] if numbers or run else []
+    return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *made]]
 
 
 def _head(content: Verdict, words: Vocabulary, record: str) -> str:
@@ -108,6 +114,15 @@ def _head(content: Verdict, words: Vocabulary, record: str) -> str:
     if doubt:
         return NEEDED.format(vain=doubt, record=record)
     return OPTIONAL.format(after=", after step 1" if far_moved(content) else "", record=record)
+
+
+def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:
+    """That the same run under another load makes the name of a slow effect sure; nothing where that is no matter."""
+    if load or not certainty.slow_alike(content, words) or not content["evidence"].get("covered"):
+        return []
+    base = second_load.base(content)
+    half, twice = number(second_load.HALF * base, 3), quantity(second_load.TWICE * base, words.load_unit, 3)
+    return [OTHER_LOAD.format(half=half, twice=twice)] if base > 0.0 else []
 
 
 def _again(old: Path, load: str) -> str:
@@ -120,7 +135,10 @@ def of_adopted(
     content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path], short: bool
 ) -> list[list[str]]:
     """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
-    lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms()}
+    of_several = {
+        id_ for each in content.get("adopted", []) if len(each.get("runs") or []) > 1 for id_ in each["effects"]
+    }  # what a diagnosis of several runs named, this recording alone does not doubt
+    lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms() and id_ not in of_several}
     lines = [f"- {id_}: {mechanisms()[id_].told_apart_by}." for id_, lacks in lacking.items() if lacks]
     if not lines:
         return []
@@ -149,41 +167,3 @@ def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
     load = f"{number(least, 3)} to " * content["evidence"]["loaded"] + quantity(most, unit, 3)
     under = f", under {load} as recorded here" if words.load is not None and most > 0.0 else ""
     return f" ({duration(2.0 * longest_s)} or longer each, {twice}{under})" if longest_s > 0.0 else ""
-
-
-def held(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
-    """What this recording holds of loads, speeds, holds and rests, and whether that is what `tests` ask for.
-
-    Nothing where an older file does not say it.
-    """
-    known = content["evidence"].get("covered")
-    if known is None:
-        return []
-    (least, most), (slow, fast) = known["load"], known["speed_per_s"]
-    loads = (
-        f"loads of {number(least, 3)} to {quantity(most, words.load_unit, 3)}"
-        if content["evidence"]["loaded"]
-        else "one load"
-    )
-    speeds = f"speeds of {number(slow)} to {quantity(fast, f'{words.motion_unit}/s')}"
-    if fast < ALIKE * slow:
-        speeds = f"one speed, {quantity(fast, f'{words.motion_unit}/s')}"
-    stands = (
-        f"holds of up to {duration(known['longest_hold_s'])} and rests of up to {duration(known['longest_rest_s'])}"
-    )
-    more = " or more" if content["evidence"]["loaded"] else ""
-    under = f" under {quantity(least, words.load_unit, 3)}{more}" if words.load is not None and least > 0.0 else ""
-    wanted, counts = " ".join(tests), []
-    if "speed" in wanted and fast > 0.0:
-        other = f"{number(fast / 2.0, 3)} or {quantity(2.0 * fast, f'{words.motion_unit}/s', 3)}"
-        two = f"Its speeds count as two: the fastest is {times(fast / slow)} times the slowest" if slow > 0.0 else ""
-        counts.append(
-            f"{two}." if two and fast >= ALIKE * slow else f"It has no second speed: {other}, half or twice, would do."
-        )
-    if "load" in wanted and words.load is not None and most > 0.0:
-        counts.append(
-            "Its loads count as more than one."
-            if content["evidence"]["loaded"]
-            else second_load.sentence(content, words)
-        )
-    return [" ".join([f"Recorded so far: {loads}, {speeds}, {stands}{under}.", *counts])]

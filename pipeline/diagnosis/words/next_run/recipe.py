@@ -52,7 +52,8 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     if known is None or not words.twisted or not (lacking or lasting):
         return ""
     (first, last), (low, high) = content["evidence"]["strokes"], content["evidence"][words.driver]
-    count, (slow, fast) = max(last - first + 1, FEWEST), known["speed_per_s"]
+    runs = 1 if isinstance(content["run"], str) else len(content["run"])
+    count, (slow, fast) = max((last - first + 1) // runs, FEWEST), known["speed_per_s"]
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     new_load = load(content, words, ids)
     hung = quantity(second_load.base(content) if new_load is None else new_load, words.load_unit, 3)

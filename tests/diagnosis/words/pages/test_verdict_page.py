@@ -350,21 +350,36 @@ def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_i
     assert "the explanation makes the calibrated simulator worse" in same and "the procedure names" not in same
     made = content(**bad, evidence__chosen_without_them=["slack"])
     other = " ".join(page(made).split())
-    slack = "slack (named without them)"
+    slack = "slack"
     worse = f"On the unseen strokes {slack} makes the calibrated simulator worse: adopt nothing."
     assert f"{worse} So the recording is too short to choose" in other
-    assert "1. Adopt nothing: on the unseen strokes slack (named without them)" in other
+    assert "1. Adopt nothing: on the unseen strokes slack makes" in other
     assert "the explanation makes" not in other and "explanation improves" not in other
     assert "the procedure names slack, not creep + friction_hysteresis" in other and other.count("the procedure") == 2
     made["fit"]["worse_than_nominal"] = ["explained"]
     first = " ".join(page(made).split("\n\n")[0].split())
-    assert "on the unseen strokes the simulator with slack (named without them) is worse than the nominal one" in first
+    assert (
+        "on the unseen strokes the simulator with slack (which the procedure names without these strokes) is worse"
+        in first
+    )
     everywhere = [details(made), figures.warning(spoken(made, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"]))]
-    assert all("slack (named" in each and "the explanation makes" not in each for each in everywhere)
+    assert all("slack" in each and "the explanation makes" not in each for each in everywhere)
     made["evidence"]["chosen_without_them"] = []
     made["fit"]["heldout"]["explained_mm"] = made["fit"]["heldout"]["calibrated_mm"]
     none = "On the unseen strokes nothing was tried, for without them the procedure names no effect. So the"
     assert none in " ".join(page(made).split())
+
+
+def test_a_load_that_only_the_unseen_strokes_had_is_said_where_they_are_missed():
+    wider = {"load": [[10.0, 20.0], [30.0, 30.0]], "motion": [[0.0, 12.0], [0.0, 16.0]]}
+    missed = {"fit__heldout__explained_mm": 0.2, "evidence__beyond_seen": wider}
+    shown = " ".join(page(content(**missed)).split())
+    assert (
+        "The unseen strokes had 30 N of load (before them: 10 to 20 N) and 0 to 16 turns of twist (before them: 0 to "
+        "12 turns): their error is also that of conditions which no fit has seen."
+    ) in shown
+    assert "before them" not in page(content(evidence__beyond_seen=wider)), "they are foretold to the noise"
+    assert "before them" not in page(content(**{**missed, "evidence__beyond_seen": {}}))
 
 
 def test_a_good_error_of_other_effects_is_said_to_be_of_these():
