@@ -12,6 +12,7 @@ from .strokes_left import LEAST_STROKES, Span
 
 SOONER = 0.5  # of the nearest lower bound: the new strokes then still count before it is reached
 LEVEL = 0.9
+SOON_PASSED = "a limit may be passed within 2 strokes"
 SOON = 2.0  # times the lower bound: a median further away reads as if it went against the advice
 
 
@@ -29,10 +30,13 @@ def recalibrate_after(answers: list[Answer]) -> int | None:
 def ask_again_after(answers: list[Answer]) -> int:
     """Strokes from now until the next question: half of the nearest lower bound, no more than are seen now."""
     seen = max(max((len(answer.n) for answer in answers), default=0), LEAST_STROKES)
-    lows = [
-        answer.left.span(LEVEL).low for answer in answers if answer.left.span(LEVEL).state not in ("no claim", "passed")
-    ]
-    return int(np.clip(math.floor(SOONER * min(lows, default=seen)), 1, seen))
+    return int(np.clip(math.floor(SOONER * min(lows(answers), default=seen)), 1, seen))
+
+
+def lows(answers: list[Answer]) -> list[float]:
+    """The lower bound of the strokes left of each limit that is foretold and not passed."""
+    spans = [answer.left.span(LEVEL) for answer in answers]
+    return [span.low for span in spans if span.state not in ("no claim", "passed")]
 
 
 def advice(answers: list[Answer]) -> str:
@@ -59,7 +63,7 @@ def due(answers: list[Answer]) -> bool:
 
 
 def rests_on(answers: list[Answer]) -> list[str]:
-    """Why the advice is what it is, and why new strokes can leave it as it is."""
+    """Why the advice is what it is: why to calibrate, and why to ask again."""
     error = next(answer for answer in answers if answer.question == "model_error")
     limit, model = f"{error.limit:g} {error.unit}", f"a model calibrated on the first {REFERENCE} strokes"
     why = {
@@ -68,10 +72,10 @@ def rests_on(answers: list[Answer]) -> list[str]:
         "censored": f"{model} is off by less than {limit} so long, in 9 of 10 futures",
     }.get(drift(answers).state, f"{model} may be off by {limit} by then, the lower bound below")
     seen = max(len(answer.n) for answer in answers)
-    half = "half of the nearest lower bound of those below is over then"
+    least = math.floor(min(lows(answers), default=0.0))
+    half = f"half of the {least} strokes that are left at least are over then" if least > 1 else SOON_PASSED
     again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes seen have doubled then"
-    anew = "Both follow from all strokes that are given: new strokes can leave them as they are"
-    return [f"Why calibrate: {why}.{_cautious(error)}", f"Why ask again: {again}.", f"{anew}."]
+    return [f"Why calibrate: {why}.{_cautious(error)}", f"Why ask again: {again}."]
 
 
 def _cautious(error: Answer) -> str:

@@ -88,7 +88,7 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
     if not len(answer.n):
         return nothing(axes, answer)
     axes.errorbar(
-        answer.n, scale * answer.values, scale * answer.errors, fmt=".", ms=3.5, lw=0.6, color=SEEN, label="measured"
+        answer.n, scale * answer.values, scale * answer.errors, fmt=".", ms=5.0, lw=0.6, color=SEEN, label="measured"
     )
     axes.axhline(
         scale * answer.limit,
@@ -106,7 +106,8 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
         end = seen + farthest(span.high, seen, left.horizon)
         past = np.linspace(answer.n[0], seen, 200)
         fitted = scale * left.choice.curve(past - answer.n[0] + 1.0)
-        axes.plot(past, fitted, color=FITTED, lw=1.2, label=f"law fitted (most weight: {left.choice.best.law.name})")
+        name = left.choice.best.law.name
+        axes.plot(past, fitted, color=FITTED, lw=2.0, zorder=3, label=f"law fitted, mostly: {name}")
         least = -np.inf if answer.unit == "1" else 0.0  # a root mean square is not below 0
         out = tail_of(span, level)
         low, middle, high = (
@@ -116,7 +117,7 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
         axes.plot(n, middle, color=LAW, lw=1.4, label="median of the futures")
         axes.fill_between(
             n, low, high, color=LAW, alpha=0.18, lw=0,
-            label=f"futures, without the highest and the lowest {tail(out)}",
+            label=f"the middle {tail(1.0 - 2.0 * out)} of the futures",
         )  # fmt: skip
         axes.set_xlim(answer.n[0] - 0.02 * end, end)
         axes.set_ylim(min(0.0, scale * float(np.nanmin(answer.values))) - 0.03 * top, top)

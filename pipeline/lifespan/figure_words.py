@@ -17,8 +17,7 @@ POINTS = (
 )
 FUTURE = (
     f"Orange: {FUTURES:,} futures, which go on as the laws allow. Each counts by the highest value it has reached. A\n"
-    "string that ends suddenly counts as above the limit from then on. The line: half of the futures lie above it.\n"
-    "Once half of them have passed the limit, the others are put later: in tests, wear slowed more than the laws say."
+    "string that ends suddenly counts as above the limit from then on. The line: half of the futures lie above it."
 )
 BAR = (
     "Black bar: the strokes at which the limit is passed. {0} of the futures pass it before the bar begins, where the\n"
