@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import programs
 import pytest
 import yaml
 from made_recording import content, recording
@@ -390,3 +391,14 @@ def test_a_tolerance_that_is_likely_a_mistake_is_questioned(new, tmp_path, given
         assert f"here by --tolerance '{{{key}: …}}'; if it is right as it is, add --sure" in said
         status, _, said = new("a-01", "--sure", "--tolerance", f"{{{given}}}")
         assert status == 0 and "warning: " in said and field in said and path.exists()
+
+
+def test_the_example_of_a_text_rig_with_other_names_and_units_is_taken_as_the_page_shows_it(tmp_path):
+    page = (Path(__file__).parents[1] / "docs" / "record.md").read_text(encoding="utf-8")
+    line = re.search(r"^python -m pipeline\.new_run nylon-20261121-03 .*?\}'$", page, re.MULTILINE | re.DOTALL)[0]
+    _, option, program, name, *words = shlex.split(line.replace("\\\n", " "))
+    assert (option, program) == ("-m", "pipeline.new_run")
+    done = programs.run(program, name, *words, "--out", str(tmp_path))
+    assert done.returncode == 0, done.stderr
+    units = {name: channel.unit for name, channel in read_run(tmp_path / name).channels.items()}
+    assert units == {"time_s": "ms", "motor_turns": "deg", "displacement_mm": "mm", "load_n": "kgf"}

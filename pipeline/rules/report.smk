@@ -135,6 +135,7 @@ rule material_page:
     input:
         expand("reports/{{material}}/{file}", file=SHOWN),
         leak_of_material,
+        dataset="processed/{material}/dataset.parquet",
     output:
         "reports/{material}/index.html",
     log:
@@ -147,7 +148,8 @@ rule material_page:
     message:
         "write the page that shows the tables and figures of {wildcards.material}"
     shell:
-        "exec python -m pipeline.report.material_page reports/{wildcards.material:q} --made-by {params.made_by:q} > {log:q} 2>&1"
+        "exec python -m pipeline.report.material_page reports/{wildcards.material:q} --dataset {input.dataset:q}"
+        " --made-by {params.made_by:q} > {log:q} 2>&1"
 
 
 rule metrics:

@@ -2,24 +2,27 @@
 
 import html
 import json
-import re
 import shutil
 from html.parser import HTMLParser
 from urllib.parse import unquote
 
+import numpy as np
 import pandas as pd
 import programs
 import pytest
 from made_verdict import made_verdict
+from stages.nine_strokes import NINE, recorded
 from test_diagnoses import FINE, TIED
 from test_models_page import TITLES, made_metrics
 from test_tables import made_metrics as made_table_metrics
 
 from pipeline.ground import schemas
+from pipeline.ground.kinematics import usual_stiffness
 from pipeline.report.index import page
 from pipeline.report.index_head import shortened
 from pipeline.report.made_by import MadeBy
 from pipeline.report.page_parts import of_materials, of_runs
+from pipeline.report.recorded_strings import by_stroke, recorded_strings, rows, sentence
 from pipeline.report.summary import summary
 from pipeline.report.to_take import Models, materials_table
 from pipeline.report.usual_model import RULE, uses
@@ -73,7 +76,8 @@ def reports(tmp_path_factory):
     for stem in ("figure_4", "figure_5"):
         for suffix in ("png", "pdf"):
             (out / f"{stem}.{suffix}").write_bytes(b"")
-    run("material_page", str(out), *mark)
+    schemas.write(NINE.assign(run=HOSTILE), schemas.DATASET, root / "dataset.parquet")
+    run("material_page", str(out), *mark, "--dataset", str(root / "dataset.parquet"))
     tied = {**TIED, "next_experiment": f"hold 20 N {HOSTILE}: for 15 minutes"}
     tied["mechanisms"] = [{"id": "creep"}, {"id": HOSTILE}]
     made_verdict(root / "reports" / "diagnosis" / HOSTILE, f"{HOSTILE}: ambiguous", tied)
@@ -109,22 +113,56 @@ def test_the_page_of_a_material_shows_its_tables_and_figures_and_leads_nowhere_e
     assert "Table I: forward" in text and "Table II: inverse" in text and seen.tags.count("img") == 2
     files = {address for address in seen.addresses if not address.startswith("#")}
     assert {f"../{MATERIAL}/{name}" for name in ("models.html", "comparison.html", "figure_5.png")} <= files
-    assert all(address.startswith(f"../{MATERIAL}/") for address in files - {"../index.html"})
-    assert "All reports</a> (a page that the main job makes)" in text
+    assert all(address.startswith(f"../{MATERIAL}/") for address in files)
 
 
-def test_every_link_is_relative_and_leads_to_something_wherever_the_folder_lies(reports, tmp_path):
-    moved = tmp_path / "else where"
-    shutil.copytree(reports, moved)
-    for path, text in pages_of(moved).items():
-        seen = Seen(text)
-        assert len(seen.ids) == len(set(seen.ids)), path
-        for address in seen.addresses:
-            if address.startswith("#"):
-                assert unquote(address[1:]) in seen.ids, (path, address)
-            else:
-                assert not re.match(r"[a-z]+:|/", address), (path, address)
-                assert (path.parent / unquote(address)).is_file(), (path, address)
+def test_the_page_of_a_material_begins_with_which_string_and_load_it_shows(reports):
+    text = (reports / MATERIAL / "index.html").read_text(encoding="utf-8")
+    begins = text[: text.index("Table I: forward")]
+    sizes = "load 20 N, radius 0.4 mm, length 400 mm, torsion zone 150 mm, separator 8 mm, stiffness 15 N/mm"
+    assert f"String a-01 (run {html.escape(HOSTILE)}): {sizes}, twist " in begins
+    assert "turns; strokes 1 to 9." in begins
+
+
+def test_the_table_of_strings_says_what_nobody_measured_and_ranges(tmp_path):
+    """Each string has a row, and a rig without a separator has none."""
+    one = recorded().run.string
+    usual = usual_stiffness(one.radius_mm, one.length_mm)
+    pair = NINE.assign(
+        string="b", run="b-01", separator_mm=np.nan, torsion_zone_mm=np.nan, stiffness_n_per_mm=usual,
+        load_n=np.where(NINE["stroke"] > 5, 40.0, 20.0),
+    )  # fmt: skip
+    more = NINE.assign(run="a-02", stroke=NINE["stroke"] + 9, radius_mm=0.5, length_mm=1234.0)
+    schemas.write(pd.concat([NINE, pair, more]), schemas.DATASET, tmp_path / "dataset.parquet")
+    first, second = rows(by_stroke(tmp_path / "dataset.parquet"))
+    assert (
+        first[:4] == ["a-01", "a-01, a-02", "20", "0.4 to 0.5"]
+        and first[4] == "400 to 1,234"
+        and first[-1] == "1 to 18"
+    )
+    assert second[:8] == ["b", "b-01", "20 to 40", "0.4", "400", "none", "none", "not measured"]
+    words = sentence(second)
+    assert words.startswith(
+        "String b (run b-01): load 20 to 40 N, radius 0.4 mm, length 400 mm, stiffness not measured,"
+    )
+    assert words.endswith(f" to {NINE['motor_turns'].max():.3g} turns; strokes 1 to 9.")
+    many = pd.concat([NINE.assign(string=f"s-{number}") for number in range(7)])
+    schemas.write(many, schemas.DATASET, tmp_path / "many.parquet")
+    text = recorded_strings(tmp_path / "many.parquet", "nylon")
+    assert "The strings of nylon" in text and text.count("<tr>") == 8 and "String s-1" not in text
+
+
+def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_page_that_was_not_made(
+    reports, tmp_path
+):
+    """Nothing but the material's folder is made by that command; "All reports" led to an index that was not."""
+    shutil.copytree(reports / MATERIAL, tmp_path / MATERIAL)
+    words = "All reports: reports/index.html, a page that the main job makes (snakemake --cores 2)"
+    for path, text in pages_of(tmp_path).items():
+        addresses = [address for address in Seen(text).addresses if not address.startswith("#")]
+        assert addresses or path.name != "index.html"
+        assert all((path.parent / unquote(address)).is_file() for address in addresses), path
+        assert words in text, path
 
 
 def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
@@ -139,13 +177,6 @@ def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
     assert opening.count("<details") == opening.count(" open>") == 2  # what a person came for may be folded, and is not
     assert "TABLE" not in opening and "Table II: inverse" in rest and "glossary" in rest
     assert "models.html" in rest and "models.md" not in rest and "comparison.html" in rest
-
-
-def test_a_page_that_is_made_alone_says_who_makes_the_page_that_it_leads_to(reports):
-    """After the quick command of one material the link led nowhere."""
-    for name in ("models.html", "comparison.html"):
-        text = (reports / MATERIAL / name).read_text(encoding="utf-8")
-        assert '<a href="../index.html">All reports</a> (a page that the main job makes)' in text
 
 
 def test_every_page_wears_the_mark_of_its_configuration(reports):

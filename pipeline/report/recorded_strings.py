@@ -1,0 +1,91 @@
+"""Which strings a material's page is of: their sizes, their load, their runs and strokes."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from markupsafe import Markup
+
+from ..ground import schemas
+from ..ground.kinematics import usual_stiffness
+from .strokes_there import ranges
+from .web.page import paragraph, together
+from .web.table import table
+
+HEAD = {  # by column of a dataset, a head of the table
+    "load_n": "load (N)", "radius_mm": "radius (mm)", "length_mm": "length (mm)",
+    "torsion_zone_mm": "torsion zone (mm)", "separator_mm": "separator (mm)",
+    "stiffness_n_per_mm": "stiffness (N/mm)", "motor_turns": "twist (turns)",
+}  # fmt: skip
+SIZES = list(HEAD)
+DIGITS = 4  # of a size
+FEW = 6  # strings that have a sentence each; more stand in a table
+NOT_MEASURED = "not measured"
+NONE = "none"
+
+
+def _ends(points: pd.DataFrame) -> pd.DataFrame:
+    """Least and largest of every size, a row a run and stroke."""
+    return points.groupby(["string", "run", "stroke"], sort=False)[SIZES].agg(["min", "max"])
+
+
+def by_stroke(path: Path) -> pd.DataFrame:
+    """Least and largest of every size of a dataset, a row a string, run and stroke; it is read piece by piece.
+
+    Raises BadInput for a file that is no dataset.
+    """
+    parquet, columns = schemas.opened(path, schemas.DATASET), ["string", "run", "stroke", *SIZES]
+    try:
+        pieces = [_ends(parquet.read_row_group(at, columns).to_pandas()) for at in range(parquet.num_row_groups)]
+    finally:
+        parquet.close(force=True)
+    every = pd.concat(pieces)
+    how = {column: column[1] for column in every.columns}
+    return every.groupby(level=["string", "run", "stroke"], sort=False).agg(how)
+
+
+def _span(low: float, high: float) -> str:
+    """A size, or its least and largest: 20, 19.8 to 20.2; none for what the rig does not have."""
+    if np.isnan(low):
+        return NONE
+    return " to ".join(dict.fromkeys(f"{float(f'{value:.{DIGITS}g}'):,g}" for value in (low, high)))
+
+
+def _stiffness(own: pd.DataFrame) -> str:
+    """The stiffness in words; a run without one is simulated with the usual one of a string of its size."""
+    usual = usual_stiffness(own["radius_mm", "min"], own["length_mm", "min"])
+    is_given = ~np.isclose(own["stiffness_n_per_mm", "min"], usual, rtol=1e-9)
+    given = own[is_given]["stiffness_n_per_mm"]
+    return _span(given["min"].min(), given["max"].max()) if is_given.any() else NOT_MEASURED
+
+
+def rows(strokes: pd.DataFrame) -> Iterable[list[str]]:
+    """A row of words a string, of `by_stroke`."""
+    for string, own in strokes.groupby(level="string", sort=False):
+        runs = list(dict.fromkeys(own.index.get_level_values("run")))
+        words = {name: _span(own[name, "min"].min(), own[name, "max"].max()) for name in SIZES}
+        words["stiffness_n_per_mm"] = _stiffness(own)
+        numbers = sorted({int(number) for number in own.index.get_level_values("stroke")})
+        yield [str(string), ", ".join(runs), *words.values(), ranges(numbers)]
+
+
+def sentence(row: list[str]) -> str:
+    """A row in words: "String a-01 (run a-01): load 20 N, radius 0.4 mm, …; strokes 1 to 9"."""
+    string, runs, *sizes, strokes = row
+    named = [
+        f"{head.partition(' (')[0]} {size}{'' if size == NOT_MEASURED else ' ' + head.partition(' (')[2].rstrip(')')}"
+        for head, size in zip(HEAD.values(), sizes, strict=True)
+        if size != NONE
+    ]
+    strokes_named = f"stroke{'s' * (not strokes.isdigit())} {strokes}"
+    return f"String {string} (run{'s' * (', ' in runs)} {runs}): {', '.join(named)}; {strokes_named}."
+
+
+def recorded_strings(path: Path, material: str) -> Markup:
+    """What a material's page is of, from its dataset: a sentence a string, or a table of many."""
+    of_strings = list(rows(by_stroke(path)))
+    if len(of_strings) <= FEW:
+        return together([paragraph(sentence(row)) for row in of_strings])
+    head = ["string", "runs", *HEAD.values(), "strokes"]
+    return table(head, of_strings, f"The strings of {material}", (0, 1), paged=True)
