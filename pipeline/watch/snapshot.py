@@ -49,8 +49,8 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
     if whole is not None and len(whole.first):
         content["time_s"] = numbers(whole.first[:, 0])
         for at, name in enumerate(columns, 1):
-            low, high = numbers(whole.low[:, at]), numbers(whole.high[:, at])
-            content["channels"].append({"name": name, "low": low, "high": high})
+            parts = {"low": whole.low, "high": whole.high, "low_s": whole.low_s, "high_s": whole.high_s}
+            content["channels"].append({"name": name, **{key: numbers(part[:, at]) for key, part in parts.items()}})
     content["loops"] = []
     content["noise_mm"] = followed.noise_mm
     if {"motor_turns", "displacement_mm"} <= {*columns}:

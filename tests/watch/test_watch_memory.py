@@ -26,6 +26,20 @@ def test_an_envelope_holds_the_least_and_the_greatest_whatever_the_pieces(pieces
     assert np.array_equal(found.first, rows[begins])
     assert np.array_equal(found.low, np.minimum.reduceat(rows, begins))
     assert np.array_equal(found.high, np.maximum.reduceat(rows, begins))
+    for part, begin in enumerate(begins):
+        block = rows[begin : begin + found.each]
+        assert np.array_equal(found.low_s[part], block[block.argmin(axis=0), 0])
+        assert np.array_equal(found.high_s[part], block[block.argmax(axis=0), 0])
+
+
+def test_what_is_no_number_stays_none_whatever_the_pieces():
+    rows = np.column_stack([np.arange(64.0), np.where(np.arange(64) == 9, np.nan, 1.0)])
+    whole, single = Envelope(2, 4), Envelope(2, 4)
+    whole.add(rows)
+    for row in rows:
+        single.add(row[None])
+    for found in (whole, single):
+        assert np.isnan(found.low[:, 1]).tolist() == np.isnan(found.high[:, 1]).tolist() == [True, False, False, False]
 
 
 @pytest.mark.long

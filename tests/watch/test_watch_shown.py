@@ -54,6 +54,33 @@ def test_older_strokes_fade_so_that_a_person_sees_it(tmp_path: Path):
     assert newest > 100 and 0 < before < 0.6 * newest and 0 < oldest < 0.75 * before
 
 
+def ramps(count: int, each: int) -> bytes:
+    """So many ramps of so many samples each, up and down in turn, one sample a ms."""
+    rows = np.zeros(count * each, SAMPLE)
+    at = np.arange(len(rows))
+    rows["t_us"] = at * 1000
+    rows["motor_turns"] = 5 * np.minimum(at % (2 * each), -at % (2 * each))
+    return b"".join(encode(Kind.SAMPLE, 1 + n, row.tobytes()) for n, row in enumerate(rows))
+
+
+@CHROMIUM
+def test_a_ramp_of_many_samples_is_drawn_as_a_ramp(tmp_path: Path):
+    """The least and the greatest of a part stood at one time: a ramp was stairs, and each top had a pointed spike."""
+    run, each = folder(tmp_path), 3000
+    (run / "recording.frames").write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + ramps(4, each))
+    with watched(run) as (port, _), browser(tmp_path / "home") as page:
+        page.open(f"http://127.0.0.1:{port}/")
+        page.until("document.getElementById('samples')?.textContent === '12,000'")
+        (turns,) = [one for one in told(port)["channels"] if one["name"] == "motor_turns"]
+        xs, ys = (np.array(part) for part in page.run(f"inOrder({json.dumps(turns)})"))
+        join = page.run("document.querySelector('#channels canvas').getContext('2d').lineJoin")
+        words = page.run("document.getElementById('channels-part').textContent")
+    place = (xs - xs[0]) * 1000.0 / each % 2.0
+    assert len(xs) > 1000 and np.all(np.diff(xs) >= 0.0)
+    assert np.abs(ys / ys.max() - np.minimum(place, 2.0 - place)).max() < 0.01
+    assert join == "round" and "the least and the greatest sample" in words
+
+
 @CHROMIUM
 def test_the_rate_is_that_at_which_samples_come_where_the_rig_goes_at_another_pace_than_its_clock(tmp_path: Path):
     """It said 100, the rig's own rate, while capture said 498 samples/s."""

@@ -36,9 +36,20 @@ function axes(canvas, xs, ys, xLabel, yLabel) {
 
 function band(plot, xs, low, high, colour, alpha) {
   const { pen, x, y } = plot;
-  pen.globalAlpha = alpha; pen.strokeStyle = colour; pen.lineWidth = 1.4; pen.beginPath();
+  pen.globalAlpha = alpha; pen.strokeStyle = colour; pen.lineWidth = 1.4; pen.lineJoin = "round"; pen.beginPath(); // a pointed join is a spike above a top
   xs.forEach((one, k) => { if (one === null || low[k] === null) return; pen.lineTo(x(one), y(low[k])); pen.lineTo(x(one), y(high[k])); });
   pen.stroke(); pen.globalAlpha = 1;
+}
+
+// The least and the greatest sample of each part, when each came: a ramp is a ramp, and no stair.
+function inOrder(one) {
+  const xs = [], ys = [];
+  one.low.forEach((low, k) => {
+    const both = [[one.low_s[k], low], [one.high_s[k], one.high[k]]];
+    if (one.high_s[k] < one.low_s[k]) both.reverse();
+    for (const [x, y] of both) { xs.push(x); ys.push(y); }
+  });
+  return [xs, ys];
 }
 
 function strip(plot, xs, middle, half, colour) {

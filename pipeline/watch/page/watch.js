@@ -53,7 +53,8 @@ function draw(d) {
   at("channels-part").hidden = !d.channels.length;
   d.channels.forEach((one, k) => {
     const shown = axes(box.children[k], [d.time_s], [one.low, one.high], k === d.channels.length - 1 ? "time (s)" : "", label(one.name));
-    band(shown, d.time_s, one.low, one.high, "#2166ac", 1);
+    const [times, values] = inOrder(one);
+    band(shown, times, values, values, "#2166ac", 1);
   });
 }
 
