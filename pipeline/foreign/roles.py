@@ -11,7 +11,7 @@ from ..formats.time_stamps import holds_stamps, stamps_s
 from ..ground.complaint import key_name
 from ..ground.header_units import header_unit, unit_word
 from ..ground.kinematics import Array
-from ..ground.units import conversion, unit_of
+from ..ground.units import conversion, is_load_in_kg
 from ..systems import System
 
 WORDS = {  # by the first word of a channel: what people call it
@@ -68,16 +68,11 @@ def _unit(column: str | int, units: dict[str | int, str]) -> str | None:
     return unit or unit_word(units.get(column, ""))
 
 
-def _shows_mass(channel: str, unit: str | None) -> bool:
-    """Whether a force stands in kg, as a load cell shows it: kilograms of force."""
-    return unit == "kg" and unit_of(channel) == "N"
-
-
 def _score(channel: str, column: str | int, values: Array, unit: str | None) -> int:
     """How well a column can be a channel: its name 2, its unit 2; below 0 where it cannot be."""
     stem = channel.rpartition("_")[0]
     score = 0
-    if unit and not _shows_mass(channel, unit):  # kg alone tells no force: the name must
+    if unit and not is_load_in_kg(channel, unit):  # kg alone tells no force: the name must
         try:
             conversion(channel, unit, 1.0)
         except ValueError:
@@ -134,7 +129,7 @@ def _role(channel: str, column: str | int, values: Array, unit: str | None) -> R
     span = f"{np.nanmin(values):.6g} to {np.nanmax(values):.6g}"
     if channel == "time_s" and unit and likely and not _is_rate(values, unit):
         return Role(column, values, likely, why=[f"in {unit}, as its name says, it would have no rate of a rig"])
-    if _shows_mass(channel, unit):
+    if is_load_in_kg(channel, unit):
         return Role(column, values, "kgf", why=["kg is taken as kilograms of force, as a load cell shows them"])
     why = [f"the unit is a guess from its numbers, {span}"] if unit is None and likely else []
     return Role(column, values, unit or likely, why=why)

@@ -3,7 +3,7 @@
 from typing import Any
 
 from .header_units import header_unit
-from .units import conversion, ending_of, unit_of
+from .units import conversion, ending_of, is_load_in_kg, unit_of
 
 
 def written_out(channel: str, given: Any) -> Any:
@@ -26,7 +26,7 @@ def _unit(channel: str, name: str) -> str:
     try:
         conversion(channel, in_brackets)
     except ValueError:
-        return unit_of(channel)
+        return in_brackets if is_load_in_kg(channel, in_brackets) else unit_of(channel)
     return in_brackets
 
 

@@ -48,6 +48,11 @@ def _near(unit: str) -> str:
     return f"did you mean {' or '.join(map(repr, near))}? " if near else ""
 
 
+def is_load_in_kg(column: str, unit: str | None) -> bool:
+    """Whether a force is said to be in kg, as a load cell shows it."""
+    return unit == "kg" and unit_of(column) == "N"
+
+
 def conversion(column: str, unit: str | None, counts_per_turn: float | None = None) -> tuple[float, float]:
     """Factor and shift that take a value in `unit` to the unit that `column` ends in.
 
@@ -70,7 +75,7 @@ def conversion(column: str, unit: str | None, counts_per_turn: float | None = No
             return quantity[unit] / quantity[own], 0.0
     if unit not in UNITS:
         raise ValueError(f"is not a known unit; {_near(unit)}known are {', '.join(UNITS)}")
-    is_load = unit == "kg" and own in _FORCE
+    is_load = is_load_in_kg(column, unit)
     aside = ": a load cell that shows kg shows kilograms of force, so write kgf" if is_load else ""
     raise ValueError(f"does not measure what the channel is; give a unit that converts to {own}{aside}")
 
@@ -83,6 +88,9 @@ def ending_of(column: str, channel: str) -> str:
             try:
                 conversion(channel, unit)
             except ValueError:
-                continue
+                if not is_load_in_kg(
+                    channel, unit
+                ):  # which is refused: as newtons it would be wrong by a factor of 9.8
+                    continue
             return unit
     return unit_of(channel)

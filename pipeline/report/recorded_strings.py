@@ -20,6 +20,7 @@ HEAD = {  # by column of a dataset, a head of the table
 }  # fmt: skip
 SIZES = list(HEAD)
 DIGITS = 4  # of a size
+ROWS = 1 << 16  # of a dataset that are held at once
 FEW = 6  # strings that have a sentence each; more stand in a table
 NOT_MEASURED = "not measured"
 NONE = "none"
@@ -37,7 +38,7 @@ def by_stroke(path: Path) -> pd.DataFrame:
     """
     parquet, columns = schemas.opened(path, schemas.DATASET), ["string", "run", "stroke", *SIZES]
     try:
-        pieces = [_ends(parquet.read_row_group(at, columns).to_pandas()) for at in range(parquet.num_row_groups)]
+        pieces = [_ends(batch.to_pandas()) for batch in parquet.iter_batches(ROWS, columns=columns)]
     finally:
         parquet.close(force=True)
     every = pd.concat(pieces)

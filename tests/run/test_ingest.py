@@ -238,6 +238,15 @@ def test_a_bad_channel_is_named(make_run, channels, says):
         read_samples(make_run("a-01", channels=channels))
 
 
+@pytest.mark.parametrize("name", ["load_kg", "load [kg]", "Last (kg)"])
+def test_a_load_whose_column_names_kg_is_not_read_as_newtons(make_run, name):
+    samples = spoiled("load_n", lambda v: v / 9.80665).rename(columns={"load_n": name})
+    with pytest.raises(BadInput, match=r"channels.load_n.unit: kg does not measure .* so write kgf"):
+        read_samples(make_run("a-01", samples=samples, channels={"load_n": name}))
+    as_force = {"load_n": {"column": name, "unit": "kgf"}}
+    assert read_samples(make_run("a-02", samples=samples, channels=as_force))[1]["load_n"].median() > 19.0
+
+
 def test_a_unit_given_wrongly_is_seen(make_run):
     folder = make_run("a-01", channels={"motor_turns": {"unit": "rad"}})
     with pytest.raises(BadInput, match=r"looks like turns: set channels.motor_turns.unit to turns"):
