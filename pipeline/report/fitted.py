@@ -10,6 +10,7 @@ from .usual_model import ALONE, chosen_of, errors_in, errors_of, uses
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 SPLITS = {"within": "within strokes", "later": "later strokes"}
+QUESTIONS = "questions.csv has a row for each question: docs/use_a_model.md shows one"
 
 
 def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
@@ -48,4 +49,5 @@ def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[
         return []
     export, ask = uses(material, chosen)
     others = ", ".join(sorted({path.parent.name for path in files} - {chosen, ALONE}))
-    return [f"to a controller: {export}", f"to ask it: {ask}", *([f"fitted too: {others}"] if others else [])]
+    more = [f"fitted too: {others}"] if others else []
+    return [f"to a controller: {export}", f"to ask it: {ask}", QUESTIONS, *more]

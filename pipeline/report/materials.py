@@ -18,7 +18,8 @@ FIGURES = {
     " inverse has no real root and answers one and the same twist: its error can have a spike there.",
     "figure_5": "Figure 5: models against the measurement, and their errors. The paper's figure has no error rows: a"
     " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out. Beside"
-    " the INN stands the other model of the least forward error on this material's held-out points, whichever it is.",
+    " the INN stand the model of the least forward error on this material's held-out points and, where it is another,"
+    " the model to take.",
     "figure_leak": "Leak: an INN should put out the string's constants unchanged. It puts them out a little wrong, and"
     " so its way back, which is given the true ones, errs. Compare in (b) the leak alone (triangle) with the rest alone"
     " (dash): the two can cancel in part, so one of them can be larger than the whole error (dot). Two changes are"

@@ -306,6 +306,7 @@ def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
         "to a controller: python -m pipeline.export processed/nylon/spline/within-0.model --format c",
         "to ask it: python -m pipeline.predict processed/nylon/dataset.parquet questions.csv"
         " --saved processed/nylon/spline/within-0.model --out reports/mine/answers.csv",
+        "questions.csv has a row for each question: docs/use_a_model.md shows one",
         "fitted too: cinn",
     ]
     assert lines_at_end("nylon", [Path("processed/nylon/spline/later-0.model")], none) == []
