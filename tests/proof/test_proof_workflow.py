@@ -101,7 +101,7 @@ def test_the_small_proof(tmp_path):
     assert set(beside["method"]) >= {"diagnosis", "residual_sindy", "gaussian_process"} and len(set(beside["run"])) == 2
     assert set(beside["effects"]) == {"creep", "backlash"}
     page = (reports / "proof.md").read_text()
-    assert "leaves no 3 noise floors" in page and "| creep | 9" in page and "Goals and what was reached" in page
+    assert "leaves no 3 noise floors" in page and "| creep | 8.9 %" in page and "Goals and what was reached" in page
     recordings = tmp_path / "processed" / "proof" / "recordings"
     words = ("backlash", "creep", "stratum", "kappa", "floor_sway")
     for path in recordings.rglob("run.yaml"):

@@ -2,6 +2,7 @@
 
 import html
 import json
+import re
 import shutil
 from html.parser import HTMLParser
 from urllib.parse import unquote
@@ -114,6 +115,20 @@ def test_the_page_of_a_material_shows_its_tables_and_figures_and_leads_nowhere_e
     files = {address for address in seen.addresses if not address.startswith("#")}
     assert {f"../{MATERIAL}/{name}" for name in ("models.html", "comparison.html", "figure_5.png")} <= files
     assert all(address.startswith(f"../{MATERIAL}/") for address in files)
+
+
+def test_every_link_is_relative_and_leads_to_something_wherever_the_folder_lies(reports, tmp_path):
+    moved = tmp_path / "else where"
+    shutil.copytree(reports, moved)
+    for path, text in pages_of(moved).items():
+        seen = Seen(text)
+        assert len(seen.ids) == len(set(seen.ids)), path
+        for address in seen.addresses:
+            if address.startswith("#"):
+                assert unquote(address[1:]) in seen.ids, (path, address)
+            else:
+                assert not re.match(r"[a-z]+:|/", address), (path, address)
+                assert (path.parent / unquote(address)).is_file(), (path, address)
 
 
 def test_the_page_of_a_material_begins_with_which_string_and_load_it_shows(reports):
