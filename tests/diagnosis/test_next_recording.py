@@ -115,7 +115,10 @@ def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows
     near = {**LASTING, "plus_minus": {key: 0.2 for key in LASTING["plus_minus"]}}
     text = " ".join(full(named(["creep"], [known, near], {"creep": 0.8}, recorded=0.5)).split())
     assert "In words" not in text, "0.35 less 0.2 is no more than 0.2"
-    assert "in the last one hold 2 min at 30.7 turns and rest 2 min at 0 turns after it" in text
+    assert "in the first one hold 2 min at 30.7 turns and rest 2 min at 0 turns after it" in text
+    assert recipe.shows(named(["creep"], [known, near], {}, recorded=0.5), WORDS, ["creep"]) == {
+        "loop_as_before", "hold", "rest",
+    }, "a hold of the first stroke moves the tops of later ones"  # fmt: skip
     firm = foretold(0.05, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)
     assert not any("In words" in line for line in lines(named(["creep"], [firm, LASTING], {}, recorded=0.5), WORDS))
 

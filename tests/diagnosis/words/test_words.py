@@ -966,7 +966,7 @@ def test_a_pattern_that_is_left_without_a_name_is_told_with_its_size_and_place()
 
 def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not():
     zero = {"zero_mm": {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}}
-    said = "pipeline.simulate of another run sets the zero of the reading in its first second, which a verdict fits: "
+    said = "pipeline.simulate of another run takes the zero of the reading from its first second. A verdict fits"
     assert said in told(content(parameters=CONTENT["parameters"] | zero)) and said not in told()
 
 

@@ -15,12 +15,12 @@ WORTH = 0.01  # of a probability: what is less is not said
 LITTLE = 0.98  # times what calibration alone leaves: who leaves more explains nothing
 ADDS = 0.2  # noise floors: what takes away less adds nothing
 SEVERAL = 3  # effects that add nothing: from so many on it is said once
-NOTHING_BESIDE = "beside it, it adds nothing"
-NOTHING_MORE = " Where nothing is said of it, an effect adds nothing beside it."
+NOTHING_ADDED = "added to the best one takes away nothing"
+NOTHING_MORE = " Where a line does not say more, the effect takes away nothing when it is added."
 STANDS = {"hold": "in a hold", "rest": "in a rest"}
 HEAD = (
-    "Each was put in the place of the best explanation ({best}, which leaves {left}), and beside it. In brackets: how "
-    "likely it is at work."
+    "Each effect was tried instead of the best explanation ({best}, which leaves {left}), and added to it. In "
+    "brackets: how likely the effect is at work."
 )
 
 
@@ -32,10 +32,10 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     best = called([entry["id"] for entry in content["mechanisms"]])
     left = size(first[f"left_{words.ending}"], words.unit)
     why = {_name(entry): _why(entry, first, content, words) for entry in _nearest_first(others, words)}
-    often = sum(reason.endswith(NOTHING_BESIDE) for reason in why.values()) >= SEVERAL
+    often = sum(reason.endswith(NOTHING_ADDED) for reason in why.values()) >= SEVERAL
     alike: dict[str, list[str]] = {}
     for name, reason in why.items():
-        alike.setdefault(reason.removesuffix(f"; {NOTHING_BESIDE}") if often else reason, []).append(name)
+        alike.setdefault(reason.removesuffix(f"; {NOTHING_ADDED}") if often else reason, []).append(name)
     return [
         f"{HEAD.format(best=best, left=left)}{NOTHING_MORE * often}",
         *_standing(content, first, others, words),
@@ -58,16 +58,16 @@ def _why(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
     floor, left = content["evidence"][f"floor_{words.ending}"], entry[f"left_{words.ending}"]
     if not entry["possible"] or left is None:
         return f"this recording could not show it (it follows {words.follows(mechanisms()[entry['id']].driver)})"
-    with_others = f"{called(entry['instead'])} leaves" if len(entry["instead"]) > 1 else "in its place it leaves"
-    leaves = f"{with_others} {size(left, words.unit)} ({times(left / floor)} times the noise)"
+    instead = called(entry["instead"]) if len(entry["instead"]) > 1 else "alone"
+    leaves = f"{instead} leaves {size(left, words.unit)} ({times(left / floor)} times the noise)"
     alone = content["evidence"].get(f"calibrated_{words.ending}")
     if alone and left >= LITTLE * alone and len(entry["instead"]) == 1:
-        leaves = "in its place as much is left as without any effect"
+        leaves = "alone leaves as much as no effect does"
     if left <= ALIKE * first[f"left_{words.ending}"]:
         leaves += ", hardly more than the best one, but is less likely by its other signs"
     parts = [leaves]
     wrong = wrong_standing(entry, first, floor, words)
-    parts += [f"while the motor stands it is wrong by {listing(wrong)}"] if wrong else []
+    parts += [f"wrong while the motor stands, by {listing(wrong)}"] if wrong else []
     return "; ".join([*parts, *_beside(entry, first, floor, words)])
 
 
@@ -90,8 +90,8 @@ def _beside(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[s
         return []
     saved = math.sqrt(max(first[f"left_{words.ending}"] ** 2 - beside**2, 0.0))
     if saved < ADDS * floor:
-        return [NOTHING_BESIDE]
-    return [f"beside it, it takes away {size(saved, words.unit)} more, too little for one effect more"]
+        return [NOTHING_ADDED]
+    return [f"added to the best one takes away {size(saved, words.unit)} more, too little for one effect more"]
 
 
 def _contradicts(phase: str, entry: Part, first: Part, floor: float) -> bool:

@@ -10,9 +10,9 @@ LARGER_LEAVES_LESS = "with one more effect it is an explanation that leaves less
 SEEN = 0.005  # a probability that is worth a word
 WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
 OF_NONE = (
-    "The share of physics that the library lacks follows from how much the best explanation leaves, and from how large "
-    "the mismatch is. On the recordings that it was learnt on, about so many of those like this one held such physics. "
-    "More strokes of the same kind need not lower it."
+    "The share of physics that the library lacks was learnt on simulated recordings: of those that looked like this "
+    "one, about so many held such physics. It follows from how much the best explanation leaves and from how large the "
+    "mismatch is, so more strokes of the same kind need not lower it."
 )
 WITHOUT = (
     "No probabilities are known on this rig: they were learnt on strings. An explanation is left out where it fits "

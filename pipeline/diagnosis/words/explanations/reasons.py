@@ -7,10 +7,10 @@ from ..language.quantity import number, times
 SAID = {
     "fit": ("it fits the recording worse", "it fits the recording better"),
     "numbers": ("it has fewer free numbers", "it has more free numbers"),
-    "weakest": ("its weakest part is worth less", "its weakest part is worth more"),
+    "weakest": ("its weakest effect adds less", "its weakest effect adds more"),
     "instead": (
-        "another effect in place of its weakest part does less well",
-        "another effect in place of its weakest part does better",
+        "another effect in place of its weakest one does less well",
+        "another effect in place of its weakest one does better",
     ),
     "more": ("a further effect would add less to it", "a further effect would add more to it"),
     "cancels": ("its effects work against each other less", "its effects work against each other more"),

@@ -120,7 +120,7 @@ def _untelling(alone: bool, left_out: list[str], known_spread: bool, error: str)
     if alone:
         return [*older, "No number here tells the explanations apart: the others foretell the same within that."]
     rows = "; ".join(left_out)
-    return [*older, *([f"Left out, since the explanations differ by less than that: {rows}."] if rows else [])]
+    return [*older, *([f"Left out, since the explanations differ there by less than their ±: {rows}."] if rows else [])]
 
 
 def _is_loop(key: str) -> bool:

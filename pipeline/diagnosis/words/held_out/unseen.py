@@ -12,8 +12,8 @@ NOTHING_NEW = 1.15  # times what the fit leaves of strokes that it has seen: no 
 STILL_MISSING = 1.3  # noise floors on unseen strokes, from which something systematic is still missing
 AVERAGED = 0.05  # of the noise: what averaging must take off it to be worth a word
 ZERO = (
-    f"{program_name('simulate')} of another run sets the zero of the reading in its first second, which a verdict "
-    "fits: there it can err by more."
+    f"{program_name('simulate')} of another run takes the zero of the reading from its first second. A verdict fits "
+    "that zero to the whole recording, so simulate can err by more."
 )
 NEAR = 1.5  # times the limit: a ratio below it is said to a hundredth
 

@@ -13,7 +13,7 @@ from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, ow
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
-OF_IT = "of it no dimension could do"
+OF_IT = "part that no dimension could do"
 NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of that size, however sure the effect is."
 TAKEN_BACK = (
@@ -25,7 +25,10 @@ BOTH_HOLD = (
     "{} {} though the interval reaches 0, and both hold: the percentage compares explanations by all signs in the "
     "recording; the interval says how much of the size dimensions or other effects could take over."
 )
-IN_ALL = "A part of {} no dimension could do: {}. The rest {} could do as well. Sizes in rms do not subtract."
+IN_ALL = (
+    "A part of {} no dimension could do: {}. The rest {} could do as well. The two overlap, so their rms sizes do not "
+    "add up."
+)
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
     "its own size stands and falls with them."

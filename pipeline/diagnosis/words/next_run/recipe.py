@@ -33,8 +33,8 @@ def shows(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str] | Non
         more = new_load > second_load.base(content)
         return {second_load.ROWS[second_load.TWICE if more else second_load.HALF]}
     slower = {"loop_half_speed"} if "speed" in _lacking(content, words, ids) else set()
-    stands = {"hold", "rest"} if _lasting(content, ids) else set()
-    return {"loop_as_before", "top"} | slower | stands
+    strokes = {"hold", "rest"} if _lasting(content, ids) else {"top"}  # a hold of the first stroke moves later tops
+    return {"loop_as_before"} | slower | strokes
 
 
 def to_type(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
@@ -65,7 +65,7 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         )
     if lasting:
         stand = duration(lasting)
-        still = f", and in the last one hold {stand} at {top} and rest {stand} at {bottom} after it"
+        still = f", and in the first one hold {stand} at {top} and rest {stand} at {bottom} after it"
     else:
         stood = known["longest_hold_s"] > 0.0 or known["longest_rest_s"] > 0.0
         still = ", with the same holds and rests" * stood

@@ -32,14 +32,12 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
     wanted, counts = " ".join(tests), []
     if "speed" in wanted and fast > 0.0:
         other = f"{number(fast / 2.0, 3)} or {quantity(2.0 * fast, f'{words.motion_unit}/s', 3)}"
-        two = f"Its speeds count as two: the fastest is {times(fast / slow)} times the slowest" if slow > 0.0 else ""
+        two = f"It has two speeds: the fastest is {times(fast / slow)} times the slowest" if slow > 0.0 else ""
         counts.append(
             f"{two}." if two and fast >= ALIKE * slow else f"It has no second speed: {other}, half or twice, would do."
         )
     if "load" in wanted and words.load is not None and most > 0.0:
         counts.append(
-            "Its loads count as more than one."
-            if content["evidence"]["loaded"]
-            else second_load.sentence(content, words)
+            "It has more than one load." if content["evidence"]["loaded"] else second_load.sentence(content, words)
         )
     return [" ".join([f"Recorded so far: {loads}, {speeds}, {stands}{under}.", *counts])]

@@ -56,7 +56,7 @@ def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_like
     ]
     said = why({"probability": 0.2, "because": because}, {"probability": 0.6})
     assert said == (
-        "It is 3.0 times less likely than the best one, chiefly since its weakest part is worth less and since it "
+        "It is 3.0 times less likely than the best one, chiefly since its weakest effect adds less and since it "
         "leaves out jam, whose mark this recording shows."
     )
     names = {"aspect": "names", "log_odds": -2.0, "more": 0.0}
