@@ -20,11 +20,8 @@ FIGURES = {
     " bar is the root mean square over one of 24 equal parts of the stroke, where points of it were held out. Beside"
     " the INN stand the model of the least forward error on this material's held-out points and, where it is another,"
     " the model to take.",
-    "figure_leak": "Leak: an INN should put out the string's constants unchanged. It puts them out a little wrong, and"
-    " so its way back, which is given the true ones, errs. Compare in (b) the leak alone (triangle) with the rest alone"
-    " (dash): the two can cancel in part, so one of them can be larger than the whole error (dot). Two changes are"
-    " tried: training on the error of both ways, and shuffles that undo each other. Which of them mends the leak on"
-    " these data stands beneath the figure.",
+    "figure_leak": "Leak: why an invertible network (INN) can be good forward and bad on its way back. Each row is one"
+    " way to train it. Made of the synthetic rig alone.",
 }
 PAGES = {
     "models.html": "every model by stroke, direction and angle, beside the floor; where the fitted models lie",
