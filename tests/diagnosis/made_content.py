@@ -116,3 +116,26 @@ def confident(friction, creep, **changes):
     for entry, share in zip(made["mechanisms"], (friction, creep), strict=True):
         entry["confidence"] = share
     return made
+
+
+def adopted(verdict="parameters", **changes):
+    """The words on a run that has adopted creep, whose dimensions alone were then asked."""
+    made = content(verdict=verdict, mechanisms=[], alternatives=[], next_run=None, mismatch=None, **changes)
+    made["simulation"] = [{"id": "creep", "parameters": {}}]
+    made["evidence"]["explanations"] = []
+    return told(made)
+
+
+def to_adopt(**changes):
+    """What is said of adopting, from the JSON that lies in reports/nylon-3."""
+    made = spoken(content(**changes), SYSTEMS["mm"])
+    text = details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3"))
+    return text.partition("To use it\n")[2].partition("\n\n")[0]
+
+
+LEFT = {
+    "evidence__floor_mm": 0.0203, "evidence__nominal_mm": 0.0529, "evidence__calibrated_mm": 0.0517,
+    "fit__noise_floor_mm": 0.0203, "fit__heldout__nominal_mm": 0.0596, "fit__heldout__calibrated_mm": 0.0576,
+    "fit__heldout__explained_mm": 0.0576, "fit__detectable_mm": {"clamp_slip": 0.0057, "slack": 0.107},
+    "evidence__moved_sigma": {"radius_mm": -3.0}, "evidence__tolerance": {"radius_mm": 0.0165},
+}  # fmt: skip

@@ -1,0 +1,33 @@
+"""The title of the figure."""
+
+import pytest
+from made_content import SYSTEMS
+
+from pipeline.diagnosis.drawing.figures import title
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.next_run import experiment
+
+
+def test_titles_are_said_in_the_rigs_words():
+    run = {"title": "a rest at the lowest twist, then one stroke"}
+    assert experiment.title(run, Vocabulary.of(SYSTEMS["deg"])) == "A rest at the lowest motor angle, then one stroke"
+
+
+@pytest.mark.parametrize(
+    ("others", "said"),
+    [
+        ([], "creep"),
+        ([["wear", "jam"]], "creep, or wear + jam"),
+        ([["wear"], ["jam"]], "creep, or one of 2 other explanations"),
+        ([[f"friction_hysteresis_{n}" for n in range(5)]], "creep, or 1 other explanation"),
+    ],
+)
+def test_a_title_has_two_lines_at_most_and_breaks_nowhere_else(others, said):
+    made = {"run": "a-1", "verdict": "ambiguous", "mechanisms": [{"id": "creep"}], "alternatives": others}
+    assert title(made).replace("\N{NO-BREAK SPACE}", " ") == f"a-1: ambiguous\n{said}"
+    assert title(made | {"mechanisms": [], "verdict": "unknown"}) == "a-1: unknown"
+    adopted_ = made | {"mechanisms": [], "verdict": "parameters", "simulation": [{"id": "wear"}, {"id": "creep"}]}
+    said = "a-1: parameters\nbeside what run.yaml has adopted: wear + creep"
+    assert title(adopted_).replace("\N{NO-BREAK SPACE}", " ") == said
+    many = title(made | {"run": [f"nylon-20261122-{n:02}" for n in range(9)]})
+    assert many.startswith("nylon-20261122-00 and 8 more: ambiguous\n") and many.count("\n") == 1

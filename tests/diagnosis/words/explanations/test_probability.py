@@ -1,0 +1,61 @@
+"""How probable each explanation is, and which are kept."""
+
+import re
+
+import pytest
+from made_content import content, parameter, told, weighed
+
+from pipeline.diagnosis.facts.zero_effects import without_zero_effects
+
+
+def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out():
+    text = " ".join(told(weighed(0.004, 0.06, 0.31, 0.02, 0.52)).split())
+    assert text.startswith(
+        "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations; the best one has "
+        "a probability of 52 %. "
+    )
+    assert "friction_hysteresis + thermal: probability 31 %; leaves 0.070 mm rms (2.3 times the noise)." in text
+    assert "friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 8.7" in text
+    assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
+    beaten = text[text.index("Why no other") :]
+    assert beaten.index("+ sensor_drift 6 %") < beaten.index(" creep less than 1 % 0.060 mm (2.0)")
+    rule = "Kept are the likeliest explanations, until together they reach 80 % of what the library has."
+    kept = (
+        "These 2 have 83 %; all others of the library 13 %; physics that the library lacks 4 %. None of these is impos"
+    )
+    assert f"{rule} {kept}sible." in text
+    assert "ruled out" not in text and "What is likely beside it Both explanations" in text
+    alone = {"verdict": "explained", "alternatives": [], "next_run": None}
+    text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
+    assert "Here the best one alone has 99 %; all others" in text
+    none = "Why less likely, where nothing else is said: with one more effect it is an explanation that leaves less."
+    assert " creep less than 1 % 0.060 mm (2.0) " in text and none in text
+
+
+def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_none():
+    text = told(content(evidence__probability_of_none=None))
+    assert "No probabilities are known on this rig: they were learnt on strings." in text and "probability" not in (
+        text.replace("No probabilities", "").lower()
+    )
+    assert "left out where" not in told()
+    unknown = {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None}
+    text = " ".join(told(weighed(0.3, 0.1, 0.0, 0.1, 0.02, none=0.48, **unknown)).split())
+    assert "creep: probability 30 %; takes 99 % of the mismatch's energy, but is too unlikely." in text
+    assert "90 % would be needed, of an explanation that is likely; that no physics of the library explains it" in text
+    for shares in ((0.3, 0.1, 0.0, 0.1, 0.02), (0.02, 0.1, 0.0, 0.1, 0.3)):
+        made = " ".join(told(weighed(*shares, none=0.48, **unknown)).split())
+        ordered = [int(share) for share in re.findall(r"probability ([0-9]+) %; takes", made)]
+        assert ordered == sorted(ordered, reverse=True) and len(set(ordered)) > 1
+    assert "recording has a probability of 48 %; from 40 % on the verdict is unknown." in text
+
+
+def test_two_explanations_that_an_idle_effect_made_different_share_one_probability():
+    made = weighed(0.1, 0.1, 0.1, 0.1, 0.5)
+    made["evidence"]["explanations"][3] |= {"ids": ["friction_hysteresis"]}
+    made["alternatives"] = [["friction_hysteresis"]]
+    made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
+    made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
+    (best,) = [
+        one for one in without_zero_effects(made, "mm")["evidence"]["explanations"] if one["standing"] == "named"
+    ]
+    assert best["ids"] == ["friction_hysteresis"] and best["probability"] == pytest.approx(0.6)

@@ -1,0 +1,58 @@
+"""What a regression without physics foretells of unseen strokes."""
+
+import pytest
+from made_content import SYSTEMS, content, explanation, told
+
+from pipeline.diagnosis.words.held_out import level
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+
+
+def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest():
+    text = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
+    assert (
+        "from this size on (rms):\n  backlash 0.0040 mm and creep 0.020 mm." in text and "What is missing" not in text
+    )
+    shown = [explanation([], "nothing", 0.45), explanation(["x_wave"], "not enough", 0.06)]
+    text = told(content(verdict="unknown", mechanisms=[], alternatives=[], evidence__explanations=shown))
+    assert "x_wave: takes 99 % of the mismatch's energy, and is no physics of the library." in text
+    assert "At most three effects at once are tried" in text
+
+
+@pytest.mark.parametrize(
+    ("verdict", "without", "said", "never"),
+    [
+        (
+            "ambiguous",
+            0.02,
+            "foretells the unseen strokes better than the explanation: 0.020 mm rms against",
+            "level",
+        ),
+        ("ambiguous", 0.6, "", "regression"),
+        (
+            "unknown",
+            0.02,
+            "errs by 0.020 mm rms on the unseen strokes, calibration by 0.80 mm rms. That is the level",
+            "better",
+        ),
+        ("unknown", 0.79, "calibration by 0.80 mm rms: what is left there follows none of these as it did", "level"),
+        ("unknown", None, "", "regression"),
+    ],
+)
+def test_what_a_regression_without_physics_foretells_is_said_where_it_tells_something(verdict, without, said, never):
+    held = content()["fit"]["heldout"] | {"calibrated_mm": 0.8, "explained_mm": 0.8}
+    held |= {} if without is None else {"without_physics_mm": without}
+    place = {"motor_turns": [20.0, 26.0], "strokes": [8, 9], "phase": "winding", "share": 0.8}
+    changes = {"fit__heldout": held, "evidence__left_of_unseen": {"location": place, "driver": "direction"}}
+    changes |= {"mechanisms": [], "alternatives": [], "next_run": None} if verdict == "unknown" else {}
+    made = content(verdict=verdict, **changes)
+    words = Vocabulary.of(SYSTEMS["mm"])
+    lines = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
+    assert said in lines and never not in lines
+    made["evidence"]["chosen_without_them"] = ["wear"]
+    other = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
+    assert not other or ("wear" in other and "calibration" not in other)
+    del made["evidence"]["chosen_without_them"]
+    whole = " ".join(told(made).split())
+    assert said in whole and (level.METHOD in whole) == bool(said)
+    if without == 0.02:
+        assert "at 20 to 26 turns, in strokes 8 to 9, while winding, and it follows the direction of motion" in lines

@@ -1,0 +1,29 @@
+"""The words that a verdict explains last."""
+
+from pathlib import Path
+
+from made_content import told
+
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.ground.glossary import MEANING
+
+
+def test_the_verdict_explains_its_own_words_last_a_line_each():
+    text = told()
+    last = text.split("\n\n")[-1].splitlines()
+    assert last[0] == "What the words mean"
+    said = dict(line.strip().split(": ", 1) for line in last[1:])
+    assert next(iter(said)) == "ambiguous" and said["wear"] == MEANING["wear"]
+    assert {"friction_hysteresis", "creep", "thermal", "wear", "sensor_drift", "calibrated", "rms"} <= set(said)
+    assert "jam" not in said and "explained" not in said
+
+
+def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
+    docs = Path(__file__).parents[4] / "docs"
+    page, physics = ((docs / name).read_text(encoding="utf-8") for name in ("diagnose.md", "physics.md"))
+    for word in ["consistent", "parameters", "explained", "ambiguous", "unknown"]:
+        assert f"- `{word}`: {MEANING[word]}" in page, word
+    for id_, mechanism in mechanisms().items():
+        said = MEANING[id_]
+        assert said == mechanism.meaning and f"## {id_}\n\n{said[:1].upper()}{said[1:]}\n" in physics, id_
+    assert "no physics is missing" not in MEANING["parameters"]

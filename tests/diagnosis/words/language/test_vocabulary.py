@@ -1,0 +1,27 @@
+"""The words and units of other rigs."""
+
+import re
+
+import pytest
+from made_content import content, told
+
+
+def others(system, ending, driver, channel_unit, load):
+    """The same verdict on a rig that is no string."""
+    text = repr(content(run="rig-1"))
+    text = text.replace("_mm'", f"_{ending}'").replace("'mm'", f"'{channel_unit}'").replace("motor_turns", driver)
+    return told(eval(text.replace("load_n", load or "none")), ["raw/rig-1"], system)
+
+
+@pytest.mark.parametrize(
+    ("ending", "driver", "unit", "load"), [("deg", "motor_deg", "deg", "torque_nm"), ("n", "position_m", "N", "load_n")]
+)
+def test_other_rigs_have_their_own_words_and_units(ending, driver, unit, load):
+    text = others(ending, ending, driver, unit, load)
+    assert not re.search(r"\b(string|twist|twisted|wind|winding|unwinding|turns|mm|displacement)\b", text), text
+    reading, motion = {"deg": ("jaw angle", "deg"), "n": ("force", "m")}[ending]
+    assert (
+        f"Friction makes the {reading} of the way up differ from that of the way down, by 0.20 {unit} from the lowest"
+        in text
+    )
+    assert f"2. Go to 30.7 {motion} in 16 s" in text and f"4. Go back to 0 {motion}" in text

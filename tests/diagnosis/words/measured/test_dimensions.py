@@ -1,0 +1,73 @@
+"""Dimensions that calibration moved."""
+
+from made_content import CONTENT, LEFT, adopted, content, told
+
+from pipeline.diagnosis.document.bounds import at_bound
+
+
+def corrected(value, sigma):
+    """The words where only the radius moved."""
+    known = {"radius_mm": {"nominal": 0.55, "value": value, "low": value, "high": value}}
+    made = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "parameters": known}
+    changes = {"evidence__moved_sigma": {"radius_mm": sigma}, "evidence__explanations": []}
+    return told(content(**made, **changes, evidence__nominal_mm=0.45, evidence__calibrated_mm=0.033))
+
+
+def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
+    text = corrected(0.5612, 2.1)
+    assert "The misfit was 0.45 mm rms (15 times the noise) with the dimensions of run.yaml." in text
+    assert "It is 0.033 mm rms (1.1 times the noise) once they move." in text
+    assert "radius: from 0.55 mm to 0.5612 mm, 2.1 times its tolerance." in text
+    assert "stays within its tolerance" not in text
+    assert "radius: from 0.55 mm to 0.55001 mm, 0.02 times its tolerance." in corrected(0.55001, 0.02)
+    assert "Every dimension stays within its tolerance: none of them was measured wrong." in corrected(0.551, 0.2)
+    assert "only the zero of the reading did" in corrected(0.55, 1e-4)
+
+
+def test_a_dimension_at_the_bound_of_its_tolerance_is_called_suspicious_before_all_else():
+    for sigma, which in ((3.0, "upper"), (-2.96, "lower")):
+        text = " ".join(told(content(evidence__moved_sigma={"radius_mm": sigma})).split())
+        doubts = text.partition("What to know first ")[2].partition("What is missing")[0]
+        assert (
+            f"Suspicious: calibration moved a dimension as far as it may, three times the tolerance: radius, {which}"
+            in (doubts)
+        )
+        assert "bound 0.5612 mm (run.yaml says 0.55 mm). The best value may lie beyond." in doubts
+        assert f"{abs(sigma):.1f} times its tolerance away, as far as calibration may move it." in text
+    assert "Suspicious" not in told() and "as far as calibration" not in told()
+    both = {"radius_mm": 3.0, "scale": -3.0}
+    known = CONTENT["parameters"] | {"scale": {"nominal": 1.0, "value": 0.985, "low": 0.98, "high": 0.99}}
+    text = " ".join(told(content(evidence__moved_sigma=both, parameters=known)).split())
+    assert (
+        "moved 2 dimensions as far as it may" in text
+        and "gain of the displacement sensor, lower bound 0.985 (1 w" in text
+    )
+    assert at_bound(both | {"length_mm": 2.9}) == {"radius_mm": "upper", "scale": "lower"}
+
+
+def test_dimensions_that_move_in_vain_explain_nothing():
+    text = adopted("parameters", **LEFT)
+    assert "So moving them explains next to nothing" in text and "fits best" not in text
+    assert "Measure the radius again before you believe any of these values." in text
+    assert "fits best" in adopted("parameters", **LEFT | {"evidence__nominal_mm": 0.4})
+    bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
+    for before, said in ((0.0302, True), (0.06, False)):
+        text = told(content(**bare, evidence__nominal_mm=before, evidence__calibrated_mm=0.03))
+        assert ("moving dimensions adds" in text) == ("So moving them explains next to nothing" in text) == said
+        assert ("once its measured dimensions move" in text) == ("the dimensions alone explain" in text) != said
+
+
+def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig():
+    made = content()
+    made["evidence"]["explanations"][-1]["left_mm"] = 0.05
+    said = (
+        "What the simulation still misses bends dimensions as well. Do not copy calibrated values into run.yaml: meas"
+    )
+    assert said in told(made) and said not in told()
+    many = {f"{name}_mm": 3.0 for name in ("radius", "length", "separator", "torsion_zone")}
+    values = dict.fromkeys(many, CONTENT["parameters"]["radius_mm"])
+    text = told(content(parameters=values, evidence__moved_sigma=many))
+    said = (
+        "where measuring again changes none, physics that the library lacks may have moved them, or run.yaml describes"
+    )
+    assert said in text

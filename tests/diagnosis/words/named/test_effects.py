@@ -1,0 +1,147 @@
+"""What acts, in sentences: size, reach, loop, time constants, events."""
+
+import copy
+import re
+
+import pytest
+from made_content import SYSTEMS, content, parameter, told, weighed
+
+from pipeline.diagnosis.mechanisms.interface import Mechanism
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.recording.system_units import Units
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.named import effects
+from pipeline.diagnosis.words.pages.spoken import spoken
+from pipeline.systems import systems
+
+
+def test_sentences_say_size_reach_and_what_was_found():
+    made = spoken(content(), SYSTEMS["mm"])
+    friction, creep = (entry["sentence"] for entry in made["mechanisms"])
+    assert friction == (
+        "Friction makes the displacement of winding differ from that of unwinding, by 0.20 mm from the lowest to "
+        "the highest value (0.082 mm rms): half the loop is 0.101 mm (0.0909 to 0.111)."
+    )
+    assert "by up to 0.90 mm (0.41 mm rms), best with time constants of 15 s to 60 s of those that were tried" in creep
+
+
+def test_each_size_comes_with_its_interval_or_with_why_it_has_none():
+    found = content()
+    text = told(copy.deepcopy(found))
+    assert (
+        "half the loop is 0.101 mm (0.0909 to 0.111)." in text
+        and "90 % interval of its rms, if this explanation" in text
+    )
+    assert "if this explanation is right: 0.074 to 0.090 mm." in text
+    found["mechanisms"][0]["rms_mm"] |= {"low": 0.0822, "high": 0.0822}
+    assert "Its rms has no interval: the fit gives it one value alone." in told(found)
+
+
+def test_every_mechanism_of_the_library_has_a_sentence_on_every_rig(problem):
+    for system in systems().values():
+        words, units = Vocabulary.of(system), Units.of(system)
+        for mechanism in mechanisms().values():
+            for nonlinear in mechanism.candidates(problem.drivers)[:40:7]:
+                names = [*nonlinear, *(term.name for term in mechanism.terms(problem.drivers, nonlinear))]
+                found = {units.name(name): parameter(0.21, units.unit("mm")) for name in names}
+                entry = {"id": mechanism.id, f"rms_{words.ending}": parameter(0.3, words.unit), "parameters": found}
+                said = effects.sentence(mechanism, entry, 0.7, words, units)
+                assert said.endswith(".") and not re.search(r"[{}]|  |\.\.|, \.", said), said
+                assert re.search(rf"0\.(30|70) {words.unit}", said), said
+
+
+@pytest.mark.parametrize(
+    ("opened", "said"),
+    [
+        (
+            {"width_mm": 0.058, "motor_turns": 16.2},
+            "that of unwinding, by up to 0.058 mm, most near 16 turns (0.030 mm",
+        ),
+        (None, "that of unwinding, by 0.077 mm from the lowest to the highest value (0.030 mm rms)"),
+    ],
+)
+def test_how_far_winding_and_unwinding_part_is_told_at_one_twist_or_the_span_is_called_what_it_is(opened, said):
+    made = content(mechanisms=[{"id": "friction_hysteresis", "rms_mm": parameter(0.03, "mm"), "parameters": {}}])
+    made["evidence"]["spans_mm"]["friction_hysteresis"] = 0.077
+    made["evidence"] |= {"loops": {"friction_hysteresis": opened}} if opened else {}
+    assert said in told(made)
+
+
+@pytest.mark.parametrize("id_", ["friction_hysteresis", "backlash"])
+def test_no_sentence_calls_the_span_of_an_effect_the_difference_between_winding_and_unwinding(id_):
+    assert "{loop}" in mechanisms()[id_].sentence and "{span}" not in mechanisms()[id_].sentence
+
+
+def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimensions():
+    made = content()
+    made["mechanisms"][1]["rms_mm"]["value"] = 3.52
+    text = told(made)
+    said = "Its size is no surer than the dimensions: it moves the reading by 3.5 mm rms, but only 0.44 mm rms is "
+    said += "missing. Much of it"
+    line = next(line for line in text.splitlines() if line.startswith("  creep: 90 % interval"))
+    after = text.partition(line)[2].partition("\n  friction_hysteresis: ")[0]
+    assert f"{said} hides in dimensions that calibration moved (see Dimensions), and in the other effects." in " ".join(
+        f"{line}{after}".split()
+    )
+    assert text.count("moves the reading by") == 1 and "(see Dimensions)." not in told()
+    made["mechanisms"][1]["rms_mm"]["value"] = 0.6
+    assert "It moves the reading by 0.60 mm rms" in " ".join(told(made).split()) and "poorly known" not in told(made)
+    made["evidence"] |= {"moved_sigma": {"radius_mm": 0.7}, "tolerance": {"radius_mm": 0.016}}
+    moved = told(made).partition("\nDimensions\n")[2].partition("\n\n")[0]
+    assert moved.splitlines() == [
+        "  radius: from 0.55 mm to 0.561 mm (90 % interval 0.56 to 0.563 mm), 0.7 times its tolerance of 0.016 mm "
+        "(2.91 %).",
+        "  Every dimension stays within its tolerance.",
+        "  Now in force, as run.yaml writes it: `tolerance: {radius: 0.02909}` (radius is a share of the value: "
+        "0.02909 is 2.91 %).",
+    ]
+    made["mechanisms"][1]["rms_mm"]["value"] = 0.4
+    assert "\nDimensions\n  radius: from 0.55 mm" in told(made), "also where no effect is hidden in them"
+
+
+def exact(value, unit):
+    """A parameter that was chosen from a few: it has no interval."""
+    return {"value": value, "low": value, "high": value, "unit": unit}
+
+
+def test_events_are_told_one_by_one():
+    found = {"at_s": exact(102.3, "s"), "mm": parameter(0.44, "mm"), "at_s_2": exact(211.0, "s"),
+             "mm_2": exact(0.2, "mm")}  # fmt: skip
+    entry = {"id": "clamp_slip", "rms_mm": parameter(0.3, "mm"), "parameters": found}
+    made = spoken(content(mechanisms=[entry]), SYSTEMS["mm"])
+    assert made["mechanisms"][0]["sentence"].endswith(
+        ": by 0.44 mm (0.396 to 0.484) after 102 s and by 0.2 mm after 211 s."
+    ), "a value with an interval has it beside it"
+
+
+def test_a_mechanism_of_ones_own_may_say_no_more_than_its_size():
+    own = Mechanism("x_own", "speed", "", "", "", "", "Air brakes the motion, by {size}.", lambda _: [], lambda *_: [])
+    entry = {"id": "x_own", "rms_mm": parameter(0.3, "mm"), "parameters": {}}
+    words = Vocabulary.of(SYSTEMS["mm"])
+    said = effects.sentence(own, entry, None, words, Units.of(SYSTEMS["mm"]))
+    assert said == "Air brakes the motion, by 0.30 mm rms."
+
+
+@pytest.mark.parametrize(("measured", "said"), [(0.0, "a temperature that is calculated"), (1.0, "the measured temp")])
+def test_a_calculated_temperature_is_not_told_as_a_measured_one(measured, said):
+    found = {"measured": parameter(measured, "1"), "friction_30_s_mm": parameter(0.1, "mm")}
+    entry = {"id": "thermal", "rms_mm": parameter(0.018, "mm"), "parameters": found}
+    changes = {"mismatch__driver": ["temperature"], "mismatch__rms_mm": 0.0068}
+    text = told(content(verdict="explained", mechanisms=[entry], alternatives=[], next_run=None, **changes))
+    assert f"The length follows {said}" in text and "The effect is smaller than the noise of one" in text
+    assert ("It follows a temperature that is calculated from how fast" in text) == (not measured)
+    assert "smaller than the noise" not in told()
+
+
+@pytest.mark.parametrize(("slowest", "said"), [(60.0, True), (240.0, False)])
+def test_a_time_constant_that_is_the_longest_tried_is_told_as_a_bound(slowest, said):
+    made = content()
+    made["mechanisms"][1]["parameters"]["slowest_s"] = parameter(slowest, "s")
+    assert ("15 s to 60 s of those that were tried (60 s is the longest, so it may be longer)" in told(made)) is said
+
+
+def test_effects_that_work_against_each_other_more_are_said_to():
+    made = weighed(0.004, 0.06, 0.26, 0.02, 0.52)
+    made["evidence"]["explanations"][3]["because"] = [{"aspect": "cancels", "log_odds": -0.9, "more": 0.19565}]
+    said = "work against each other more."
+    assert said in " ".join(told(made).split())

@@ -1,0 +1,53 @@
+"""What a slow effect under one load could be instead."""
+
+from dataclasses import replace
+
+import pytest
+from made_content import SYSTEMS
+
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.named import certainty, slow_look_alikes
+
+
+@pytest.mark.parametrize(
+    ("loaded", "named", "said"), [(False, "creep", True), (True, "creep", False), (False, "jam", False)]
+)
+def test_under_one_load_a_slow_effect_is_said_to_look_like_the_others(loaded, named, said):
+    evidence = {"loaded": loaded, "moved_sigma": {}, "explanations": []}
+    evidence = {"loaded": loaded, "moved_sigma": {}, "explanations": []}
+    made = {"mechanisms": [{"id": "slack"}, {"id": named}], "evidence": evidence, "alternatives": []}
+    made["verdict"] = "explained"
+    lines = slow_look_alikes.lines(made, Vocabulary.of(SYSTEMS["mm"]))
+    assert slow_look_alikes.lines(made, replace(Vocabulary.of(SYSTEMS["mm"]), load=None)) == [], "a rig without a load"
+    assert len(lines) == (5 if said else 0)
+    if said:
+        assert lines[0] == (
+            "Under one load slow effects look alike. That something slow acts is likely; its name is not sure. "
+            "What creep could be instead:"
+        )
+        assert [line.partition(":")[0] for line in lines[1:]] == [
+            "- plastic_elongation", "- sensor_drift", "- stiffening", "- wear",
+        ]  # fmt: skip
+        slow = {"unit": "mm/10N", "value": 0.3}
+        made["mechanisms"][1]["parameters"] = {"load_240_s_mm_per_10_n": slow, "rate": {"unit": "1", "value": 9.0}}
+        asked = certainty.asks(made, Vocabulary.of(SYSTEMS["mm"]))[0]
+        assert asked.startswith("What tells creep from what looks like it: a hold under load, then a rest without it")
+        assert "Hold and rest for 8 min or longer each" in asked and "The run below" not in asked
+        assert certainty.asks(made | {"next_run": {"legs": []}}, Vocabulary.of(SYSTEMS["mm"]))[0].endswith(
+            "not this test."
+        )
+    else:
+        assert certainty.asks(made, Vocabulary.of(SYSTEMS["mm"])) == []
+
+
+def test_a_name_is_not_called_unsure_where_the_recording_excludes_every_look_alike():
+    jumps = {"change": 0.5, "error": 0.01}
+    names = ("plastic_elongation", "sensor_drift", "stiffening", "wear")
+    kept = [{"id": "creep", "stands": {}}, *({"id": id_, "stands": {"hold": jumps}} for id_ in names)]
+    evidence = {"loaded": False, "moved_sigma": {}, "explanations": [], "not_kept": kept, "floor_mm": 0.05}
+    made = {"mechanisms": [{"id": "creep"}], "evidence": evidence, "alternatives": [], "verdict": "explained"}
+    words = Vocabulary.of(SYSTEMS["mm"])
+    head, *others = slow_look_alikes.lines(made, words)
+    assert slow_look_alikes.still_open(made, words) == [] and slow_look_alikes.doubts(made, words) == []
+    assert head == "Under one load slow effects look alike. What creep could be instead:"
+    assert [": excluded" in line for line in others] == [True] * 4 + [False]

@@ -1,0 +1,56 @@
+"""Whether the run to make next is worth it."""
+
+import pytest
+from made_content import content, told, weighed
+
+from pipeline.diagnosis.words.next_run import worth
+
+
+def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_it_is_worth_it():
+    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, next_run__gap_now=16.0, next_run__gap_then=16.0)
+    made["alternatives"] += [["friction_hysteresis", "sensor_drift"], ["creep"], ["wear"]]
+    text = told(made)
+    pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
+    assert f"It is to tell {pair}, the closest two of the 4 likeliest explanations." in text
+    assert "Hardly worth making: you can skip it." in text
+    none = "No other run that was tried in simulation does better, so none decides."
+    assert f"; with the run by 4. Noise alone can make as much. {none}" in text
+    made["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
+    made["next_run"]["parts"][0].append("wear")
+    assert "at work: creep and wear, or thermal; otherwise report the best explanation as one of 5." in told(made)
+    assert "The best explanation is neither of the two: it differs from both by at least as much." in told(made)
+    made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
+    made["fit"]["heldout"]["explained_mm"] = 0.95
+    assert "whether slack is at work; otherwise report all 5 explanations and adopt none." in told(made)
+
+
+def test_a_run_that_hardly_parts_them_better_is_told_as_that():
+    text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
+    gaps = "So far the closest two predictions differ by 53 standard deviations; with the run by 69."
+    assert f"{gaps} A formula that is wrong by a few per cent can make as much." in " ".join(text.split())
+    assert "it need not decide; in tests about half of such runs did." in " ".join(text.split())
+    assert "Worth a try if" in text
+    text = told(content(next_run__gap_now=2809.0, next_run__gap_then=2900.0))
+    assert "so none decides." in text and "Hardly worth making" in text
+    text = told(content(next_run__gap_now=900.0))
+    more = "2.4 times as much"
+    assert f"With the run it should be 73, {more}: a formula would have to be wrong by {more}" in text
+    assert "So the run can decide." in text and "may not decide" not in text and "worse formula" not in text
+
+
+def test_a_run_that_decides_nothing_says_so_before_its_steps():
+    text = told(content(next_run__gap_then=content()["next_run"]["gap_now"]))
+    run = text.partition("\nThe run to make next\n")[2].partition("\n\n")[0]
+    assert run.startswith(
+        "  Hardly worth making: you can skip it. It would be a hold at full twist, then a rest, 3.5 min"
+    )
+    assert len(run.splitlines()) == 2 and "1. " not in run
+    assert run.count("Hardly") == 1
+    assert "Hardly" not in told()
+
+
+@pytest.mark.parametrize(
+    ("now", "then", "said"), [(4.0, 4.2, False), (4.0, 4.9, True), (0.1, 0.9, False), (0.1, 1.1, True)]
+)
+def test_a_run_raises_the_gap_where_more_than_a_standard_deviation_is_seen_after_it(now, then, said):
+    assert worth.raises({"gap_now": now, "gap_then": then}) is said

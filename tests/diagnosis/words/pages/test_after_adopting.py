@@ -1,0 +1,142 @@
+"""The page of a run whose effects are adopted already."""
+
+import pytest
+from made_content import SYSTEMS, adopted, content, told
+
+from pipeline.diagnosis.words.pages.spoken import spoken
+
+
+def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
+    for verdict in ("consistent", "parameters"):
+        text = adopted(verdict)
+        assert (
+            "physics is missing" not in text
+            and f"creep was adopted and still holds ({verdict}): with it the sim" in text
+        )
+        assert "run.yaml has adopted creep: this verdict is on the simulator with it." in text
+        assert "the dimensions alone explain" not in text and "None is proposed: beside what" in text
+        assert "if it is this one, the error on its last strokes below is no test" in " ".join(text.split())
+        assert "can also cover another one that is really there" in text
+        assert (
+            "Adopted effects bend dimensions as well (creep). Do not copy calibrated values into run.yaml: measure"
+            in text
+        )
+    bare = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None)
+    said = " ".join(told(bare).split())
+    assert "no physics is missing" in said and "adopted" not in said.lower()
+
+
+def test_what_tied_with_what_was_adopted_is_said_once_and_at_once():
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"], ["wear", "slack"], ["jam"]]}
+    said = " ".join(adopted(adopted=[one]).split())
+    told_ = "this may be right, for it was likely as well: thermal or wear + slack, or one of 1 more (`adopted` in run"
+    assert (
+        f"Instead of what was adopted (creep) {told_}.yaml)." in said and "Whether another explanation fits" not in said
+    )
+    said = " ".join(adopted(adopted=[one | {"tied": [], "verdict": "explained"}]).split())
+    assert "No other explanation was as likely as what was adopted (creep)." in said
+    assert "Whether another explanation fits as well stands in the verdict that was adopted" in " ".join(
+        adopted().split()
+    )
+
+
+def second(**changes):
+    """The words on a run whose own verdict was adopted, and named creep and what tied with it."""
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    return " ".join(adopted(adopted=[one | changes]).split())
+
+
+def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
+    for runs, said in ((["nylon-3"], "seen before"), (None, "perhaps seen before")):
+        text = second(runs=runs)
+        assert f" last 30 % of strokes ({said}) nominal – 1.9 mm" in text
+        assert "unseen" not in text and "no fit has seen" not in text
+    assert "It was fitted to this very recording, all its strokes included" in second()
+    again = content(adopted=[{"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}])
+    again["simulation"] = [{"id": "creep", "parameters": {}}]
+    assert "(seen before)" in told(again), "creep, which is adopted, is named once more"
+    elsewhere = second(runs=["nylon-2"])
+    assert "last 30 % of strokes (seen by no fit)" in elsewhere and "very recording" not in elsewhere
+    held = {"fit__heldout__calibrated_mm": 3.0, "fit__heldout__explained_mm": 3.0, "evidence__calibrated_mm": 0.031}
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    doubts = " ".join(adopted(adopted=[one], **held).split())
+    assert "On the last strokes the calibrated simulator is worse" in doubts and "unseen" not in doubts
+    assert (
+        "Something systematic is still missing: the last strokes are missed by 96 times the noise (1.3 is the limit). "
+        in doubts
+    )
+
+
+def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed_with_its_steps_and_commands():
+    made = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
+    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    text = adopted(adopted=[one | {"next_experiment": made}])
+    run = text.partition("\nThe run to make next\n")[2].partition("\n\n")[0].splitlines()
+    still = "Others were likely beside what was adopted. The run that decides is still that of the adopted verdict:"
+    assert run[:2] == [f"  {still}", "  One stroke under half the load: 3.5 min in all."]
+    assert [line.strip()[:2] for line in run[2:7]] == ["1.", "2.", "3.", "4.", "5."]
+    assert run[3] == "    2. Wind to 30.7 turns in 16 s (1.9 turns/s)." and run[6] == "    5. Hold 2 min at 0 turns."
+    assert run[7].startswith("  If your rig cannot change its load, leave this run out") and "`--together`" not in text
+    told_ = [line.strip() for line in run if "python -m" in line]
+    assert [line.split()[2].removeprefix("pipeline.") for line in told_] == ["adopt", "new_run", "capture", "diagnose"]
+    assert told_[0] == "python -m pipeline.adopt --remove raw/nylon-3"
+    assert told_[3] == "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR"
+    assert "nothing is missing" not in text and "None is proposed" not in text
+    lost = second()
+    assert "The run that decides stands in the adopted verdict, under the same heading." in lost
+    assert "None is proposed" in second(tied=[], verdict="explained")
+
+
+def test_a_run_that_does_not_decide_is_not_proposed_once_more_after_adopting():
+    made = spoken(content(next_run__gap_now=9.0, next_run__gap_then=9.0), SYSTEMS["mm"])["next_experiment"]
+    assert "Hardly worth making" in made
+    text = second(next_experiment=made)
+    assert "found no run that decides between them" in text and "pipeline.new_run" not in text
+    assert "nothing further can be named; what was adopted is one of 2 likely explanations" in " ".join(text.split())
+    assert "The run that decides is still" not in text
+
+
+def test_dimensions_at_their_bounds_take_trust_from_the_first_line_after_adopting():
+    far = adopted(evidence__moved_sigma={"radius_mm": 3.0})
+    assert "some by three times their tolerance: measure them again before you trust it; nothing" in " ".join(
+        far.split()
+    )
+    assert "before you trust it" not in adopted(evidence__moved_sigma={"radius_mm": 2.0})
+
+
+def test_the_first_line_says_by_how_much_a_run_with_adopted_effects_errs_and_when_not_to_predict_with_it():
+    bad = adopted(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034).partition("\n\n")[0]
+    said = "fits no more with the dimensions of run.yaml (parameters): "
+    said += "do not predict with run.yaml as it stands: it errs by 1.0 mm rms, and by 0.034 mm once"
+    assert said in " ".join(bad.split())
+    fair = " ".join(adopted(evidence__nominal_mm=0.05, evidence__calibrated_mm=0.034).partition("\n\n")[0].split())
+    assert (
+        "run.yaml as it stands errs by 0.050 mm rms, calibrated by 0.034 mm." in fair and "do not predict" not in fair
+    )
+    assert "as it stands" not in told(content(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034))
+
+
+def test_what_is_adopted_already_is_not_listed_among_what_would_have_been_seen():
+    text = adopted()
+    listed = text.partition("\nWhat would have been seen\n")[2].partition("\n\n")[0]
+    assert "backlash 0.0040 mm." in listed and "creep 0.020" not in listed
+    assert "Not listed, for run.yaml has adopted it: creep." in listed
+    bare = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
+    assert "creep 0.020 mm" in bare and "run.yaml has adopted" not in bare
+    cannot = "Not listed, for this recording cannot show them, or calibration takes them up: axial_elasticity, "
+    assert cannot in " ".join(bare.split())
+    assert "creep" not in " ".join(bare.split()).partition(cannot)[2].partition(".")[0]
+
+
+@pytest.mark.parametrize(
+    ("verdict", "means"),
+    [
+        ("parameters", "with creep in the simulator, and dimensions moved, nothing further can be named"),
+        ("consistent", "with creep in the simulator nothing further can be named"),
+    ],
+)
+def test_after_adopting_the_page_says_what_its_words_now_mean(verdict, means):
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    text = " ".join(adopted(adopted=[one], verdict=verdict).split())
+    assert f"`{verdict}` now means: {means}. `nominal` now means the simulator with creep and the dim" in text
+    assert "now means" not in told()

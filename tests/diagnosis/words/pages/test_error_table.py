@@ -1,0 +1,20 @@
+"""The table of errors."""
+
+from made_content import content, told
+
+
+def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():
+    text = told(content(evidence__calibrated_mm=0.4410, evidence__floor_mm=0.018))
+    assert (
+        "Over the whole recording 0.44 mm rms is missing after calibration (noise taken off), 24 times the noise."
+        in text
+    )
+    assert "Compared were averages, not single samples: the noise of these averages is 0.018 mm rms." in text
+    averaged = told(content(evidence__floor_mm=0.018, evidence__step_s=0.05))
+    assert "Compared were averages of 0.05 s, not single samples: the noise of these" in averaged
+    assert "calibration alone: leaves 0.44 mm rms (25 times the noise)." in text
+    assert "0.031 mm, of single samples" in text
+    assert "except for the unseen strokes, compared sample by sample." in " ".join(text.split())
+    assert "single samples" not in told().split("What is missing")[1]
+    single = "Of single samples, as pipeline.simulate and pipeline.adopt count, 0.030 mm would be about 0.039 mm."
+    assert f"The left column is of averages. {single}" in averaged

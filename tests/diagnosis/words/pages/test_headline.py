@@ -1,0 +1,69 @@
+"""The first line of a verdict, named or not."""
+
+import pytest
+from made_content import LEFT, SYSTEMS, adopted, content, told
+
+from pipeline.diagnosis.study.heldout import worse_than_nominal
+from pipeline.diagnosis.words.explanations import unexplained_pattern
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+
+
+@pytest.mark.parametrize("verdict", ["parameters", "consistent"])
+def test_a_verdict_without_a_name_explains_nothing_where_more_than_noise_is_left(verdict):
+    text = adopted(verdict, **LEFT)
+    head = " ".join(text.partition("\n\n")[0].split())
+    assert head == (
+        f"nylon-3: creep was adopted and something without a name is left ({verdict}): nothing further can be named, "
+        "and 0.052 mm rms stays unexplained, 2.5 times the noise. run.yaml as it stands errs by 0.053 "
+        "mm rms, calibrated by 0.052 mm."
+    )
+    assert "Something systematic is still missing" in text
+    assert "explains the recording" not in text and "None is needed" not in text and "nothing is missing" not in text
+    assert "None can be proposed: what is left follows no effect that could be named." in text
+
+
+def test_no_effect_smaller_than_what_is_left_is_said_to_have_been_seen():
+    text = adopted("parameters", **LEFT)
+    more = "Of the errors in the table above, 0.054 mm rms is more than noise: effects of that size and less may hide"
+    assert f"{more} in it." in text
+    assert "but these only from their own size on (rms):\n  slack 0.11 mm." in text and "clamp_slip" not in text
+    changes = LEFT | {"fit__detectable_mm": {"clamp_slip": 0.0057}}
+    assert "A larger one would have been seen." in adopted("parameters", **changes)
+    only_unseen = {"fit__heldout__explained_mm": 0.06, "evidence__calibrated_mm": 0.031}
+    assert "0.051 mm rms is more than noise" in adopted("consistent", **only_unseen)
+
+
+@pytest.mark.parametrize(("alone", "said"), [(0.6, True), (0.505, False)])
+def test_what_comes_nearest_is_said_where_nothing_is_named_and_it_takes_a_little_away(alone, said):
+    shown = [{"ids": [], "left_mm": 0.4}, {"ids": ["creep"], "left_mm": 0.55}, {"ids": ["wear"], "left_mm": 0.5}]
+    made = content(evidence__explanations=shown, evidence__calibrated_mm=alone)
+    lines = unexplained_pattern.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
+    assert len(lines) == said
+    if said:
+        assert lines[0].startswith("The best that an effect could do: with wear 0.50 mm rms (")
+        assert lines[0].endswith("would be left instead of 0.60 mm. That gain is too small to name it.")
+        made["evidence"]["explanations"][2]["ids"] = ["x_swelling"]
+        made["simulation"] = [{"id": "backlash", "parameters": {}}]
+        (line,) = unexplained_pattern.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
+        assert "that one more effect could do: with x_swelling (x_marks a stand-in" in line.replace("x_ m", "x_m")
+
+
+def test_what_is_worse_than_the_nominal_simulator_on_unseen_strokes_ends_the_first_line():
+    held = {"nominal": 0.31, "calibrated": 1.1, "explained": 0.2}
+    assert worse_than_nominal(held) == ["calibrated"]
+    assert worse_than_nominal(held | {"explained": 0.4}) == ["calibrated", "explained"]
+    assert worse_than_nominal(held | {"calibrated": 0.312}) == []
+    numbers = {f"fit__heldout__{name}_mm": value for name, value in held.items()}
+    first = told(content(**numbers, fit__worse_than_nominal=["calibrated"])).split("\n\n")[0].replace("\n  ", " ")
+    said = (
+        "On the unseen strokes the simulator with what is named errs by 0.20 mm, as measured by 0.31 mm; calibrated "
+        "alone it is worse than that (1.1 mm)."
+    )
+    assert first.startswith("nylon-3: ambiguous") and said in " ".join(first.split())
+    numbers["fit__heldout__explained_mm"] = 0.4
+    both = " ".join(told(content(**numbers, fit__worse_than_nominal=["calibrated", "explained"])).split())
+    assert "the simulator as diagnosed is worse than the nominal one (0.40 mm against 0.31 mm)." in both
+    numbers["fit__heldout__explained_mm"] = 0.311
+    same = told(content(**numbers, fit__worse_than_nominal=["calibrated", "explained"])).split("\n\n")[0]
+    assert "worse than" not in same, "0.31 mm against 0.31 mm says nothing"
+    assert "worse than the nominal" not in told(content()).split("\n\n")[0]
