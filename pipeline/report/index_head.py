@@ -61,7 +61,7 @@ def runs_table(reports: Path, contents: Mapping[str, Content | None], of: Mappin
         rows.append([name(run), of.get(run, ""), tag(badge_of(content)), names])
         rows[-1] += [*sizes(content), next_run(content, folder)]
     head: list[Text] = ["Run", "Material", "Verdict", "Left out of the simulator", *map(word, SIZES), "Next run"]
-    over: list[tuple[Text, int]] = [("", 5), ("error on unseen strokes", UNSEEN), ("", 2)]
+    over: list[tuple[Text, int]] = [("", 5), ("rms error on unseen strokes (the last 30 %)", UNSEEN), ("", 2)]
     return table(head, rows, texts=(0, 1, 2, 3, len(head) - 1), over=over, paged=True)
 
 

@@ -29,7 +29,7 @@ def _least(models: pd.DataFrame) -> pd.DataFrame:
 def on_all_points(models: pd.DataFrame, where: str, unit: str) -> str:
     """Who errs least of all models, and of those that are not told the direction where these are others."""
     text = ""
-    for rows, of in ((models, ""), (models[~models["direction"]], "; of the models that are not told the direction ")):
+    for rows, of in ((models, ""), (models[~models["direction"]], "; of the models that are not told the direction: ")):
         if rows.empty or (of and not _least(models)["direction"].any()):
             continue
         least = _least(rows)
@@ -47,7 +47,7 @@ def by_column(chosen: pd.DataFrame) -> str:
     named = []
     for title in dict.fromkeys(chosen["title"]):
         own = list(of.loc[of["title"] == title, "column"])
-        named += [f"{plain(title)} ({'each' if len(own) == count > 1 else ', '.join(own)})"] if own else []
+        named += [f"{plain(title)} ({'every column' if len(own) == count > 1 else ', '.join(own)})"] if own else []
     return f"Least error by column: {'; '.join(named)}."
 
 
@@ -84,6 +84,6 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
     for _, inn in whole[whole["model"] == PAPER].iterrows():
         text.append(against_others(inn, whole, unit) + cost_of_direction(chosen, inn, unit))
     near = whole[whole["direction"] & (whole["ratio"] <= NEAR[way])]
-    goal = f"Of the models that know the direction, within {NEAR[way]:.2f} × their floor {way}, {split}"
-    text.append(f"{goal}: {_named(near, [f'{ratio:.2f}' for ratio in near['ratio']]) or 'none'}.")
+    names = _named(near, [f"{ratio:.2f} ×" for ratio in near["ratio"]]) or "none"
+    text.append(f"Models that know the direction and err by at most {NEAR[way]:.2f} × their floor: {names}.")
     return [f"- {words}" for words in text if words]

@@ -12,6 +12,7 @@ from ..ground.configuration import ModelPlan
 AMOUNTS = ("within", "later", "seeds", "epochs", "strings", "count", "each")  # less of these than usual: a small fit
 NOT_HASHED = ("recordings",)  # where files of others lie on this machine
 Leaf = int | float | str | bool | None
+OF_RIG = "synthetic."  # begins the settings of the synthetic rig
 SHOWN = 3  # of the differences from the default configuration, in a sentence
 
 
@@ -129,11 +130,11 @@ def sentence(mark: MadeBy, versioned: bool = True) -> str:
         return f"Made by the default configuration, {name}.{fits}"
     if mark.kind == "small" and mark.fits:
         return f"Small fit, not a result: made by {name}, which asks for less than the default configuration.{fits}"
-    rest = len(mark.changed) - SHOWN
-    more = f" and {rest} more" if rest > 0 else ""
-    differs = f"it differs from the default in {', '.join(mark.changed[:SHOWN])}{more}"
+    keys = [key for key in mark.changed if not (mark.rig and key.startswith(OF_RIG))]  # the rig is said in words
+    more = f" and {len(keys) - SHOWN} more" if len(keys) > SHOWN else ""
+    differs = f"; it differs from the default in {', '.join(keys[:SHOWN])}{more}" if keys else ""
     head = "Small fit, not a result" if mark.kind == "small" else "Not the default configuration"
-    return f"{head}: made by {name}; {differs}.{fits}"
+    return f"{head}: made by {name}{differs}.{fits}"
 
 
 def warning(mark: MadeBy) -> str:

@@ -24,8 +24,9 @@ FIGURES = {
     " way to train it. Made of the synthetic rig alone.",
 }
 PAGES = {
-    "models.html": "every model by stroke, direction and angle, beside the floor; where the fitted models lie",
-    "comparison.html": "beside the paper's numbers, with the spread over the seeds, and later strokes",
+    "models.html": "which model to take: every model's error by stroke, direction and twist, beside the least possible"
+    " one; where the fitted models lie",
+    "comparison.html": "the errors beside the paper's numbers, with the spread over the seeds, and on later strokes",
 }
 
 
@@ -33,13 +34,14 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
     """Table I or II, the model's name in every row, and where to take it from."""
     stem = f"table_{number}"
     caption, head, rows, notes = from_markdown((folder / f"{stem}.md").read_text(encoding="utf-8"))
+    head = [title.replace("(θ/2π)", "(turns)") for title in head]  # the paper's word for them
     files = Markup(", ").join(
         Markup('<a href="{}">{}</a>').format(up + link(folder.name, f"{stem}.{suffix}"), suffix)
         for suffix in ("csv", "tex", "md")
     )
     words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
     below = " ".join(line for line in notes if line.startswith((OF_WHAT, SHOWN, TOGETHER, OTHERWISE, NOT_SHOWN)))
-    files_line = Markup('\n<p class="soft">{} The same as {}.</p>').format(below, files)
+    files_line = Markup('\n<p class="soft">n is the number of the stroke. {} The same as {}.</p>').format(below, files)
     return table(head, rows, words, (0, 1)) + files_line
 
 

@@ -35,16 +35,16 @@ COLUMNS: list[Column] = [
 NOTES = """\
 RMSE on held-out points, winding and unwinding together unless a column says otherwise: the median over the seeds, with
 the lowest and the highest in brackets where they differ. `within` holds out blocks inside strokes (one in four),
-`later` the last quarter of the strokes, whole. Angle bands are quarters of the material's twist range. **Bold**: the
-least of a column.
+`later` the last quarter of the strokes, whole. (A diagnosis of one run leaves out the last 30 % of its strokes: the
+errors in its verdict and in the table of runs are other numbers.) n is the number of the stroke. The last four columns
+are quarters of the material's range of twist, the lowest first. **Bold**: the least of a column.
 
-The floors are no models. An oracle that sees the held-out answers draws the best smooth curve through each stroke,
-one for each direction of motion (floor with direction) or one for both (floor without): what it leaves is noise, and
-without the direction also the loop between winding and unwinding. `× floor` is a model's error divided by the floor
-that its inputs entitle it to. The floors bound the RMSE, no other metric, of models that know the twist (or
-contraction), the string, the stroke and perhaps the direction. A model that knows more, such as the load or the past,
-may get below them. A model without the direction may get below its floor in the column of winding, if it is worse in
-that of unwinding, or the other way round.
+A floor is the least error that these data allow. It is no model: it is what the best smooth curve through the held-out
+points of each stroke misses. The floor with direction has one curve for winding and one for unwinding: what it misses
+is noise. The floor without direction has one curve for both: it also misses the loop between the two. `× floor` is a
+model's error divided by the floor for what the model knows. A model that knows more than the twist (or contraction),
+the string, the stroke and the direction, such as the load or the past, may get below its floor. A model without the
+direction may do so in the column of winding, if it is worse in that of unwinding, or the other way round.
 """
 
 

@@ -71,7 +71,7 @@ def in_figure(strokes: Sequence[int], shown: Sequence[int], wanted: Sequence[int
     of_all = ", all that there are" if len(shown) == len(strokes) else f" of {ranges(strokes)}"
     rows = tabled(strokes, wanted)
     beside = "as in the tables" if list(shown) == rows else f"the tables show {_numbers(rows)}"
-    return f"Strokes shown: {_numbers(shown)}{of_all}; {beside}."
+    return f"n is the number of the stroke. Shown: {_numbers(shown)}{of_all}; {beside}."
 
 
 def _numbers(strokes: Sequence[int]) -> str:

@@ -13,6 +13,11 @@ from .usual_model import ALONE, RULE, chosen_of, uses, weighed
 from .web.page import Text, paragraph, together
 from .web.table import table
 
+LATER = (
+    "Later strokes are the last quarter of a string's strokes, which the fit of a model leaves out. The unseen strokes"
+    " in the table of runs are the last 30 % of one run's strokes, which its diagnosis leaves out: so the errors there"
+    " are other numbers."
+)
 WAYS, SPLITS = ("forward", "inverse"), ("within", "later")
 MODEL_HEADS = ["held-out points", "later strokes"]
 Name = Callable[[str], Text]  # the name of a material as a link to its part
@@ -72,23 +77,21 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
     for material, models in materials.items():
         by_model.setdefault(models.chosen(), []).append(material)
     everywhere = "The page of every model, below, says which errs least on what."
-    lines: list[Text] = [f"{RULE} {everywhere}"] if any(by_model) else []
+    lines: list[Text] = [LATER, f"{RULE} {everywhere}"] if any(by_model) else []
     for model, chosen_for in by_model.items():
         if model:
             export, _ = uses(chosen_for[0] if len(chosen_for) == 1 else "<material>", model)
             title = materials[chosen_for[0]].titles[model]
-            lines.append(Markup("{} is exported by <code>{}</code>.").format(title, export))
+            lines.append(Markup("The {} is exported by <code>{}</code>.").format(title, export))
     for material, models in materials.items():
-        if less := models.weighed():
-            lines.append(f"{material}: {less}")
-    for material in materials:
-        if apart := later_apart(reports / material / "models.md"):
-            lines.append(f"{material}: {apart}")
+        own = [models.weighed(), later_apart(reports / material / "models.md")]
+        if any(own):
+            lines.append(Markup("<b>{}</b>: {}").format(material, " ".join(filter(None, own))))
     if named := next((models.titles[ALONE] for models in materials.values() if ALONE in models.titles), ""):
         lines.append(
-            f"{named} is no model to take away: it needs the whole motion, so it can be neither exported nor asked. "
-            "Its error is that of a simulator with the effects that the diagnosis names. Where it is large on later "
-            "strokes, these effects do not foresee them."
+            f"The {named[:1].lower()}{named[1:]} is no model to take away: it needs the whole motion, so it can be "
+            "neither exported nor asked. Its error is that of a simulator with the effects that the diagnosis names. "
+            "Where it is large on later strokes, these effects do not foresee them."
         )
     return together(paragraph(line) for line in lines)
 
@@ -103,5 +106,5 @@ def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
         ("forward: RMSE in mm (× floor)", 2),
         ("inverse: RMSE in turns (× floor)", 2),
     ]
-    over.append(("the diagnosed simulator, forward", 2))
+    over.append(("diagnosed simulator, forward: mm (× floor)", 2))
     return together([table(head, rows, texts=(0, 1), over=over, paged=True), words(reports, by_material)])

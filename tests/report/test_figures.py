@@ -127,9 +127,9 @@ def test_figure_5_says_in_its_legend_what_is_drawn_and_why_it_shows_its_last_mod
     assert all((line.get_color(), line.get_marker(), line.get_linewidth()) in keys for line in (*bars, *points))
     title = " ".join(legend.get_title().get_text().split())
     assert "A bar: the rms error over one of 24 equal parts of the stroke" in title
-    assert "Spline model is drawn because it has the least forward error on this material's held-out points" in title
+    assert "Spline model: the least forward error on this material's held-out points" in title
     other = figure_5(with_nominal(dataset), learned, "UHMWPE").legends[0].get_title().get_text()
-    assert "is drawn because" not in other
+    assert "the least forward error" not in other
 
 
 @pytest.mark.parametrize("last", [1, 2, 9])
@@ -164,7 +164,7 @@ def test_the_spike_of_the_inverse_error_is_explained_where_it_is(dataset):
             and re.search(r"at every x < 0, and errs there by up to [\d.]+ turns\.$", told)
         )
     for told in (figure_4(above, "m").get_supxlabel(), figure_5(above, {}, "m").legends[0].get_title().get_text()):
-        assert "x < 0" not in told and told.startswith("Strokes shown: ")
+        assert "x < 0" not in told and told.startswith("n is the number of the stroke. Shown: ")
 
 
 def test_a_figure_says_which_strokes_it_shows_and_which_the_tables_do(dataset):
@@ -177,7 +177,7 @@ def test_a_figure_says_which_strokes_it_shows_and_which_the_tables_do(dataset):
         (figure_5(few, {}, "m").legends[0].get_title().get_text(), "n=1, 3, 4 of 1 to 4; the tables show n=1."),
     ]
     for words, strokes in said:
-        assert f"Strokes shown: {strokes}" in " ".join(words.split()), words
+        assert f"n is the number of the stroke. Shown: {strokes}" in " ".join(words.split()), words
 
 
 def test_the_model_to_take_is_drawn_beside_another_that_errs_less(material, tmp_path, monkeypatch):
@@ -200,8 +200,8 @@ def test_the_model_to_take_is_drawn_beside_another_that_errs_less(material, tmp_
     monkeypatch.undo()
     five = figure_5(*drawn[0])
     words = " ".join(five.legends[0].get_title().get_text().split())
-    assert "MLP model is drawn because it has the least forward error" in words
-    assert "Spline model is drawn because it is the model to take" in words
+    assert "MLP model: the least forward error" in words
+    assert "Spline model: the model to take" in words
     assert "Spline model, held-out points" in [line.get_label() for line in five.axes[0].get_lines()]
     with plt.rc_context(STYLE):
         five = figure_5(*drawn[0])

@@ -17,15 +17,17 @@ from test_diagnoses import FINE, TIED
 from test_models_page import TITLES, made_metrics
 from test_tables import made_metrics as made_table_metrics
 
+from pipeline.diagnosis.study.heldout import LAST
 from pipeline.ground import schemas
 from pipeline.ground.kinematics import usual_stiffness
 from pipeline.report.index import page
-from pipeline.report.index_head import shortened
+from pipeline.report.index_head import runs_table, shortened
 from pipeline.report.made_by import MadeBy
+from pipeline.report.models import NOTES
 from pipeline.report.page_parts import of_materials, of_runs
 from pipeline.report.recorded_strings import by_stroke, recorded_strings, rows, sentence
 from pipeline.report.summary import summary
-from pipeline.report.to_take import Models, materials_table
+from pipeline.report.to_take import LATER, Models, materials_table
 from pipeline.report.usual_model import RULE, uses
 from pipeline.report.web.page import anchor
 from pipeline.run.left_out import LeftOut, to_json
@@ -230,13 +232,11 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     words = html.unescape(str(materials_table(tmp_path, [MATERIAL], str)))
     export, _ = uses(MATERIAL, "spline")
     assert export in words
-    assert RULE in words and f"Spline is exported by <code>{export}" in words
-    assert "Simulator is no model to take away: it needs the whole motion" in words
+    assert RULE in words and f"The Spline is exported by <code>{export}" in words
+    assert "The simulator is no model to take away: it needs the whole motion" in words
     less = "the Polynomial errs less forward: 0.020 mm against 0.103 mm. On later strokes it errs by 0.400 mm"
-    assert (
-        f"{MATERIAL}: On strokes like the recorded ones {less} against 0.153 mm. Take the Polynomial if only strokes"
-        in words
-    )
+    less = f"<b>{MATERIAL}</b>: On strokes like the recorded ones {less} against 0.153 mm."
+    assert f"{less} Take the Polynomial if only strokes" in words
     medians["polynomial"] = ("Polynomial", 0.1, 0.4)
     changed(reports / MATERIAL / "models.csv", folder, diagnosed=("Simulator", 0.01, 0.889), **medians)
     assert "errs less" not in str(materials_table(tmp_path, [MATERIAL], str)), "so little less is told as alike"
@@ -257,6 +257,18 @@ def test_the_model_to_take_is_the_one_whose_numbers_on_the_page_justify_it(tmp_p
         export in words
         and words.count("<p>The model to take is, of those that can be exported, the one of the least") == 1
     )
+
+
+def test_the_pages_say_why_the_error_on_later_strokes_of_a_model_is_not_that_of_a_diagnosis(reports):
+    """One simulator had 0.153 mm on the last quarter in one table and 0.24 mm on the last 30 % in another."""
+    share = f"last {100 * LAST:.0f} %"
+    index, runs = (
+        str(table) for table in (materials_table(reports, [MATERIAL], str), runs_table(reports, {}, {}, str))
+    )
+    assert LATER in html.unescape(index) and "the last quarter" in LATER and share in LATER
+    assert f"rms error on unseen strokes (the {share})" in runs
+    assert share in NOTES and "the last quarter" in NOTES
+    assert "diagnosed simulator, forward: mm (× floor)" in index, "a number without a unit"
 
 
 def test_without_a_spline_or_a_simulator_the_index_says_what_it_shows_and_no_more(tmp_path, reports):

@@ -115,7 +115,7 @@ def test_the_page_says_who_is_best_where_and_how_the_inn_stands_among_the_others
     best, columns_won, inn, near = told(metrics, ["mlp"])
     assert best == (
         "- Least error forward, within strokes: MLP model (0.051 mm);"
-        " of the models that are not told the direction INN model (0.120 mm)."
+        " of the models that are not told the direction: INN model (0.120 mm)."
     )
     rest = "n=1, n=9, winding, unwinding, 25-50%, 50-75%, 75-100%"
     assert columns_won == f"- Least error by column: INN model (0-25%); MLP model ({rest})."
@@ -123,15 +123,15 @@ def test_the_page_says_who_is_best_where_and_how_the_inn_stands_among_the_others
         "- The INN model (0.120 mm) errs less than Calibrated model (0.131); more than MLP model (0.051)."
         " It is not told the direction, without which the floor is 0.090 mm instead of 0.049 mm."
     )
-    assert near.endswith("within 1.05 × their floor forward, within strokes: MLP model (1.04).")
+    assert near == ("- Models that know the direction and err by at most 1.05 × their floor: MLP model (1.04 ×).")
     assert "Calibrated model (0.705)" in told(metrics, ["mlp"], "later", "inverse")[2]
 
 
 def test_what_a_table_cannot_tell_apart_shares_the_least_error():
     tied = told(made_metrics({**FORWARD, "calibrated": [0.0512]}), ["mlp"])
     assert tied[0].startswith("- Least error forward, within strokes: MLP model, Calibrated model (0.051 mm); of the ")
-    assert tied[0].endswith("that are not told the direction Calibrated model (0.051 mm).")
-    assert tied[1] == "- Least error by column: MLP model (each); Calibrated model (each)."
+    assert tied[0].endswith("that are not told the direction: Calibrated model (0.051 mm).")
+    assert tied[1] == "- Least error by column: MLP model (every column); Calibrated model (every column)."
 
 
 def test_the_page_says_when_the_inn_loses_to_none_or_hardly():

@@ -94,4 +94,4 @@ def test_pages_with_later_strokes_say_what_differs(tmp_path, program):
         assert text.count(APART) == (folder / f"{program}.html").read_text().count(APART) == times
     assert APART not in text.split("later strokes")[0]
     if program == "models":
-        assert f"made: {APART}: n=9 was recorded at" in materials_table(tmp_path, ["made"], str)
+        assert f"<b>made</b>: {APART}: n=9 was recorded at" in materials_table(tmp_path, ["made"], str)

@@ -146,6 +146,9 @@ def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_pa
     for number in (1, 2):
         write(made_metrics(strokes=range(1, 13)), number, TITLES, SMALL, tmp_path)
     assert html_table(tmp_path, 1, "").count("Shown are n=1, n=5, n=9 of the 12 strokes") == 1
+    inverse = html_table(tmp_path, 2, "")
+    assert inverse.count("(turns)") == 3 and "θ/2π" not in inverse, "the paper's head is no unit"
+    assert "n is the number of the stroke." in inverse
     write(made_metrics(), 1, TITLES, SMALL, tmp_path)
     assert "Shown are" not in (tmp_path / "table_1.md").read_text()
 
