@@ -32,6 +32,7 @@ from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
 from .run.description import Adopted, Run
 from .run.folder import has_recording, read_run
+from .run.run_dir import run_dir
 from .run.samples import read_strokes
 
 MOST = 5  # explanations that are named
@@ -119,17 +120,13 @@ def main() -> None:
     program = command("adopt")
     usage = f"{program} DIAGNOSIS.json RUN_DIR\n       {program} --remove RUN_DIR\n       {program} --explain RUN_DIR"
     parser = Parser(prog=program, usage=usage, description=__doc__)
-    parser.add_argument(
-        "diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help="a diagnosis.json; its effects are adopted"
-    )
-    whose = "the run whose run.yaml takes them over"
-    parser.add_argument("run_dir", type=Path, nargs="?", metavar="RUN_DIR", help=whose)
-    parser.add_argument(
-        "--remove", type=Path, metavar="RUN_DIR", help="take all that was adopted out of this run's run.yaml again"
-    )
-    parser.add_argument(
-        "--explain", type=Path, metavar="RUN_DIR", help="say what the numbers mean that this run's run.yaml has adopted"
-    )
+    what, whose = "a diagnosis.json; its effects are adopted", "the run whose run.yaml takes them over"
+    parser.add_argument("diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help=what)
+    parser.add_argument("run_dir", type=run_dir, nargs="?", metavar="RUN_DIR", help=whose)
+    out = "take all that was adopted out of this run's run.yaml again"
+    parser.add_argument("--remove", type=run_dir, metavar="RUN_DIR", help=out)
+    means = "say what the numbers mean that this run's run.yaml has adopted"
+    parser.add_argument("--explain", type=run_dir, metavar="RUN_DIR", help=means)
     arguments = parser.parse_args()
     if (arguments.remove or arguments.explain) and arguments.diagnosis:
         parser.error("--remove and --explain take a run folder and nothing else")

@@ -21,8 +21,9 @@ from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.own_process import each_alone
 from .run.description import STRING_ACTUATORS, Run
+from .run.run_dir import refuse_twice
 from .string.from_raw import read
-from .string.history import read_recorded
+from .string.history import in_order, read_recorded
 from .string.jumps_beside import Beside, Reader, are_beside, jumps_into
 from .string.rests import Rests
 
@@ -97,8 +98,10 @@ def decide(folders: list[Path], out: Path, options: Options) -> Decided:
         print(f"{name}: {step} ({time.monotonic() - started:.1f} s)", file=sys.stderr, flush=True)
 
     say("reading")
-    recordings = [(options.reader or read)(folder) for folder in folders]
-    runs = [recorded.run for recorded in recordings]
+    recordings = in_order([(options.reader or read)(folder) for folder in folders])
+    runs, folders = [recorded.run for recorded in recordings], [recorded.folder for recorded in recordings]
+    if len(runs) > 1:
+        say(f"taken in the order in which they were recorded: {', '.join(run.run for run in runs)}")
     by = judge(options.judge_file) if options.judge_file else None
     recorded_runs = [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in recordings]
     content, study = diagnosed(recorded_runs, options.without, by, say)
@@ -175,6 +178,7 @@ def main() -> int:
     reader = partial(read_recorded, processed=arguments.processed) if arguments.processed else None
     options = Options(arguments.together, frozenset(arguments.without), arguments.judge, False, reader, arguments.mark)
     if arguments.together:
+        refuse_twice(folders, "what it shows would count twice")
         began_s = time.process_time()
         print(diagnose(folders, arguments.out, options))
         write_seconds(arguments.cpu_seconds, {"+".join(map(_name, folders)): time.process_time() - began_s})

@@ -25,6 +25,7 @@ from .run.needed_options import lacking, load_taken
 from .run.next_command import following
 from .run.option_mend import by_option
 from .run.recording import read_recording, to_samples
+from .run.run_dir import run_dir
 from .run.samples import check, questions
 from .run.tolerances_given import read_back, tolerance_questions
 from .string.jumps_beside import advice_on
@@ -130,7 +131,7 @@ def main() -> None:
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
     kinds = "separator (default), or twisted_pair: two strings without a separator"
     like = "a run of the same string on the same rig: takes all from its run.yaml but its tare and what is given"
-    parser.add_argument("--like", type=Path, metavar="RUN_DIR", help=like)
+    parser.add_argument("--like", type=run_dir, metavar="RUN_DIR", help=like)
     parser.add_argument("--actuator", choices=STRING_ACTUATORS, help=kinds)
     parser.add_argument("--material", metavar="NAME", help="needed without --like")
     for name in ("radius-mm", "length-mm"):

@@ -13,6 +13,7 @@ from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
 from ..run.description import Run
 from ..run.folder import read_run
+from ..run.run_dir import run_dir
 from .commit import recover
 from .fields import names
 from .lines_to_csv import CSV, recover_lines
@@ -147,9 +148,9 @@ def main() -> int:
     """
     parser = Parser(prog=command("capture"), description=__doc__)
     parser.add_argument("port", metavar="PORT", nargs="?", help="the rig's serial port")
-    parser.add_argument("run_dir", metavar="RUN_DIR", nargs="?", type=Path, help="raw/<run>")
+    parser.add_argument("run_dir", metavar="RUN_DIR", nargs="?", type=run_dir, help="raw/<run>")
     parser.add_argument("--baud", type=int, default=1_000_000)
-    parser.add_argument("--recover", metavar="RUN_DIR", type=Path, help="commit a run whose capture was killed")
+    parser.add_argument("--recover", metavar="RUN_DIR", type=run_dir, help="commit a run whose capture was killed")
     parser.add_argument("--text", action="store_true", help="the rig prints lines of numbers, not frames")
     parser.add_argument("--columns", default="", help="names, separated by commas, of what --text records")
     parser.add_argument("--longest", type=float, default=math.inf, metavar="SECONDS", help="then the run is ended")

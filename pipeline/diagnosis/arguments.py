@@ -7,13 +7,14 @@ from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
+from ..run.run_dir import run_dir
 from .mechanisms import library
 
 
 def parsed(description: str) -> argparse.Namespace:
     """What was asked for on the command line; raises BadInput for a folder to write and a mechanism that are none."""
     parser = Parser(prog=command("diagnose"), description=description)
-    parser.add_argument("run_dir", type=Path, nargs="+")
+    parser.add_argument("run_dir", type=run_dir, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")
     parser.add_argument("--together", action="store_true", help="several runs of one rig in one diagnosis")
     parser.add_argument("--jobs", type=int, default=1, help="runs at a time")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.parser import Parser
+from ..run.run_dir import run_dir
 from .prediction.home import HOME
 from .words.foretold.prediction import AFTER_RECORDING
 from .words.foretold.residual import RESIDUAL
@@ -13,7 +14,7 @@ from .words.foretold.residual import RESIDUAL
 def parsed(description: str) -> argparse.Namespace:
     """The arguments of the command line; it ends the program with 2 where they do not go together."""
     parser = Parser(prog=command("simulate"), description=description)
-    parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="the run whose motion and load are simulated")
+    parser.add_argument("run_dir", type=run_dir, metavar="RUN_DIR", help="the run whose motion and load are simulated")
     parser.add_argument(
         "--simulation", type=Path, metavar="FILE.json",
         help="a diagnosis.json: its mechanisms and dimensions, in place of those of run.yaml, so that nothing counts "

@@ -11,6 +11,7 @@ from ..ground.errors import BadInput, program
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..ground.progress import clear, steps
+from ..run.run_dir import run_dir
 from . import sentences, written
 from .calibrate_again import calibrate_by
 from .from_folders import others_beside, strings
@@ -30,7 +31,7 @@ def main() -> int:
     on_a_rig = f"On the synthetic rig: {command('rig')} paper --link /tmp/rig --strokes 24"
     parser = Parser(prog=command("lifespan"), description=__doc__, epilog=on_a_rig)
     runs = f"raw/<run>, all of a string's: {LEAST_STROKES} complete strokes or more in all"
-    parser.add_argument("run_dir", type=Path, nargs="+", help=runs)
+    parser.add_argument("run_dir", type=run_dir, nargs="+", help=runs)
     parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")
     parser.add_argument("--drift-mm", type=float, default=1.0, help="error of the model that is borne, in mm")
     parser.add_argument("--level", type=float, default=0.9, help="probability that the interval shall hold")

@@ -1,12 +1,11 @@
 """Run folders → the health of every string in them."""
 
-import os
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from ..ground.errors import BadInput
 from ..ground.progress import steps
 from ..run.folder import has_recording
+from ..run.run_dir import refuse_twice
 from ..string.from_raw import read_long
 from ..string.history import Recorded
 from ..string.jumps_beside import runs_naming
@@ -19,10 +18,7 @@ def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:
     While they are read, the samples of long recordings lie in a temporary folder, under `scratch` where it is given.
     """
     runs: dict[str, list[Recorded]] = {}
-    real_folders = [Path(os.path.realpath(folder)) for folder in folders]
-    for folder in real_folders:
-        if real_folders.count(folder) > 1:
-            raise BadInput(folder, "run_dir", "is named twice", "name each run once: its strokes would count twice")
+    refuse_twice(folders, "its strokes would count twice")
     with TemporaryDirectory(prefix=".samples-", dir=scratch) as temporary:
         for number, folder in enumerate(steps(folders, "run read")):
             recorded = read_long(folder if folder.name else folder.resolve(), Path(temporary) / f"{number}.parquet")

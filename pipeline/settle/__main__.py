@@ -7,6 +7,7 @@ from ..ground.errors import BadInput, program
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..run.folder import read_run
+from ..run.run_dir import run_dir
 from .approve import UNATTENDED, WAYS
 from .choose import Budget
 from .limits import EXAMPLE, Allowed
@@ -36,7 +37,7 @@ def main() -> int:
     parser.add_argument(
         "run_dir",
         metavar="RUN_DIR",
-        type=Path,
+        type=run_dir,
         nargs="+",
         help="recorded runs of one rig, or one that is not recorded yet",
     )

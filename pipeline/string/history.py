@@ -92,21 +92,19 @@ def natural(name: str) -> list[tuple[int, str]]:
 def in_order(runs: list[OneRun]) -> list[OneRun]:
     """Runs of one string in the order in which they were recorded.
 
-    The capture program notes when it began. Where it did not record every run, their own time stamps tell as long
-    as no two overlap; failing that, the strokes that the string had done if every run says so; failing that too, their
-    names, 2 before 10.
+    The capture program notes when it began. Where it did not record every run, the strokes that the string had done
+    tell if every run says another number; failing that, their own time stamps as long as no two overlap, for a logger
+    may count from its own start; failing that too, their names, 2 before 10.
     """
     by_name = sorted(runs, key=lambda recorded: natural(recorded.run.run))
     if all(recorded.started_utc for recorded in runs):
         return sorted(by_name, key=lambda recorded: recorded.started_utc)
+    strokes_before = {recorded.run.run: _strokes_before(recorded) for recorded in by_name}
+    if None not in strokes_before.values() and len(set(strokes_before.values())) == len(by_name):
+        return sorted(by_name, key=lambda recorded: strokes_before[recorded.run.run] or 0)
     spans = sorted(recorded.span_s for recorded in runs)
     if all(before[1] <= after[0] for before, after in pairwise(spans)):
         return sorted(by_name, key=lambda recorded: recorded.span_s[0])
-    strokes_before = [_strokes_before(recorded) for recorded in by_name]
-    if None not in strokes_before:
-        return [
-            recorded for _, recorded in sorted(zip(strokes_before, by_name, strict=True), key=lambda pair: pair[0] or 0)
-        ]
     return by_name
 
 

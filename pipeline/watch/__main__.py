@@ -10,6 +10,7 @@ from typing import Any
 from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.parser import Parser
+from ..run.run_dir import run_dir
 from .jobs import Jobs
 from .recording import Followed
 from .server import LOCAL, Page, Server
@@ -66,7 +67,7 @@ def real(path: Path) -> Path:
 def main() -> None:
     """Command line."""
     parser = Parser(prog=command("watch"), description=__doc__)
-    parser.add_argument("run_dir", type=Path, metavar="RUN_DIR", help="raw/<run>, which may be recorded later")
+    parser.add_argument("run_dir", type=run_dir, metavar="RUN_DIR", help="raw/<run>, which may be recorded later")
     parser.add_argument("--host", default="127.0.0.1", help="from any but 127.0.0.1 reading needs the token too")
     parser.add_argument("--port", type=int, default=8770, help="0: any that is free")
     parser.add_argument("--reports", type=Path, default=Path("reports"), metavar="DIR", help="served for reading")

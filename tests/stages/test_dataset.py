@@ -165,6 +165,10 @@ def test_order_of_runs_without_a_clock_goes_by_strokes_before_or_by_number():
         recorded(name, samples=same, string=string(strokes_before=n)) for name, n in (("a-late", 10), ("b-early", 0))
     ]
     assert [one.run.run for one in in_order(told)] == ["b-early", "a-late"]
+    booted = same.assign(time_s=same["time_s"] + 5000.0)  # a logger whose clock began anew before the second run
+    clocks = [recorded("b-late", samples=same, string=string(strokes_before=7))]
+    clocks.append(recorded("a-early", samples=booted, string=string(strokes_before=0)))
+    assert [one.run.run for one in in_order(clocks)] == ["a-early", "b-late"]
     numbered = [recorded(name, samples=same) for name in ("r-10", "r-2")]
     assert [one.run.run for one in in_order(numbered)] == ["r-2", "r-10"]
 
