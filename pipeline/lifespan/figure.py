@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from ..ground.figure_file import write_figure
-from .figure_words import NEGATIVE_LOOP, WHAT, footnote, no_claim, tail_of
+from .figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of
 from .health import Health
 from .indicators import REFERENCE
 from .percent import percent, tail
@@ -21,6 +21,7 @@ from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 from .strokes_left import LEAST_STROKES
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
+ABOVE_LEGEND = 30.0  # points over a panel: its head, over the two rows of its legend
 BEGINS = "0.4"  # where another recording begins
 OTHERS = (
     ("rest_mm", "displacement\nat rest (mm)"),
@@ -43,7 +44,7 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
         grid = grid if others else grid[:2]
         heights = [*(3.0 if len(answer.n) else 0.8 for answer in answers), 1.8]
         figure, panels = plt.subplot_mosaic(
-            grid, figsize=(7.2, 7.6), layout="constrained", height_ratios=heights[: len(grid)]
+            grid, figsize=(7.2, 8.2), layout="constrained", height_ratios=heights[: len(grid)]
         )
         for answer, name in zip(answers, ("loss", "drift"), strict=True):
             question(panels[name], answer, level)
@@ -51,14 +52,17 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             axes, table = panels[name], health.strokes
             axes.errorbar(table["stroke"], table[name], table[f"{name}_error"], fmt=".", ms=3, lw=0.6, color=SEEN)
             axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-            axes.set_xlabel("stroke n")
+            axes.set_xlabel("number of the stroke")
             axes.set_ylabel(label)
             if name == "loop_mm" and float(np.nanmin(table[name])) < 0.0:
                 axes.text(0.98, 0.97, NEGATIVE_LOOP, ha="right", va="top", transform=axes.transAxes, fontsize=7.5)
         begins = begun(health)
         for number, axes in enumerate(axes for axes in panels.values() if axes.get_xlabel()):
             mark(axes, begins, named=not number)
-        figure.suptitle(f"{health.string}: {strokes(len(health.strokes))} seen", fontsize=11)
+        figure.suptitle(
+            f"Life of the string {health.string}: {strokes(len(health.strokes))} seen{left_out(len(health.left_out))}",
+            fontsize=11,
+        )
         if note := footnote(answers, level):
             figure.supxlabel(note, fontsize=7.5, x=0.02, ha="left")
         write_figure(figure, path, dpi=130)
@@ -97,10 +101,12 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
         ls="--",
         label=f"limit, {scale * answer.limit:g} {'%' if answer.unit == '1' else answer.unit}",
     )
-    axes.set_xlabel("stroke n")
+    axes.set_xlabel("number of the stroke")
     axes.set_ylabel(f"{WHAT[answer.question]} ({'%' if answer.unit == '1' else answer.unit})")
     top = scale * 1.6 * max(answer.limit, float(np.nanmax(answer.values, initial=0.0)))
-    axes.set_title(no_claim(left.reason) if span.state == "no claim" else "", fontsize=9, loc="left")
+    is_open = span.state == "no claim"
+    head = HEADS[answer.question] + (f"\n{no_claim(left.reason)}" if is_open else "")
+    axes.set_title(head, fontsize=9, loc="left", pad=6.0 if is_open else ABOVE_LEGEND)
     if left.choice and left.band is not None:
         seen = float(answer.n[-1])
         end = seen + farthest(span.high, seen, left.horizon)

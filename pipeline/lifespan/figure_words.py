@@ -6,27 +6,22 @@ from .questions import Answer
 from .stroke_counts import at_least
 from .strokes_left import FUTURES, LEAST_STROKES, Span
 
-WHAT = {
-    "stroke_loss": "share of the stroke lost",
-    "model_error": f"error of a model calibrated\non strokes 1 to {REFERENCE}",
+WHAT = {"stroke_loss": "stroke lost", "model_error": "error of the model"}
+HEADS = {
+    "stroke_loss": f"How much of the stroke is lost since strokes 1 to {REFERENCE} (below 0: the stroke grew)",
+    "model_error": f"How far a model is off that was calibrated on strokes 1 to {REFERENCE} (rms over a stroke)",
 }
 NEGATIVE_LOOP = "below 0: at equal twist the string\nis shorter while it unwinds"
-POINTS = (
-    "Blue: each stroke as measured, ± 1 standard error. Green: the law fitted to it. Loop: the displacement while\n"
-    "winding minus that while unwinding, at equal twist."
-)
+POINTS = "Blue: each stroke as measured, ± 1 standard error. Loop: displacement winding minus unwinding at equal twist."
 FUTURE = (
-    f"Orange: {FUTURES:,} futures, which go on as the laws allow. Each counts by the highest value it has reached. A\n"
-    "string that ends suddenly counts as above the limit from then on. The line: half of the futures lie above it."
+    f"Green: the law fitted to the strokes. Orange: {FUTURES:,} ways in which it may go on (futures), half of them\n"
+    "above the line. Each counts by its highest value so far; one that ends suddenly counts as above the limit."
 )
 BAR = (
-    "Black bar: the strokes at which the limit is passed. {0} of the futures pass it before the bar begins, where the\n"
-    "upper edge of the shade meets the limit; {0} pass it after the bar ends, where the lower edge does."
+    "Black bar: where the limit is passed. {0} of the futures pass it before the bar begins (upper edge of the\n"
+    "shade), {0} after it ends (lower edge)."
 )
-ARROW = (
-    "Black arrow: it begins where {0} of the futures have passed the limit, at the upper edge of the shade, or where\n"
-    "the forecast ends. It has no end of its own: the forecast does not look further than {1} strokes."
-)
+ARROW = "Black arrow: at most {0} of the futures pass the limit before it begins. The forecast looks {1} strokes ahead."
 
 
 def tail_of(span: Span, level: float) -> float:
@@ -35,10 +30,10 @@ def tail_of(span: Span, level: float) -> float:
 
 
 def footnote(answers: list[Answer], level: float) -> str:
-    """What each line, shade, bar and arrow is, where any future is drawn."""
+    """What the points are, and each line, shade, bar and arrow where any future is drawn."""
     drawn = [answer.left for answer in answers if answer.left.band is not None]
     if not drawn:
-        return ""
+        return POINTS
     spans = [left.span(level) for left in drawn]
     lines = [POINTS, FUTURE]
     if any(span.state == "interval" for span in spans):
@@ -46,6 +41,11 @@ def footnote(answers: list[Answer], level: float) -> str:
     if any(span.state != "interval" for span in spans):
         lines.append(ARROW.format(tail(1.0 - level), at_least(drawn[0].horizon)))
     return "\n".join(lines)
+
+
+def left_out(count: int) -> str:
+    """How many strokes are not among those seen, for the title; empty where none is left out."""
+    return f", {count} left out (another range of twist)" if count else ""
 
 
 def no_claim(reason: str) -> str:

@@ -15,7 +15,7 @@ from .indicators import REFERENCE
 from .percent import of_100, percent, tail
 from .questions import Answer
 from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
-from .strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, sudden
+from .strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
 
 UNFORESEEN = (
     "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "
@@ -30,6 +30,9 @@ SYNTHETIC = (
 ZERO_OFF = (
     "Such a zero is known in part: on simulated strings it was off by 0.01 to 0.08 mm (median, by how a string "
     "creeps), at worst by 0.5 mm. The model's error may be off by as much."
+)
+WAYS_ON = (
+    f"A future, below, is one of {FUTURES:,} ways in which this string may go on, as the laws of its strokes allow."
 )
 LAST = 3  # strokes that tell how far a limit is
 LEAST_LOSS = 1e-3  # per cent of the stroke: no sensor shows less
@@ -113,7 +116,11 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
 def law(answer: Answer) -> str:
     """The law that has the most weight."""
     choice = answer.left.choice
-    return f"The law of most weight: {choice.best.law.name} ({percent(choice.weights.max())})." if choice else ""
+    return (
+        f"The law that counts most in this: {choice.best.law.name} ({percent(choice.weights.max())} of the weight)."
+        if choice
+        else ""
+    )
 
 
 def answered(answer: Answer, level: float, enough: bool) -> list[str]:
@@ -171,7 +178,8 @@ def sentences(health: Health, answers: list[Answer], level: float, beside: bool 
     lines += [f"  {note}" for note in health.tares]
     if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
         lines.append(f"  {ZERO_OFF}")
+    is_foretold = any(len(answer.left.when) for answer in answers)
+    lines += [f"  {WAYS_ON}"] if is_foretold else []
     lines += [line for answer in answers for line in answered(answer, level, enough)]
-    if any(len(answer.left.when) for answer in answers):
-        lines.append(f"  {UNFORESEEN}")
+    lines += [f"  {UNFORESEEN}"] if is_foretold else []
     return "\n".join(lines)
