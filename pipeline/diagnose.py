@@ -1,7 +1,6 @@
 """Diagnose runs: where simulation and recording part, which physics is missing, and what it improves."""
 
 import json
-import os
 import sys
 import time
 import traceback
@@ -21,7 +20,7 @@ from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.own_process import each_alone
 from .run.description import STRING_ACTUATORS, Run
-from .run.run_dir import refuse_twice
+from .run.run_dir import real_name, refuse_twice
 from .string.from_raw import read
 from .string.history import in_order, read_recorded
 from .string.jumps_beside import Beside, Reader, are_beside, jumps_into
@@ -147,7 +146,7 @@ def _timed(folder: Path, *options: Any) -> Outcome:
 
 def _one(folder: Path, out: Path, options: Options, note: bool) -> Outcome:
     """What comes of one run; `note` writes a refusal where the words would be."""
-    folder_out = out / _name(folder)
+    folder_out = out / real_name(folder)
     try:
         decided = decide([folder], folder_out, options)
         outcome = Outcome("", True, decided)
@@ -165,11 +164,6 @@ def _fault(name: str) -> str:
     return f"error: {name}: the diagnosis failed, please report it:\n{traceback.format_exc()}"
 
 
-def _name(folder: Path) -> str:
-    """A run, as the folder of its diagnosis is named."""
-    return Path(os.path.realpath(folder)).name
-
-
 @program
 def main() -> int:
     """Command line."""
@@ -181,7 +175,7 @@ def main() -> int:
         refuse_twice(folders, "what it shows would count twice")
         began_s = time.process_time()
         print(diagnose(folders, arguments.out, options))
-        write_seconds(arguments.cpu_seconds, {"+".join(map(_name, folders)): time.process_time() - began_s})
+        write_seconds(arguments.cpu_seconds, {"+".join(map(real_name, folders)): time.process_time() - began_s})
         return 0
     outcomes: list[Outcome] = []
     waiting = each_alone(
@@ -195,7 +189,7 @@ def main() -> int:
     for outcome in outcomes:
         print(outcome.text, file=sys.stdout if outcome.fine else sys.stderr)
     taken_s = [outcome.seconds for outcome in outcomes]
-    write_seconds(arguments.cpu_seconds, dict(zip(map(_name, folders), taken_s, strict=True)))
+    write_seconds(arguments.cpu_seconds, dict(zip(map(real_name, folders), taken_s, strict=True)))
     fine = [outcome.fine for outcome in outcomes]
     return 1 if None in fine else 0 if all(fine) else 2
 

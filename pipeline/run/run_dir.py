@@ -11,6 +11,11 @@ def run_dir(text: str) -> Path:
     return Path(text) if Path(text).name else Path(os.path.abspath(text))
 
 
+def real_name(folder: Path) -> str:
+    """The name of a folder, as that of what is made of it: that of where a link leads."""
+    return Path(os.path.realpath(folder)).name
+
+
 def refuse_twice(folders: list[Path], why: str) -> None:
     """Raise BadInput where a folder is named twice, also by two paths; `why` says what would come of it."""
     real_folders = [Path(os.path.realpath(folder)) for folder in folders]
