@@ -5,6 +5,7 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
+import compiled_once
 import once
 import pandas as pd
 import pytest
@@ -47,6 +48,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     folders = [item.path.relative_to(TESTS).parts[0] for item in items]
     places = {folder: (FIRST.index(folder) if folder in FIRST else len(FIRST), folder) for folder in folders}
     items.sort(key=lambda item: places[item.path.relative_to(TESTS).parts[0]])
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Before there are many processes, begin to compile what all of them need."""
+    if session.config.getoption("numprocesses", None) and (process := compiled_once.begin()):
+        session.config.add_cleanup(lambda: (process.terminate(), process.wait()))
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

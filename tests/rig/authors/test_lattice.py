@@ -1,6 +1,7 @@
 """The author `lattice`: its recordings are whole, hide what was asked at the size asked, and nothing else."""
 
 import json
+from functools import cache
 from itertools import combinations
 
 import numpy as np
@@ -21,8 +22,13 @@ from pipeline.run.samples import read_samples
 
 SEED = 3  # a short session without outliers
 KAPPA = 4.0
-BENCH = session(np.random.default_rng([SEED, 1]), "rich")
 TOLERANCE = np.array([0.03, 1.0, 0.5, 2.0, 0.005, 0.05])  # radius, torsion zone, separator, length, scale, angle zero
+
+
+@cache
+def bench():
+    """The bench of that session."""
+    return session(np.random.default_rng([SEED, 1]), "rich")
 
 
 def left_mm(made):
@@ -70,7 +76,7 @@ def test_every_law_makes_a_recording_of_the_size_asked(law, tmp_path):
     assert np.sqrt(rms(left_mm(made)) ** 2 - floor_mm**2) / floor_mm == pytest.approx(KAPPA, rel=0.1)
     assert effect["kappa"] == pytest.approx(KAPPA, rel=0.1)
     json.dumps(made.truth, allow_nan=False)
-    again = [reading_mm(BENCH.world, [(law, effect["parameters"])]) for _ in range(2)]
+    again = [reading_mm(bench().world, [(law, effect["parameters"])]) for _ in range(2)]
     assert np.array_equal(*again)
 
 
@@ -91,7 +97,7 @@ def test_without_effects_a_calibration_leaves_the_noise(seed, protocol):
 
 @pytest.mark.parametrize("effect", [effect for effect in LAWS if len(LAWS[effect]) > 1])
 def test_the_laws_of_one_effect_differ(effect):
-    one, ruler = BENCH, Ruler(BENCH, sampling(np.random.default_rng([SEED, 2]), BENCH))
+    one, ruler = bench(), Ruler(bench(), sampling(np.random.default_rng([SEED, 2]), bench()))
     seen = {}
     for law in BY_EFFECT[effect]:
         shape = law.draw(np.random.default_rng(4), one.world)
