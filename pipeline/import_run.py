@@ -31,9 +31,10 @@ from .run.description import parse_run
 from .run.folder import read_run
 from .run.named_units import in_its_unit
 from .run.next_command import following
+from .run.plausible_dimensions import dimension_questions
 from .run.recording import asked_columns, to_samples
 from .run.samples import check, check_finite, questions
-from .run.tolerances_given import read_back, tolerance_questions
+from .run.tolerances_given import read_back
 from .string.known_strings import imported_as_another
 from .string.same_string import others_recorded
 from .systems import systems
@@ -86,7 +87,7 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     check_mended(samples["time_s"].to_numpy(), time_s, file)
     samples["time_s"] = time_s
     checked_samples, _ = check(run, samples, file)  # a run folder keeps all of them: ingest leaves out what this did
-    for question in [*tolerance_questions(run, mapping), *questions(run, checked_samples, file)]:
+    for question in [*dimension_questions(run, mapping), *questions(run, checked_samples, file)]:
         print(f"warning: {question}", file=sys.stderr)
     loads = "load_n" in run.channels or "load_n" in table.columns or in_its_unit("load_n", table.columns)
     if not loads:

@@ -24,10 +24,11 @@ from .run.folder import RECORDINGS, has_recording, recording_path, unfinished
 from .run.needed_options import lacking, load_taken
 from .run.next_command import following
 from .run.option_mend import by_option
+from .run.plausible_dimensions import dimension_questions
 from .run.recording import read_recording, to_samples
 from .run.run_dir import run_dir
 from .run.samples import check, questions
-from .run.tolerances_given import read_back, tolerance_questions
+from .run.tolerances_given import read_back
 from .string.jumps_beside import advice_on
 from .string.known_strings import string_id
 from .string.same_string import others_recorded, tares
@@ -71,7 +72,7 @@ def make_run(
         checked(own_material, run.string.material, path, "string.material")
     taken = "choose another name; runs are never overwritten"
     try:
-        _question(tolerance_questions(run, path), sure)
+        _question(dimension_questions(run, path), sure)
     except BadInput as error:
         raise by_option(error, content) from None
     if path.exists() or (folder.exists() and recording is not None):

@@ -12,39 +12,17 @@ from ..ground.complaint import bad_section, key_name, meant, short
 from ..ground.errors import BadInput
 from ..ground.kinematics import usual_stiffness
 from ..ground.names import MATERIAL_NAME, RUN_NAME
-from ..ground.strict_yaml import Unclear, plain_value
 from ..ground.text_file import TextFile
 from ..systems import System, systems
+from .plain_numbers import Number, Positive, Times, no_bool
+from .too_short import too_short
 
 __all__ = ["MATERIAL_NAME", "RUN_NAME", "STRING_ACTUATORS", "Channel", "Run", "String", "TextFile", "parse_run"]
 STRING_ACTUATORS = ("separator", "twisted_pair")
 
 
-def _no_bool(value: Any) -> Any:
-    if isinstance(value, bool):  # YAML reads yes and no as these, and they would count as 1 and 0
-        raise ValueError("must be a number")
-    return value
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, str):  # of these pydantic would take "0300" and 1_0, which readers take differently
-        try:
-            number = plain_value(value)
-        except Unclear:
-            number = None
-        if isinstance(number, bool | str | None):
-            raise ValueError("must be a plain number, such as 0.55 or 300")
-    return _no_bool(value)
-
-
 def _column(value: Any) -> Any:
     return names.column(value) if isinstance(value, str) else value
-
-
-# What can be measured in the units here; outside, a product of two such numbers would leave what a computer holds.
-Number = Annotated[float, BeforeValidator(_plain), Field(allow_inf_nan=False, ge=-1e18, le=1e18)]
-Positive = Annotated[Number, Field(ge=1e-9, le=1e9)]
-Times = Annotated[int, BeforeValidator(_plain), Field(ge=0, le=10**9)]
 
 
 class _Section(BaseModel):
@@ -105,7 +83,7 @@ class Adopted(_Section):
 class Channel(_Section):
     """Where a channel stands in the recording: value = scale · raw + offset, then the unit."""
 
-    column: Annotated[str | int | None, BeforeValidator(_no_bool), AfterValidator(_column)] = Field(
+    column: Annotated[str | int | None, BeforeValidator(no_bool), AfterValidator(_column)] = Field(
         None, description="the column's name or its index from 0"
     )
     unit: str | None = Field(None, description="the unit of scale · raw + offset")
@@ -151,6 +129,8 @@ class Run(_Section):
         if lacking := [key for key in system.rig if key not in self.rig]:
             are, add = "are" if lacking[1:] else "is", " and ".join(dict.fromkeys(system.rig[key] for key in lacking))
             raise ValueError(f"rig.{', rig.'.join(lacking)}: {are} missing; add {add} that you measured{self._or_else}")
+        if self.string and (wrong := too_short(self.string.length_mm, self.rig.get("torsion_zone_mm", 0.0))):
+            raise ValueError(wrong)
         for key in self.tolerance:
             if key not in system.tolerance:
                 raise ValueError(f"tolerance.{key_name(key)}: is not a known key; {self._as_share(key)}")

@@ -10,8 +10,9 @@ from ..ground.kinematics import Array, Geometry
 from ..ground.rows import Rows
 from ..ground.units import conversion
 from .description import Channel, Run
-from .plausible_load import DOUBT_STRETCH, MOST_STRETCH, check_load, load_mistake
+from .plausible_load import DOUBT_STRETCH, check_load, load_mistake
 from .plausible_temperature import temperature_mistake
+from .too_short import MOST_STRETCH
 
 # A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
 SPAN_RATIO = 4.0

@@ -11,8 +11,7 @@ from ..ground.rows import Rows
 from .description import Run
 
 STRONGEST_MPA = 3000.0  # no fibre bears more
-MOST_STRETCH = 1 / 3  # of the length: no string stretches by more,
-DOUBT_STRETCH = 0.1  # and hardly one by so much
+DOUBT_STRETCH = 0.1  # of the length: hardly a string stretches by so much
 MOST_LOAD_N = 1e6  # of either sign: no string that a bench twists carries as much
 
 

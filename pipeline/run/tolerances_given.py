@@ -53,10 +53,12 @@ def read_back(run: Run) -> str:
 
 def tolerance_questions(run: Run, path: Path) -> list[BadInput]:
     """What of the tolerances in `path` is possible, but more likely a mistake: all to be said with its mend."""
-    return [_question(tolerance, path) for tolerance in tolerances(run) if tolerance.given and _odd(tolerance)]
+    return [_question(tolerance, path) for tolerance in tolerances(run) if _odd(tolerance)]
 
 
 def _odd(tolerance: Tolerance) -> bool:
+    if not tolerance.given:  # a coarse default is a dimension in another unit, or one too small for it
+        return tolerance.part > MOST and tolerance.unit == "mm"
     too_fine = tolerance.share and tolerance.unit == "mm" and tolerance.sigma < FINEST_MM
     return too_fine or tolerance.part > MOST
 
@@ -66,6 +68,10 @@ def _question(tolerance: Tolerance, path: Path) -> BadInput:
     whole = f"{tolerance.value:.4g} {tolerance.unit}".rstrip()
     sigma = f"{tolerance.sigma:.3g} {tolerance.unit}".rstrip()
     field = f"tolerance.{tolerance.key}"
+    if not tolerance.given:
+        problem = f"is {sigma}, the default, {tolerance.part:.0%} of {whole}"
+        mend = f"give {tolerance.key} in {tolerance.unit}; if it is so small, say with {field} how well you measured it"
+        return BadInput(path, field, problem, mend)
     if not tolerance.share:
         problem = f"is {sigma}, {tolerance.part:.0%} of {whole}: who measured it knows it better"
         return BadInput(path, field, problem, f"give {field} in {tolerance.unit}")

@@ -13,9 +13,9 @@ from ..ground.files import whole
 from ..ground.outputs import file_to_write
 from ..run.folder import recording_path
 from ..run.left_out import noted
+from ..run.plausible_dimensions import dimension_questions
 from ..run.read_ahead import forget, taken_over
 from ..run.samples import questions, stored_strokes
-from ..run.tolerances_given import tolerance_questions
 
 
 @program
@@ -37,7 +37,7 @@ def main() -> None:
         ahead, bound_to = arguments.read_ahead, " ".join(arguments.of)
         kept = ahead and taken_over(arguments.run_dir, ahead, bound_to, temporary)
         run, samples, strokes = kept or stored_strokes(arguments.run_dir, temporary)
-        odd = tolerance_questions(run, arguments.run_dir / "run.yaml")
+        odd = dimension_questions(run, arguments.run_dir / "run.yaml")
         for question in [*odd, *questions(run, samples, recording_path(arguments.run_dir))]:
             print(f"warning: {question}", file=sys.stderr)
         begin_s, end_s = samples.at("time_s", np.array([0, len(samples) - 1]))

@@ -81,7 +81,7 @@ def test_what_cannot_be_is_refused_and_nothing_written(make_run, tmp_path, sampl
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"rig": {"torsion_zone_mm": 1e18, "separator_mm": 8}}, "should contract the string by 0 mm"),
+        ({"rig": {"torsion_zone_mm": 1e18, "separator_mm": 8}}, r"the torsion zone within it is 1e\+18 mm"),
         ({"actuator": "twisted_pair", "rig": None, "radius_mm": 1e-9}, "which no fibre bears"),
         ({"rig": {"torsion_zone_mm": 150, "separator_mm": 8, "load_n": 1e18}}, r"load_n: is 1e\+18 N"),
         ({"load_n": 1e308}, r"load_n: is 1e\+308 N. Mend: check channels.load_n"),

@@ -1,0 +1,31 @@
+"""Numbers as `run.yaml` may have them: plainly written, and of a size that can be measured."""
+
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field
+
+from ..ground.strict_yaml import Unclear, plain_value
+
+
+def no_bool(value: Any) -> Any:
+    """The value itself; raises ValueError where it is true or false."""
+    if isinstance(value, bool):  # YAML reads yes and no as these, and they would count as 1 and 0
+        raise ValueError("must be a number")
+    return value
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, str):  # of these pydantic would take "0300" and 1_0, which readers take differently
+        try:
+            number = plain_value(value)
+        except Unclear:
+            number = None
+        if isinstance(number, bool | str | None):
+            raise ValueError("must be a plain number, such as 0.55 or 300")
+    return no_bool(value)
+
+
+# What can be measured in the units here; outside, a product of two such numbers would leave what a computer holds.
+Number = Annotated[float, BeforeValidator(_plain), Field(allow_inf_nan=False, ge=-1e18, le=1e18)]
+Positive = Annotated[Number, Field(ge=1e-9, le=1e9)]
+Times = Annotated[int, BeforeValidator(_plain), Field(ge=0, le=10**9)]
