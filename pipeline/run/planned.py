@@ -6,11 +6,13 @@ import numpy as np
 import pandas as pd
 
 from ..formats.stored import read_table
+from ..ground.counts import counted
 from ..ground.errors import BadInput
+from ..ground.kinematics import Array
 from ..ground.text_file import TextFile
 from .description import STRING_ACTUATORS, Run
 from .recording import to_samples
-from .samples import check_clock, check_finite
+from .samples import LEAST_SAMPLES, check_clock, check_numbers
 
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
 SPARSE_S, STEP_S = 0.2, 0.02  # between points: from which on they are corners of a motion; between points that are made
@@ -24,8 +26,8 @@ def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> tuple
     The file has `time_s`, the motion (`motor_turns` of a string) and, where the rig has them, load and temperature,
     under these names and in these units, or under the names that run.yaml gives to the columns of the recording, and
     in the units that it gives to them. Points of a string that lie further apart than samples do are joined by
-    straight lines. Other columns are left out. A load that it lacks is `rig.load_n`, or that of what was `recorded` if
-    it stood still. Raises BadInput, also where nothing tells the load.
+    straight lines. Other columns are left out. A load that it lacks is that of what was `recorded` if
+    it stood still, or `rig.load_n`. Raises BadInput, also where nothing tells the load.
     """
     system, raw = run.system, read_table(path, TextFile.model_validate({}))
     table = _by_own_names(run, raw, path)
@@ -41,10 +43,28 @@ def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> tuple
     samples = table[kept].apply(pd.to_numeric, errors="coerce").astype(float)
     if system.load and system.load not in samples:
         samples[system.load] = _load(run, recorded, path)
+    check_numbers(samples, path)
+    _check_times(samples["time_s"].to_numpy(), path)
     joined = _joined(samples) if run.actuator in STRING_ACTUATORS else samples
-    check_finite(joined, path)
+    if len(joined) < LEAST_SAMPLES:
+        problem = f"holds {counted(len(joined), 'sample')}, too few for a stroke"
+        corners = f"corners that lie more than {SPARSE_S:g} s apart, or " if run.actuator in STRING_ACTUATORS else ""
+        raise BadInput(path, "file", problem, f"give {corners}at least {LEAST_SAMPLES} samples of the motion")
     check_clock(joined, path, float("inf"))
     return joined.assign(**{system.channel: 0.0}), joined is not samples
+
+
+def _check_times(time_s: Array, path: Path) -> None:
+    """Raise BadInput where two times of a plan, shape (rows,), in s, are equal, or run backwards."""
+    wrong = np.flatnonzero(np.diff(time_s) <= 0.0)
+    if not len(wrong):
+        return
+    row = int(wrong[0]) + 1
+    if time_s[row] < time_s[row - 1]:
+        problem = f"runs backwards from {time_s[row - 1]:g} s to {time_s[row]:g} s in rows {row} and {row + 1}"
+        raise BadInput(path, "time_s", problem, "put the rows in the order of their times")
+    problem = f"is {time_s[row]:g} s in rows {row} and {row + 1}: a motor takes time for a step"
+    raise BadInput(path, "time_s", problem, f"give row {row + 1} the time at which the motor is to be there")
 
 
 def _own_column(run: Run, name: str) -> str | None:
@@ -72,7 +92,7 @@ def _by_own_names(run: Run, table: pd.DataFrame, path: Path) -> pd.DataFrame:
 def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
     """The load of a plan that gives none; raises BadInput where it was recorded, and changed."""
     name = run.system.load or ""
-    if name in run.rig or recorded is None or name not in recorded:
+    if recorded is None or name not in recorded:  # else its channel wins over rig.load_n, which fills in for none
         return run.rig.get(name, 0.0)
     low, high = float(recorded[name].min()), float(recorded[name].max())
     if high - low > STILL * abs(low):

@@ -25,6 +25,7 @@ from .strokes import segment
 from .wild_samples import wild_samples, without_wild
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
+ROUNDED = 1e-4  # of a step: what stamps that are written with few digits make of it
 SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill
 LEAST_SAMPLES = 20
 LONGEST_GAP_S = 7 * 86_400.0
@@ -49,6 +50,12 @@ def check_finite(samples: pd.DataFrame | Rows, path: Path) -> None:
     if len(rows) < LEAST_SAMPLES:
         problem = f"holds {counted(len(rows), 'sample')}, too few for a stroke"
         raise BadInput(path, "file", problem, "record at least one stroke at 10 Hz to 10 kHz")
+    check_numbers(rows, path)
+
+
+def check_numbers(samples: pd.DataFrame | Rows, path: Path) -> None:
+    """Raise BadInput for a NaN or an infinity in a table."""
+    rows = rows_of(samples)
     for name in rows.columns:
         bad = [np.flatnonzero(~np.isfinite(piece)) for piece in rows.pieces(name)]
         if count := sum(map(len, bad)):
@@ -72,9 +79,15 @@ def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STE
         ends = f"{clock.leap_s[0]:.6g} s in row {clock.leap + 1} and {clock.leap_s[1]:.6g} s after it"
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"
         raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
-    if not STEP_S[0] <= clock.usual_s <= slowest_s:
-        mend = f"set channels.time_s.unit (s, ms or us), or record a sample every {STEP_S[0]:g} to {slowest_s:g} s"
-        raise BadInput(path, "time_s", f"a sample every {clock.usual_s:g} s is no rate of a rig", mend)
+    if not STEP_S[0] * (1.0 - ROUNDED) <= clock.usual_s <= slowest_s * (1.0 + ROUNDED):
+        rates = f"{_lasting(STEP_S[0])} to {_lasting(slowest_s)}"
+        mend = f"set channels.time_s.unit (s, ms or us), or record a sample every {rates}"
+        raise BadInput(path, "time_s", f"a sample every {_lasting(clock.usual_s)} is no rate of a rig", mend)
+
+
+def _lasting(step_s: float) -> str:
+    """A time between two samples, in ms where it is short."""
+    return f"{step_s:.4g} s" if step_s >= 0.1 else f"{1000.0 * step_s:.4g} ms"
 
 
 def _cut(run: Run, samples: Rows, path: Path) -> pd.DataFrame:

@@ -417,7 +417,20 @@ def test_a_column_whose_name_carries_its_unit_is_read_in_it(make_run, capsys, cl
 def test_a_slow_rig_that_is_no_string_may_have_a_sample_every_few_seconds():
     slow = pd.DataFrame({"time_s": 4.0 * np.arange(50)})
     check_clock(slow, Path("tanks"), SLOWEST_S)
-    with pytest.raises(BadInput, match=r"a sample every 4 s is no rate of a rig.*every 5e-05 to 0.2 s"):
+    with pytest.raises(BadInput, match=r"a sample every 4 s is no rate of a rig.*every 0.05 ms to 0.2 s"):
         check_clock(slow, Path("string"))
     with pytest.raises(BadInput, match="no rate of a rig"):
         check_clock(slow.assign(time_s=4000.0 * np.arange(50)), Path("tanks"), SLOWEST_S)
+
+
+@pytest.mark.parametrize("first_s", [0.0, 1763000000.0])
+def test_five_hertz_are_a_rate_of_a_rig_however_the_stamps_round(make_run, first_s):
+    """Steps of 0.2 s come out as 0.20000000000000284 s or, in seconds since 1970, as 0.20000005 s."""
+    slow = recording(rate_hz=5.0).assign(time_s=lambda table: table["time_s"] + first_s)
+    assert float(slow["time_s"].diff().median()) > 0.2 or not first_s
+    assert len(read_samples(make_run("slow", slow))[1]) == len(slow)
+    check_clock(pd.DataFrame({"time_s": np.arange(30) * 0.20000000000000284}), Path("log.csv"))
+    with pytest.raises(BadInput, match=r"a sample every 0.25 s is no rate of a rig.*every 0.05 ms to 0.2 s"):
+        check_clock(pd.DataFrame({"time_s": np.arange(30) * 0.25}), Path("log.csv"))
+    with pytest.raises(BadInput, match=r"a sample every 0.02 ms is no rate of a rig"):
+        check_clock(pd.DataFrame({"time_s": np.arange(30) * 2e-5}), Path("log.csv"))

@@ -99,6 +99,9 @@ def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosi
     assert abs(answer["displacement_mm"].iloc[0]) < 0.1 * wound
 
 
+STEP = pd.DataFrame({"time_s": [0.0, 0.0, 5.0], "motor_turns": [0.0, 10.0, 0.0], "load_n": 15.0})
+
+
 @pytest.mark.parametrize(
     ("change", "says"),
     [
@@ -110,7 +113,19 @@ def test_one_stroke_will_do_and_a_name_that_ends_in_csv_is_text(folder, diagnosi
         (lambda plan: plan.assign(motor_turns=np.nan), "motor_turns: is not a number in 600 rows"),
         (lambda plan: plan.assign(motor_turns="fast"), "motor_turns: is not a number in 600 rows"),
         (lambda plan: plan[::-1], "time_s: runs backwards"),
-        (lambda plan: plan[:3], "holds 3 samples"),
+        (
+            lambda plan: plan[:3],
+            "holds 3 samples, too few for a stroke. Mend: give corners that lie more than 0.2 s apart",
+        ),
+        (lambda plan: STEP, "time_s: is 0 s in rows 1 and 2: a motor takes time for a step. Mend: give row 2 the time"),
+        (
+            lambda plan: STEP.assign(time_s=[0.0, 5.0, 2.0]),
+            "time_s: runs backwards from 5 s to 2 s in rows 2 and 3. Mend: put the rows in the order of their times",
+        ),
+        (
+            lambda plan: STEP.assign(time_s=[0.0, 5.0, 10.0], load_n=[15.0, np.nan, 15.0]),
+            "load_n: is not a number in 1 row, first in row 2",
+        ),
         (
             lambda plan: plan.drop(columns="load_n"),
             "load_n: there is no such column, and the load of run-",
@@ -155,6 +170,30 @@ def test_a_load_that_hangs_still_need_not_be_planned(make_run, tmp_path):
     without, given = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("without", "with"))
     assert np.allclose(without["load_n"], 20.0, atol=0.01)
     assert np.allclose(without.drop(columns="load_n"), given.drop(columns="load_n"), atol=1e-4)
+
+
+def test_a_load_that_varied_must_be_planned_whatever_run_yaml_says_of_the_load(make_run, tmp_path):
+    """The channel wins over rig.load_n, which was taken without a word."""
+    (tmp_path / "diagnosis.json").write_text(json.dumps({"run": "varied", "parameters": {}, "simulation": []}))
+    plan, out = tmp_path / "plan.csv", tmp_path / "answer.csv"
+    pd.DataFrame({"time_s": [0.0, 5.0, 10.0], "motor_turns": [0.0, 20.0, 0.0]}).to_csv(plan, index=False)
+    rig = {"torsion_zone_mm": 150, "separator_mm": 8}
+    varied = recording(4).assign(load_n=lambda table: 20.0 + 10.0 * np.sin(table["time_s"] / 6.0))
+    for name, load in (("free", {}), ("given", {"load_n": 20})):
+        folder = make_run(name, varied, rig=rig | load)
+        words = ["--simulation", tmp_path / "diagnosis.json", "--motion", plan, "--out", out]
+        done = programs.run("pipeline.simulate", folder, *words)
+        assert done.returncode == 2 and not out.exists(), name
+        says = (
+            f"load_n: there is no such column, and the load of {name} was not always the same. Mend: add it: 10 to 30 "
+        )
+        assert says in done.stderr, done.stderr
+    other = make_run("still", recording(4).assign(load_n=20.0), rig=rig | {"load_n": 35})
+    simulated(other, tmp_path / "diagnosis.json", out, "--motion", plan)
+    assert set(pd.read_csv(out)["load_n"]) == {20.0}
+    only_there = make_run("hung", recording(4).drop(columns="load_n"), rig=rig | {"load_n": 35})
+    simulated(only_there, tmp_path / "diagnosis.json", out, "--motion", plan)
+    assert set(pd.read_csv(out)["load_n"]) == {35.0}
 
 
 @pytest.mark.parametrize(
