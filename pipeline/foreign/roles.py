@@ -12,6 +12,7 @@ from ..ground.complaint import key_name
 from ..ground.header_units import header_unit, unit_word
 from ..ground.kinematics import Array
 from ..ground.units import conversion, is_load_in_kg
+from ..run.wrapping import unit_of_turn, unwrapping, wraps
 from ..systems import System
 
 WORDS = {  # by the first word of a channel: what people call it
@@ -123,6 +124,12 @@ def _sign(role: Role, other: Role | None) -> None:
         role.why.append("it falls in the file while the motor winds")
 
 
+def _wrapped(role: Role, unit: str | None) -> None:
+    """Say of an angle that it wraps; no unit is guessed from its size then, and nothing of the reading's sign."""
+    role.unit = unit or unit_of_turn(role.values)
+    role.why = [f"it jumps by its range again and again and goes on: it wraps; {unwrapping(role.unit)}"]
+
+
 def _role(channel: str, column: str | int, values: Array, unit: str | None) -> Role:
     """How a column reads as a channel: in the unit that it is told in, else in the one that its numbers make likely."""
     likely = _by_size(channel, values)
@@ -160,7 +167,9 @@ def find_roles(system: System, columns: dict[str | int, Array], units: dict[str 
         if alike:
             role.why.append(f"{', '.join(alike[:MOST_ALIKE])} may be meant as well")
     driver, follower = roles.get(system.driver), roles.get(system.channel)
-    if driver and system.turn is not None:
+    if driver and system.driver == "motor_turns" and wraps(driver.values):
+        _wrapped(driver, unit_by_column[driver.column])
+    elif driver and system.turn is not None:
         _sign(driver, None)
         if follower:
             _sign(follower, driver)

@@ -23,6 +23,7 @@ from .plausible import check_string, doubts
 from .recording import read_recording, recording_pieces
 from .strokes import segment
 from .wild_samples import wild_samples, without_wild
+from .wrapping import wrapped
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 ROUNDED = 1e-4  # of a step: what stamps that are written with few digits make of it
@@ -96,7 +97,10 @@ def _cut(run: Run, samples: Rows, path: Path) -> pd.DataFrame:
     if run.actuator not in STRING_ACTUATORS and len(set(samples.extremes(run.system.channel))) == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
-        check_string(run, samples, geometry(run), path)
+        try:
+            check_string(run, samples, geometry(run), path)
+        except BadInput as mistake:  # of an angle that wraps any unit and any direction is wrong
+            raise wrapped(samples, path) or mistake from None
     return segment(samples, run.system.driver, path)
 
 

@@ -299,3 +299,39 @@ def test_a_row_with_a_field_too_many_is_told_by_its_line_and_the_draft_is_made_a
     (tmp_path / "a.csv").write_text("\n".join([lines[0], *(f"{line},9" for line in lines[1:])]) + "\n")
     done = program(*words[:-1], "a-02", cwd=tmp_path)
     assert done.returncode == 2 and "more lines" in done.stderr and "Mend: check file.delimiter, file." in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("unit", "column", "turn"),
+    [
+        ("deg", M * 360 % 360, "360"),
+        ("rad", (M * 2 * np.pi + 3.0) % (2 * np.pi) - np.pi, "6.28319"),
+        (None, np.floor(M % 1 * 4096), "a turn"),
+    ],
+)
+def test_an_angle_that_wraps_is_told_by_the_draft_and_by_the_import(tmp_path, unit, column, turn):
+    """The draft turned the sign of the displacement, and the import said that it falls while the motor winds."""
+    file, mapping = tmp_path / "wrap.csv", tmp_path / "map.yaml"
+    table(time_s=T, angle=column, displacement_mm=X).to_csv(file, index=False)
+    done = program("--guess", file, cwd=tmp_path)
+    mend = f"unwrap it in the file: from each jump down on add {turn}, from each jump up on take it off; numpy.unwrap("
+    lines = [line for line in done.stdout.splitlines() if line.startswith("  motor_turns:")]
+    assert done.returncode == 0 and len(lines) == 1 and f"goes on: it wraps; {mend}" in lines[0], done.stdout
+    assert "scale" not in done.stdout and (unit is None or f"unit: {unit}}}" in lines[0])
+    counts = "unit: count\n    counts_per_turn: 4096"
+    mapping.write_text(filled(done.stdout.replace("unit:  # fill in: turns, rad, deg or count", counts)))
+    done = program(file, "--map", mapping, "--run", "a-01", cwd=tmp_path)
+    says = (
+        "motor_turns: jumps by about 1 turn again and again and goes on: the angle wraps. Mend: unwrap it in the file: "
+    )
+    assert done.returncode == 2 and says in done.stderr and not (tmp_path / "raw").exists(), done.stderr
+
+
+def test_an_angle_that_is_unwrapped_as_the_mend_says_is_imported(tmp_path):
+    file, mapping = tmp_path / "log.csv", tmp_path / "map.yaml"
+    table(time_s=T, angle=np.unwrap(M * 360 % 360, period=360), displacement_mm=X).to_csv(file, index=False)
+    done = program("--guess", file, cwd=tmp_path)
+    assert "wraps" not in done.stdout
+    mapping.write_text(filled(done.stdout.replace("unit: rad", "unit: deg")))
+    done = program(file, "--map", mapping, "--run", "a-01", cwd=tmp_path)
+    assert done.returncode == 0 and (tmp_path / "raw" / "a-01").exists(), done.stderr
