@@ -453,6 +453,8 @@ def test_all_columns_and_all_strings_that_are_missing_are_named_at_once(dataset)
     schemas.write(pd.concat(strings, ignore_index=True), schemas.DATASET, path)
     done = ask(path, "stroke,direction,motor_turns\n1,1,3\n")
     assert done.returncode == 2 and done.stderr.count("\n") == 1
+    page = (ROOT / "docs" / "use_a_model.md").read_text()
+    assert "\n| `string` | " in page and "\n| `load_n` and the like | " in page, "it tells which columns are asked for"
     assert "load_n, string: are missing, and vary in the recordings" in done.stderr.replace(
         "string, load_n", "load_n, string"
     )

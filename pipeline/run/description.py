@@ -12,10 +12,10 @@ from ..ground.complaint import bad_section, key_name, meant, short
 from ..ground.errors import BadInput
 from ..ground.kinematics import usual_stiffness
 from ..ground.names import MATERIAL_NAME, RUN_NAME
+from ..ground.plain_numbers import Number, Positive, Times, no_bool
 from ..ground.text_file import TextFile
+from ..ground.too_short import too_short
 from ..systems import System, systems
-from .plain_numbers import Number, Positive, Times, no_bool
-from .too_short import too_short
 
 __all__ = ["MATERIAL_NAME", "RUN_NAME", "STRING_ACTUATORS", "Channel", "Run", "String", "TextFile", "parse_run"]
 STRING_ACTUATORS = ("separator", "twisted_pair")

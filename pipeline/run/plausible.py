@@ -8,11 +8,11 @@ import numpy as np
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, Geometry
 from ..ground.rows import Rows
+from ..ground.too_short import MOST_STRETCH
 from ..ground.units import conversion
 from .description import Channel, Run
 from .plausible_load import DOUBT_STRETCH, check_load, load_mistake
 from .plausible_temperature import temperature_mistake
-from .too_short import MOST_STRETCH
 
 # A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
 SPAN_RATIO = 4.0

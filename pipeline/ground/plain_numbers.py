@@ -4,7 +4,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field
 
-from ..ground.strict_yaml import Unclear, plain_value
+from .strict_yaml import Unclear, plain_value
 
 
 def no_bool(value: Any) -> Any:
