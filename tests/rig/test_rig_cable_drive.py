@@ -1,5 +1,7 @@
 """The cable drive that is made: its effects are as large as declared, and behave as cables do."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -66,9 +68,15 @@ def test_without_effects_the_cable_is_rigid_and_its_gear_within_tolerance():
     assert np.ptp(gears) > 0.05 and np.max(np.abs(np.array(gears) / 0.9 - 1.0)) <= 1.5 * 0.05
 
 
+@cache
+def whole():
+    """A recording with every effect, which tests leave alone."""
+    return cable_drive.record(2, ALL, "loads-0.3")
+
+
 @pytest.mark.parametrize("name", ALL)
 def test_an_effect_that_is_off_is_absent_and_moves_nothing_else(name):
-    every = cable_drive.record(2, ALL, "loads-0.3")
+    every = whole()
     without = cable_drive.record(2, {other: size for other, size in ALL.items() if other != name}, "loads-0.3")
     none = cable_drive.record(2, {**ALL, name: 0.0}, "loads-0.3")
     assert none.samples.equals(without.samples) and none.truth["effects"][name]["rms"] == 0.0

@@ -1,6 +1,7 @@
 """How strong an effect must be: the size at which bounded recalibration leaves what was asked."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 from scipy.optimize import brentq, lsq_linear
@@ -63,6 +64,7 @@ def kappa_of(bench: Bench, part: Part, size: float, floor_mm: float) -> float:
 def sized(bench: Bench, part: Part, kappa: float, floor_mm: float) -> float:
     """Size at which an effect reaches `kappa`; raises OutOfReach where its limit does not."""
 
+    @cache  # a search asks at its ends and at its answer again
     def above(log_size: float) -> float:
         with np.errstate(divide="ignore"):
             return float(np.log(max(kappa_of(bench, part, float(np.exp(log_size)), floor_mm), 1e-9) / kappa))
