@@ -24,6 +24,7 @@ from .run.run_dir import real_name, refuse_twice
 from .string.from_raw import read
 from .string.history import in_order, read_recorded
 from .string.jumps_beside import Beside, Reader, are_beside, jumps_into
+from .string.not_compared import not_compared
 from .string.rests import Rests
 
 MODULES = tuple(f"{__package__}.diagnosis.{name}" for name in ("in_memory", "drawing.figures"))  # of each of many runs
@@ -37,8 +38,7 @@ class Options:
 
     `together`: several runs of one rig in one diagnosis. The library lacks the mechanisms in `without`; `judge_file`
     holds a judge in place of the library's. `rivals`: write `next_runs.json` too, every run that could be made next and
-    what each explanation foretells of it. A program that holds what was read of runs gives a `reader`. The
-    figure wears `mark`.
+    what each explanation foretells of it. A program that read runs before gives a `reader`. The figure wears `mark`.
     """
 
     together: bool = False
@@ -74,6 +74,8 @@ class Decided:
         jumps = (optional(ZEROS, self.name, lambda: jumps_into(self.rests, beside)) if self.rests else None) or []
         if jumps:
             self.content["zero_jumps"] = [jump.entry for jump in jumps]
+        for note in optional(ZEROS, self.name, lambda: not_compared(self.rests)) or []:
+            print(f"{self.name}: {note} {OWN_ZERO}", file=sys.stderr)
         doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
         return write_words(self.content, self.runs[0].system, self.folders, self.out, doubts)
 

@@ -102,11 +102,14 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, A
         "strokes_seen": len(table),
         "last_stroke": int(table["stroke"].iloc[-1]),
         "strokes_of_another_range": health.left_out,
+        "load_n": finite(health.loads.load_n),
+        "strokes_of_another_load": sorted(number for _, numbers in health.loads.others for number in numbers),
         "zero_jumps": [
             {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.may_be_wear}
             for jump in health.jumps
         ],
         "tares": health.tares,
+        "zeros_not_compared": health.uncompared,
         "starts_anew": health.anew,
         "level": level,
         "first": earliest.question if earliest else None,

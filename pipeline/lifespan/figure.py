@@ -59,10 +59,9 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
         begins = begun(health)
         for number, axes in enumerate(axes for axes in panels.values() if axes.get_xlabel()):
             mark(axes, begins, named=not number)
-        figure.suptitle(
-            f"Life of the string {health.string}: {strokes(len(health.strokes))} seen{left_out(len(health.left_out))}",
-            fontsize=11,
-        )
+        seen = f"{strokes(len(health.strokes))} seen{health.loads.under}"
+        not_seen = left_out(len(health.left_out), health.loads.count_left_out)
+        figure.suptitle(f"Life of the string {health.string}: {seen}{not_seen}", fontsize=11)
         if note := footnote(answers, level):
             figure.supxlabel(note, fontsize=7.5, x=0.02, ha="left")
         write_figure(figure, path, dpi=130)
@@ -137,7 +136,7 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
 def nothing(axes: Axes, answer: Answer) -> None:
     """In place of an indicator that has no value yet: why, and from how many strokes on it has."""
     words = (
-        f"No {answer.what} yet: strokes 1 to {REFERENCE} set the reference.\n"
+        f"No {answer.what} yet: the first {REFERENCE} strokes set the reference.\n"
         f"It shows from {REFERENCE + 1} strokes on, and a forecast from {LEAST_STROKES} on."
     )
     axes.text(0.5, 0.5, words, ha="center", va="center", transform=axes.transAxes)

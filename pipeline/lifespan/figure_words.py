@@ -8,8 +8,8 @@ from .strokes_left import FUTURES, LEAST_STROKES, Span
 
 WHAT = {"stroke_loss": "stroke lost", "model_error": "error of the model"}
 HEADS = {
-    "stroke_loss": f"How much of the stroke is lost since strokes 1 to {REFERENCE} (below 0: the stroke grew)",
-    "model_error": f"How far a model is off that was calibrated on strokes 1 to {REFERENCE} (rms over a stroke)",
+    "stroke_loss": f"How much of the stroke is lost since the first {REFERENCE} strokes (below 0: the stroke grew)",
+    "model_error": f"How far a model is off that was calibrated on the first {REFERENCE} strokes (rms over a stroke)",
 }
 NEGATIVE_LOOP = "below 0: at equal twist the string\nis shorter while it unwinds"
 POINTS = "Blue: each stroke as measured, ± 1 standard error. Loop: displacement winding minus unwinding at equal twist."
@@ -43,9 +43,10 @@ def footnote(answers: list[Answer], level: float) -> str:
     return "\n".join(lines)
 
 
-def left_out(count: int) -> str:
+def left_out(of_range: int, of_load: int) -> str:
     """How many strokes are not among those seen, for the title; empty where none is left out."""
-    return f", {count} left out (another range of twist)" if count else ""
+    range_of_twist = f", {of_range} left out (another range of twist)" if of_range else ""
+    return f"{range_of_twist}, {of_load} left out (another load)" if of_load else range_of_twist
 
 
 def no_claim(reason: str) -> str:

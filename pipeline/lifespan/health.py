@@ -10,13 +10,14 @@ from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.rows import Rows
 from ..run.description import STRING_ACTUATORS
-from ..run.samples import geometry
 from ..string.history import Recorded, in_order
+from ..string.not_compared import not_compared
 from ..string.rests import Rests
 from ..string.tare_notes import tare_notes
 from ..string.zero import Jump, jumps_among, offsets_mm
 from .changed_string import runs_anew
 from .indicators import REFERENCE, curves, ends_mm, loop, model_errors
+from .one_load import Loads, of_one_load
 from .readings import Found, found
 from .stiffness import stiffness
 
@@ -29,9 +30,10 @@ class Health:
     """A string's `strokes`, one row each: run, stroke, each of INDICATORS with its `_error`, NaN where not measured.
 
     `string` is its name, `left_out` the complete strokes that wind over another range than most of the first three,
-    `jumps` what the zero did from run to run: one between which no stroke went unrecorded is taken off, as it is no
-    wear. `anew` are the runs that begin as the string began, and may be of another one. `tares` says what a person
-    should know of `tare: run` where no jump is seen.
+    `loads` under which load they are, and which strokes of other loads are left out. `jumps` is what the zero did from
+    run to run: one between which no stroke went unrecorded is taken off, as it is no wear. `anew` are the runs that
+    begin as the string began, and may be of another one. `tares` says what a person should know of `tare: run` where no
+    jump is seen, `uncompared` between which runs the zero was not compared.
     """
 
     string: str
@@ -42,6 +44,8 @@ class Health:
     anew: list[str] = field(default_factory=list)
     tares: list[str] = field(default_factory=list)
     material: str = ""
+    loads: Loads = field(default_factory=Loads)
+    uncompared: list[str] = field(default_factory=list)
 
 
 def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
@@ -88,6 +92,7 @@ def health(runs: list[Recorded]) -> Health:
     if not strokes:
         mend = "record whole strokes: a winding and the unwinding after it"
         raise BadInput(runs[0].run.run, "motor_turns", "there is no complete stroke in it", mend)
+    strokes, loads = of_one_load(strokes)
     low, high = (float(np.median(ends)) for ends in zip(*(place.ends for place in strokes[:REFERENCE]), strict=True))
     near = SAME_RANGE * (high - low)
     same = [place for place in strokes if abs(place.ends[0] - low) <= near and abs(place.ends[1] - high) <= near]
@@ -95,10 +100,8 @@ def health(runs: list[Recorded]) -> Health:
         problem = f"no stroke winds over the usual {low:.3g} to {high:.3g} turns of the first ones"
         raise BadInput(runs[0].run.run, "motor_turns", problem, "record strokes that all wind over the same range")
     left_out = sorted({place.number for place in strokes} - {place.number for place in same})
-    first = runs[0]
-    nominal = np.nan_to_num(
-        geometry(first.run).contraction_mm(np.array([low, high]), float(first.rows.median("load_n")))
-    )
+    first, model = runs[0], same[0].of
+    nominal = np.nan_to_num(model.geometry.contraction_mm(np.array([low, high]), model.load_n))
     rows, tables = [], []
     for place in same:
         stroke = place.read()  # no other stroke's readings are held
@@ -108,4 +111,7 @@ def health(runs: list[Recorded]) -> Health:
     table = pd.DataFrame([row | error for row, error in zip(rows, model_errors(tables), strict=True)])
     names = [recorded.run.run for recorded in runs]
     material = first.run.string.material if first.run.string else ""
-    return Health(first.run.string_id, names, table, left_out, seen, runs_anew(table), tares, material)
+    return Health(
+        first.run.string_id, names, table, left_out, seen, runs_anew(table), tares, material, loads,
+        not_compared(rests),
+    )  # fmt: skip

@@ -4,7 +4,7 @@ Strokes whose twist differs a little then compare; the model's own errors are th
 every change.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -33,11 +33,12 @@ class Stroke:
 
 
 class Nominal:
-    """What a run reads beyond its nominal model under its median load, in any part of it."""
+    """What a run reads beyond its nominal model under one load, in any part of it; its median load unless given."""
 
-    def __init__(self, recorded: Recorded, offset_mm: float) -> None:
-        self.rows, self.geometry, self.offset_mm = recorded.rows, geometry(recorded.run), offset_mm
-        self.load_n = recorded.rows.median("load_n")
+    def __init__(self, recorded: Recorded, offset_mm: float, load_n: float | None = None) -> None:
+        self.recorded, self.rows, self.offset_mm = recorded, recorded.rows, offset_mm
+        self.geometry = geometry(recorded.run)
+        self.load_n = recorded.rows.median("load_n") if load_n is None else load_n
 
     @cached_property
     def most_mm(self) -> float:
@@ -72,6 +73,17 @@ class Found:
         """Lowest and highest twist of the winding, in turns."""
         turns = [self.of.rows.read("motor_turns", *span) for span in self.winding]
         return float(min(part.min() for part in turns)), float(max(part.max() for part in turns))
+
+    @cached_property
+    def load_n(self) -> tuple[float, float]:
+        """Median of the load while it moves, and how far apart its quartiles are, in N."""
+        loads = [self.of.rows.read("load_n", *span) for span in (*self.winding, *self.unwinding)]
+        low, middle, high = np.percentile(np.concatenate(loads), (25.0, 50.0, 75.0))
+        return float(middle), float(high - low)
+
+    def under(self, load_n: float) -> "Found":
+        """The stroke with the nominal model under a load in N."""
+        return replace(self, of=Nominal(self.of.recorded, self.of.offset_mm, load_n))
 
     def _phase(self, spans: Spans) -> Readings:
         parts = [self.of.readings(*span) for span in spans]

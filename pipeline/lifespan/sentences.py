@@ -75,17 +75,18 @@ def seen(health: Health, beside: bool = False) -> list[str]:
     `beside`: whether other runs of the string are there and were not given.
     """
     table = health.strokes
-    strokes_seen = f"{strokes(len(table))} seen"
+    strokes_seen = f"{strokes(len(table))} seen{health.loads.under}"
     if not few(len(table)):
         return [f"{health.string}: {strokes_seen}, the last one stroke {int(table['stroke'].iloc[-1])}."]
     more = LEAST_STROKES - len(table)
+    like = f"its run {table['run'].iloc[-1]}" if health.loads.others else "its first run"
     needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
     if beside:
         return [f"{health.string}: no forecast yet: {strokes_seen}; {needed}. Name the runs beside as well."]
     return [
         f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
-        f"  Record {more} or more further strokes of this very string as a new run ({program_name('new_run')} --like "
-        "its first run), then name all runs of it in this command.",
+        f"  Record {more} or more further strokes of this very string{health.loads.under} as a new run "
+        f"({program_name('new_run')} --like {like}), then name all runs of it in this command.",
         f"  {SYNTHETIC}",
     ]
 
@@ -155,7 +156,7 @@ def not_given(string: str, given: list[Path], others: list[Path], out: Path) -> 
 def young(run: str) -> str:
     """What is said of a run that begins as the string began."""
     return (
-        f"{run} begins as this string began: its first strokes and their loops are those of strokes 1 to {REFERENCE} "
+        f"{run} begins as this string began: its first strokes and their loops are those of its first {REFERENCE} "
         f"again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its run.yaml "
         f"(--string-id of {program_name('new_run')})."
     )
@@ -164,6 +165,7 @@ def young(run: str) -> str:
 def sentences(health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: str = "") -> str:
     """All answers in words, a few lines; `beside` as `seen` takes it, `calibrate_by` how a model is calibrated."""
     lines, enough = seen(health, beside), not few(len(health.strokes))
+    lines += [f"  {line}" for line in health.loads.sentences]
     if enough:
         lines.append(f"  {advice(answers)}")
         then = [calibrate_by, AFTERWARDS] if due(answers) else []
@@ -176,6 +178,7 @@ def sentences(health: Health, answers: list[Answer], level: float, beside: bool 
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {note}" for note in health.tares]
+    lines += [f"  Beware: {note}" for note in health.uncompared]
     if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
         lines.append(f"  {ZERO_OFF}")
     is_foretold = any(len(answer.left.when) for answer in answers)

@@ -195,7 +195,7 @@ def test_the_picture_says_what_each_panel_asks_and_no_head_lies_on_a_legend(tmp_
     words = figure.get_supxlabel()
     assert words.startswith("Blue: each stroke as measured") and ("futures" in words) == (count > 12)
     heads = [axes.get_title(loc="left") for axes in figure.axes[:2]]
-    assert "below 0: the stroke grew" in heads[0] and "calibrated on strokes 1 to 3" in heads[1]
+    assert "below 0: the stroke grew" in heads[0] and "calibrated on the first 3 strokes" in heads[1]
     for axes in figure.axes[:2]:
         head, legend = (each.get_window_extent() for each in (axes._left_title, axes.get_legend()))
         first = head.y0 + 0.5 * head.height * (count < 12)  # without a forecast its last line stands beside the legend

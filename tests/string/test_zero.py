@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from itertools import pairwise, takewhile
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from pipeline.stages.dataset import make_dataset
 from pipeline.string.history import Recorded
 from pipeline.string.jump_notes import read_jumps
 from pipeline.string.jumps_beside import Beside, _last, advice_on, jumps_into
+from pipeline.string.not_compared import not_compared
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
 from pipeline.string.zero import Jump, jumps_among, offsets_mm
@@ -290,3 +292,41 @@ def test_of_many_runs_of_a_string_the_last_ones_before_the_new_one_are_read(tmp_
     ]  # fmt: skip
     (sentence,) = advice_on(two)
     assert "write `tare: run` in run.yaml of a-2" in sentence and advice_on(one) == []
+
+
+def of_other_loads(place: Path) -> list[Path]:
+    """Two runs of one string, the second under 30 N in place of 20 N; its zero was moved as well."""
+    made = folders(place, JUMP_MM)
+    table = pd.read_parquet(made[1] / "recording.parquet")
+    table.assign(load_n=30.0).to_parquet(made[1] / "recording.parquet", index=False)
+    return made
+
+
+def test_a_zero_that_is_not_compared_is_said_in_the_log_of_the_dataset(tmp_path: Path) -> None:
+    """The list of jumps was empty, as if the zeros had been compared and were the same."""
+    made, processed = of_other_loads(tmp_path / "raw"), tmp_path / "processed"
+    for folder in made:
+        samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
+        program("stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
+    text = program("stages.dataset", *made, "--processed", processed, "--out", tmp_path / "dataset.parquet")
+    why = "their loads differ (20 and 30 N)"
+    assert text.count(f"Beware: zero not compared between a-1 and a-2: {why}. If the sensor or a clamp was moved") == 1
+
+
+def test_a_zero_that_is_not_compared_is_said_of_runs_that_are_diagnosed_together(tmp_path: Path) -> None:
+    made = of_other_loads(tmp_path / "raw")
+    done = programs.run("pipeline.diagnose", *made, "--together", "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    said = "a-1+a-2: zero not compared between a-1 and a-2: their loads differ (20 and 30 N)."
+    assert said in done.stderr and "This verdict does not depend on it" in done.stderr
+
+
+def test_why_a_zero_is_not_compared_is_told_once() -> None:
+    one, two = runs(JUMP_MM)
+    late = two.samples[two.samples["time_s"] > CUT_S + 10.0].reset_index(drop=True)  # begins high up
+    begun = Recorded(two.run, "", late, segment(late, "motor_turns", "a-2"))
+    (note,) = not_compared([Rests.of(one), Rests.of(begun)])
+    assert re.search(r"between a-1 and a-2: they rest at other twists \(0 and 1\d(\.\d)? turns\)", note)
+    assert not_compared([Rests.of(run) for run in runs(JUMP_MM)]) == []
+    tared = [Rests.of(one), replace(Rests.of(begun), run=runs(JUMP_MM, tare="run")[1].run)]
+    assert not_compared(tared) == [] and len(tare_notes(tared)) == 1

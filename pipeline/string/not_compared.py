@@ -1,0 +1,37 @@
+"""Between which runs of one string the zero was not compared, and why: a jump between these is seen by no program."""
+
+from itertools import pairwise
+
+from .history import in_order
+from .recovered import alike
+from .rests import Rests
+from .tare_notes import tare_notes
+from .zero import change_mm
+
+
+def not_compared(runs: list[Rests]) -> list[str]:
+    """Of runs, a sentence for each whose first rest does not compare with the last one of its string before it.
+
+    None for a run of which `tare_notes` tells that already.
+    """
+    sentences = []
+    for string in sorted({rests.run.string_id for rests in runs}):
+        of_one = in_order([rests for rests in runs if rests.run.string_id == string])
+        noted = {name for name, _ in tare_notes(of_one)}
+        sentences += [
+            _sentence(before, after)
+            for before, after in pairwise(of_one)
+            if after.run.run not in noted and change_mm(before, after) is None
+        ]
+    return sentences
+
+
+def _sentence(before: Rests, after: Rests) -> str:
+    """Which runs, why, and what to do about it."""
+    twists, loads = (before.turns[-1], after.turns[0]), (before.load_n[-1], after.load_n[0])
+    why = f"their loads differ ({loads[0]:.3g} and {loads[1]:.3g} N)"
+    if alike([0.0], list(loads), 1.0):
+        why = f"they rest at other twists ({twists[0]:.3g} and {twists[1]:.3g} turns)"
+    mend = f"write `tare: run` in run.yaml of {after.run.run}: its first rest is then set to the model's value"
+    between = f"zero not compared between {before.run.run} and {after.run.run}"
+    return f"{between}: {why}. If the sensor or a clamp was moved in between, {mend}."
