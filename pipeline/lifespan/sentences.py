@@ -156,9 +156,9 @@ def not_given(string: str, given: list[Path], others: list[Path], out: Path) -> 
 def young(run: str) -> str:
     """What is said of a run that begins as the string began."""
     return (
-        f"{run} begins as this string began: its first strokes and their loops are those of its first {REFERENCE} "
-        f"again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its run.yaml "
-        f"(--string-id of {program_name('new_run')})."
+        f"{run} begins as this string began: its first strokes and their loops are those of the string's first "
+        f"{REFERENCE} again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its "
+        f"run.yaml (--string-id of {program_name('new_run')})."
     )
 
 
