@@ -15,6 +15,7 @@ from .choice.outcome import Study, rms
 from .document.content import Adoption, Verdict
 from .document.tidy import tidy
 from .facts.not_kept import not_kept
+from .facts.told_floor import told_floor
 from .numerics.judge import Judge
 from .numerics.noise import resolution
 from .prediction import without_last
@@ -83,7 +84,7 @@ def missed(study: Study, content: Verdict, ending: str) -> float:
     noise = float(content["fit"][f"noise_floor_{ending}"])
     known = (content["fit"]["heldout"] or {}).get(f"explained_{ending}")
     unseen = noise if known is None else float(known)
-    return math.hypot(study.floor, math.sqrt(max(unseen**2 - noise**2, 0.0)))
+    return math.hypot(told_floor(study), math.sqrt(max(unseen**2 - noise**2, 0.0)))
 
 
 def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:

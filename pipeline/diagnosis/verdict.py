@@ -16,6 +16,7 @@ from .facts.beyond_seen import beyond_seen
 from .facts.detectable import detectable
 from .facts.evidence import evidence
 from .facts.mechanism_entries import as_entry, listed
+from .facts.told_floor import told_fine_floor
 from .facts.zero_effects import without_zero_effects
 from .fit import generic, locate
 from .fit.adopt import entries
@@ -28,7 +29,6 @@ from .mechanisms.library import mechanisms
 from .numerics import band
 from .numerics.noise import white
 from .proposal import nextrun
-from .study.engine import fine_floor
 from .study.heldout import Errors, worse_than_nominal
 from .study.rivals import rivals
 from .words.pages.spoken import spoken
@@ -133,7 +133,7 @@ def diagnosis(
         place = locate.box(signal, problem)
         mismatch = {f"rms_{unit}": study.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
-    fit: dict[str, Any] = {f"noise_floor_{unit}": fine_floor(fine, study)}
+    fit: dict[str, Any] = {f"noise_floor_{unit}": told_fine_floor(fine, study)}
     fit[f"detectable_{unit}"] = detectable(study.search, study.noise.floor)
     fit["heldout"] = (
         {

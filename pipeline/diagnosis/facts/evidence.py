@@ -19,6 +19,7 @@ from ..fit.problem import Problem
 from ..recording.covered import covered
 from . import aspects, extents, mechanism_entries
 from .look_alikes import look_alikes
+from .told_floor import told_floor
 
 T = TypeVar("T")
 LISTED = 11  # explanations
@@ -173,7 +174,7 @@ def evidence(study: Study) -> dict[str, Any]:
     ending = system.channel.rpartition("_")[2]
     effects = mechanism_entries.named_effects(study)
     return {
-        f"floor_{ending}": study.floor,
+        f"floor_{ending}": told_floor(study),
         **misfits(study, ending),
         "explanations": explanations(study, ending),
         "probability_of_none": study.judged.none if study.judged.likely and drivers.levered else None,

@@ -1,0 +1,32 @@
+"""The noise floor that a diagnosis tells: no more than what the simulator left of the very same values.
+
+The estimate that decides is of noise and of all that generic shapes could have taken from it. Of noise with much slow
+wander these shapes take more than there is, and it lies above the whole residual; as a size of the noise that is wrong.
+"""
+
+import numpy as np
+
+from ..choice.outcome import Study, rms
+from ..fit.problem import Problem
+from ..numerics.noise import robust
+from ..study.engine import fine_floor
+
+ABOVE = 1.1  # times what is left: an estimate that is so much more is no size of the noise; less is chance
+
+
+def told_floor(study: Study) -> float:
+    """The floor of the values that were compared, in the reading's unit."""
+    problem = study.problem
+    states = (study.base, study.best)
+    left = min(rms(robust((problem.measured - problem.simulate(state))[: problem.rows])) for state in states)
+    return study.floor if study.floor <= ABOVE * left else left
+
+
+def told_fine_floor(fine: Problem, study: Study) -> float:
+    """The floor at the recording's own rate, in the reading's unit: what averaging took off comes on top."""
+    floor, own = told_floor(study), fine_floor(fine, study)
+    if floor == study.floor:
+        return own
+    if len(fine.record) == len(study.problem.record):
+        return floor
+    return float(np.sqrt(max(own**2 - study.floor**2, 0.0) + floor**2))
