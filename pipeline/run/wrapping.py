@@ -28,7 +28,7 @@ def wraps(angle: Array) -> bool:
 
 
 def unit_of_turn(angle: Array) -> str | None:
-    """The unit in which a wrapped angle, shape (rows,), has the range of a turn; None where it has that in none."""
+    """The unit in which a wrapped angle, shape (rows,), in any unit, has the range of a turn; None where in none."""
     span = float(np.nanmax(angle) - np.nanmin(angle))
     return next((unit for unit, turn in TURN.items() if ABOUT[0] * turn <= span <= ABOUT[1] * turn), None)
 
