@@ -29,6 +29,7 @@ from .mechanisms.library import mechanisms
 from .numerics import band
 from .numerics.noise import white
 from .proposal import nextrun
+from .study.engine import fine_floor
 from .study.heldout import Errors, worse_than_nominal
 from .study.rivals import rivals
 from .words.pages.spoken import spoken
@@ -133,7 +134,7 @@ def diagnosis(
         place = locate.box(signal, problem)
         mismatch = {f"rms_{unit}": study.mismatch, "location": place, "driver": driver}
     by_name = {parameter.name: parameter for parameter in problem.parameters}
-    fit: dict[str, Any] = {f"noise_floor_{unit}": told_fine_floor(fine, study)}
+    fit: dict[str, Any] = {f"noise_floor_{unit}": told_fine_floor(fine_floor(fine, study), fine, study)}
     fit[f"detectable_{unit}"] = detectable(study.search, study.noise.floor)
     fit["heldout"] = (
         {

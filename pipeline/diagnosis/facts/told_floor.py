@@ -9,7 +9,6 @@ import numpy as np
 from ..choice.outcome import Study, rms
 from ..fit.problem import Problem
 from ..numerics.noise import robust
-from ..study.engine import fine_floor
 
 ABOVE = 1.1  # times what is left: an estimate that is so much more is no size of the noise; less is chance
 
@@ -22,9 +21,12 @@ def told_floor(study: Study) -> float:
     return study.floor if study.floor <= ABOVE * left else left
 
 
-def told_fine_floor(fine: Problem, study: Study) -> float:
-    """The floor at the recording's own rate, in the reading's unit: what averaging took off comes on top."""
-    floor, own = told_floor(study), fine_floor(fine, study)
+def told_fine_floor(own: float, fine: Problem, study: Study) -> float:
+    """The floor at the recording's own rate, estimated as `own`; both in the reading's unit.
+
+    What averaging took off comes on top of the floor of the averages.
+    """
+    floor = told_floor(study)
     if floor == study.floor:
         return own
     if len(fine.record) == len(study.problem.record):
