@@ -44,7 +44,7 @@ TERMS: dict[str, dict[str, str]] = {
         "parameters": "no (further) missing physics can be named; the simulation fits only once its dimensions move.",
         "explained": "physics is missing and named.",
         "ambiguous": "physics is missing, and several explanations are likely.",
-        "unknown": "the mismatch is real, and nothing in the library explains it.",
+        "unknown": "the mismatch is real, and no explanation of the library is good enough.",
         "not decided": "the recording is too short or too poor; the page says what to record.",
         "next run": "the run that would part the explanations that are likely.",
     },

@@ -1,5 +1,6 @@
 """What a verdict says of the next recording: what it shows, of which rival, under which load, and when to adopt."""
 
+import copy
 import shlex
 
 import pytest
@@ -78,7 +79,7 @@ def test_a_rival_that_is_likelier_than_one_in_the_table_is_said_not_to_be_in_it(
 def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
     text = " ".join(full(rubbing()).split())
     assert "It has no second load: 26.4 N, twice, parts friction_hysteresis from backlash most" in text
-    assert "So record: the same 12 strokes, 0 to 30.7 turns under 26.4 N, at 1 to 2 turns/s" in text
+    assert "So record: 12 strokes as before, 0 to 30.7 turns under 26.4 N, at 1 to 2 turns/s" in text
     assert "--like raw/nylon-3 --load-n 26.4" in text
     near = foretold(0.2, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
     neither = named(["friction_hysteresis"], [near, PLAY], {"backlash": 0.02})
@@ -102,6 +103,13 @@ def test_one_speed_asks_for_a_second_one():
 
 CREEP = foretold(1.0, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)
 LASTING = foretold(0.05, ["plastic_elongation"], loop_as_before=0.0, hold=0.0, rest=0.0)
+
+
+def test_a_name_beyond_doubt_asks_for_no_further_run():
+    made = named(["creep"], [CREEP, LASTING], {"creep": 0.98}, recorded=0.5)
+    for share, asks in ((0.98, True), (0.995, False)):
+        made["mechanisms"][0]["confidence"] = share
+        assert ("to be surer of a name" in " ".join(full(copy.deepcopy(made)).split())) == asks
 
 
 def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows_and_why():

@@ -15,7 +15,7 @@ RUNS = [Path("raw/a"), Path("raw/a-s1")]
 ASKS = """a, a-s1: explained: physics is missing, and named.
 
 What to do, in this order
-  1. Optional, to be surer of a name: before adopting, record the same 7 strokes, 0 to 20 turns under 20 N, at
+  1. Optional, to be surer of a name: before adopting, record 7 strokes as before, 0 to 20 turns under 20 N, at
      3.95 turns/s, then as many at 1.98 turns/s.
      Its tests, the numbers to expect of it and the commands: details.txt.
   2. You may adopt this to predict motions like the recorded ones.
@@ -48,13 +48,13 @@ def test_it_says_nothing_to_record_only_where_its_verdict_asks_for_no_recording(
     text = said(tmp_path / "a", capsys, "explained", "verdict", "the verdict is explained", ASKS)
     assert "nothing to record" not in text and "pipeline.adopt" in text
     optional = (
-        "Optional, to be surer of a name: before adopting, record the same 7 strokes, 0 to 20 turns under 20 N, at"
+        "Optional, to be surer of a name: before adopting, record 7 strokes as before, 0 to 20 turns under 20 N, at"
     )
     assert (
         f"next: that verdict asks for another recording: {optional} 3.95 turns/s, then as many at 1.98 turns/s. Where"
         in text
     )
-    none = ASKS.replace("record the same", "wind the same")
+    none = ASKS.replace("record 7 strokes", "wind 7 strokes")
     assert "nothing to record" in said(tmp_path / "b", capsys, "explained", "verdict", "the verdict is explained", none)
 
 

@@ -9,6 +9,7 @@ from ...ground.kinematics import Array
 from ..mechanisms.library import mechanisms
 from ..recording.working_samples import Record
 
+LIKE = 0.05  # of a load: what differs by less is the same
 TOP = 0.02  # of the motion's range: what is nearer to its highest value is the top
 
 
@@ -32,13 +33,17 @@ def trends(effects: dict[str, Array]) -> dict[str, float]:
 
 
 def tops(effects: dict[str, Array], record: Record) -> dict[str, float]:
-    """By how much each slow effect moves the reading at the highest motion from the first stroke to the last.
+    """By how much each slow effect moves the reading at the highest motion from the first stroke that goes there.
 
-    Dimensions cannot do it: they are the same in every stroke. Each effect has the shape (samples,), in the reading's
-    unit.
+    To the last one under the same load. Dimensions cannot do it: they are the same in every stroke. Each effect has the
+    shape (samples,), in the reading's unit.
     """
     high = record.motion >= record.motion.max() - TOP * np.ptp(record.motion)
     strokes = [high & (record.stroke == stroke) for stroke in np.unique(record.stroke[high & (record.stroke > 0)])]
+    loads = [float(np.median(record.load[stroke])) for stroke in strokes]
+    strokes = [
+        stroke for stroke, load in zip(strokes, loads, strict=True) if abs(load - loads[0]) <= LIKE * abs(loads[0])
+    ]
     return {
         id_: float(np.mean(effect[strokes[-1]]) - np.mean(effect[strokes[0]]))
         for id_, effect in effects.items()

@@ -68,7 +68,7 @@ MECHANISM = Mechanism(
         "Findley, Lai and Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976 (Kelvin-Voigt chain)"
     ),
     confused_with="plastic_elongation, thermal, sensor_drift",
-    told_apart_by="a hold under load, then a rest without it: creep goes on in the hold and comes back in the rest",
+    told_apart_by="a hold under load, then a rest under less: creep goes on in the hold and comes back in the rest",
     meaning="under load the string lengthens with time and takes some of it back.",
     sentence="Under load the {string} lengthens by up to {span} ({size}), {times}, and shortens again without it.",
     names={

@@ -39,8 +39,13 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     return [
         f"{HEAD.format(best=best, left=left)}{NOTHING_MORE * often}",
         *_standing(content, first, others, words),
-        *(f"{listing(names)}: {reason}." for reason, names in alike.items()),
+        *(f"{listing(names)}: {'each ' * _several(names, reason)}{reason}." for reason, names in alike.items()),
     ]
+
+
+def _several(names: list[str], reason: str) -> bool:
+    """Whether a reason is that of several effects, each of them alone."""
+    return len(names) > 1 and reason.startswith("alone")
 
 
 def _nearest_first(entries: list[Part], words: Vocabulary) -> list[Part]:

@@ -57,7 +57,8 @@ def rule(content: Verdict) -> list[str]:
     rest = max(1.0 - none - together, 0.0)
     others = f"; all others of the library {percent(rest)}; physics that the library lacks {percent(none)}"
     return [
-        f"Kept are the likeliest explanations, until together they reach {percent(HELD)} of what the library has. "
+        f"The explanations of the library have {percent(1.0 - none)} together. Kept are the likeliest, until they "
+        f"reach {percent(HELD)} of that, so {percent(HELD * (1.0 - none))}. "
         f"{_left_out(content)}{kept} {percent(together)}{others}. None of these is impossible.",
         *([OF_NONE] if none >= WORTH else []),
     ]

@@ -91,8 +91,9 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
         summary = f"{sentence}{_why_not(explanation, taken)}."
         lines.append(_with_rule(summary, explanation, content))
     none = content["evidence"].get("probability_of_none")
-    also = "" if none is None else f"; that no physics of the library explains it has {percent(none)} here"
-    return [*lines, f"{100.0 * EXPLAINED:.0f} % would be needed, of an explanation that is likely{also}."]
+    also = [] if none is None else [f"Physics that the library lacks has a probability of {percent(none)} here."]
+    rule = f"To be named, an explanation must take {100.0 * EXPLAINED:.0f} % of that energy and be likely."
+    return [*lines, " ".join([rule, *also])]
 
 
 def _why_not(explanation: Part, taken: float) -> str:

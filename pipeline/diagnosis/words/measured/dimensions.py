@@ -177,7 +177,9 @@ def each_moved(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> 
         lines.append(f"{name_of(name)}: from {first} to {value}{likely_range(content, name)}, {far}.")
     if moved and not but and all(abs(sigma) < 1.0 for sigma in moved.values()):
         right = content["verdict"] == "parameters"
-        lines.append(f"Every dimension stays within its tolerance{': none of them was measured wrong' * right}.")
+        lines.append(
+            f"Every dimension stays within its tolerance{': nothing says that one was measured wrong' * right}."
+        )
     if not moved and not but:
         lines.append("No dimension moved by a hundredth of its tolerance: only the zero of the reading did.")
     return lines

@@ -8,7 +8,7 @@ from ..language.vocabulary import Vocabulary
 from .effect_table import at_the_top
 
 HEADING = "What was adopted, by the library's names"
-HEAD = ["effect", "adopted as", "its size here, rms"]
+HEAD = ["effect", "adopted from", "its size here, rms"]
 HELD = "Sizes are what the adopted numbers do here. How sure each effect is stands in the verdict that was adopted."
 
 

@@ -12,7 +12,8 @@ from ..measured.dimensions import far_moved, name_of
 from . import coarse
 from .missing_signs import missing
 
-SURE, PROBABLE = 0.8, 0.5
+SURE, PROBABLE, EVEN = 0.8, 0.5, 0.45
+ABSENT = ("more likely absent than", "about as likely absent as")  # below EVEN, and from there on
 MORE = 0.02  # of a probability: what a reader wonders about
 ALSO_ELSEWHERE = (
     "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
@@ -187,14 +188,12 @@ def needed(content: Verdict) -> list[str]:
     best = {entry["id"] for entry in content["mechanisms"]}
     others = [set(ids) for ids in content["alternatives"]]
     lines = []
-    for id_, share in known(content).items():
+    for id_, share in ((id_, share) for id_, share in known(content).items() if share < PROBABLE):
         rest = best - {id_}
         swapped = [ids - rest for ids in others if ids >= rest]
-        if share >= PROBABLE:
-            continue
         if others and len(swapped) == len(others) and all(len(swap) == 1 for swap in swapped):
             instead = dict.fromkeys(other for swap in swapped for other in sorted(swap))
             lines.append(f"One of {listing([id_, *instead])} is needed; which one is open.")
         else:
-            lines.append(f"{id_} is more likely absent than at work ({percent(share)}).")
+            lines.append(f"{id_} is {ABSENT[share >= EVEN]} at work ({percent(share)}).")
     return lines

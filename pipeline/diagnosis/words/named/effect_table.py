@@ -13,7 +13,8 @@ from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, ow
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
-OF_IT = "part that no dimension could do"
+OF_IT = "part no dimension can do"
+HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
 NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of that size, however sure the effect is."
 TAKEN_BACK = (
@@ -57,12 +58,13 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         what = does.get(id_) or on_rig(meaning(id_), words)
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
+    larger = [HIDES] if parts and len(entries) == 1 else []
     whose = ["Sizes are those of the best explanation."] if several else []
     if short:
         against = cancelling.lines(content, entries, words)
         return [
             *table_lines,
-            *_in_one([*certainty.needed(content), *whose, *against]),
+            *_in_one([*certainty.needed(content), *larger, *whose, *against]),
             *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
         ]
     thoughts = [own_size(entry, content, words) for entry in entries]
@@ -127,9 +129,10 @@ def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str
         return ""
     low, high = content["evidence"][words.driver]
     top, way = at(high, words.motion_unit, high - low), "more" if change > 0.0 else "less"
+    load = " under the same load" if content["evidence"]["loaded"] else ""
     return (
-        f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke than in the first, which no "
-        "dimension can do."
+        f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke that goes there{load} than in the "
+        "first, which no dimension can do."
     )
 
 

@@ -33,6 +33,7 @@ ANEW = (
     "diagnose all together:"
 )
 DETAILS = "details.txt"
+BEYOND_DOUBT = 0.99  # of the probability of each effect: a name that is so sure needs no further run
 RUN = "The run to make next"  # the heading of its steps and commands in the details
 LEAVE = "Leave what is still missing, unless it is too much for your use."
 NO_NAME = "No effect of the library is named for it."
@@ -91,6 +92,9 @@ def of_names(
     ]
     if ids and has == set(ids) and not in_vain.doubt(content, words):
         return []  # the recording has all that it would ask for
+    shares = certainty.known(content)
+    if ids and not in_vain.doubt(content, words) and all(shares.get(id_, 0.0) >= BEYOND_DOUBT for id_ in ids):
+        return []
     if not tests:
         if numbers and short:
             return [[f"To make sure of the name, see which numbers the rig shows ({DETAILS})."]]

@@ -70,7 +70,7 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         stood = known["longest_hold_s"] > 0.0 or known["longest_rest_s"] > 0.0
         still = ", with the same holds and rests" * stood
     turned = span(low, high, words.motion_unit, high - low)
-    return f"{SO}the same {count} strokes, {turned}{under}, at {speed}{still}."
+    return f"{SO}{count} strokes as before, {turned}{under}, at {speed}{still}."
 
 
 def _lasting(content: Verdict, ids: list[str]) -> float:

@@ -37,7 +37,11 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
     if in_vain.improves_nothing(content, words):
         return f"Adopting gains nothing: {in_vain.said(content, words)}."
     reportable = report.own_sizes(content, words)
-    sizes = f"; of its sizes report that of {listing(reportable)} alone" if reportable else "; do not report its sizes"
+    sizes = (
+        f"; report no size but that of {listing(reportable)} (details.txt, TO REPORT)"
+        if reportable
+        else "; do not report its sizes"
+    )
     sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes
     other = ", though another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
     return f"{MAY} this to predict motions like the recorded ones{other}{sizes}."

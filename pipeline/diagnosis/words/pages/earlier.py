@@ -29,8 +29,8 @@ def sentences(content: Verdict, folders: list[Path], out: Path) -> list[str]:
         if before is not None and _runs(before) < now and _runs(before) not in lines:
             alone = listing(sorted(_runs(before)))
             lines[_runs(before)] = (
-                f"Before, the verdict on {alone} alone ({place}) {_said(before)}. This one rests on more data and "
-                f"replaces it.{_dropped(before, content)}"
+                f"Before, the verdict on {alone} alone ({place}) {_said(before)}. "
+                f"{_replaced(before, content)}{_dropped(before, content)}"
             )
     return [lines[runs] for runs in sorted(lines, key=lambda runs: -len(runs))[:MOST]]
 
@@ -47,6 +47,13 @@ def _runs(content: Verdict) -> frozenset[str]:
     """The runs that a verdict is on."""
     runs = content["run"]
     return frozenset([runs] if isinstance(runs, str) else map(str, runs))
+
+
+def _replaced(before: Verdict, content: Verdict) -> str:
+    """What to think of an earlier verdict beside this one, in a sentence."""
+    if content["verdict"] == "unknown" and before.get("verdict") == "explained":
+        return "Alone it was explained, together the runs are not: are they of one string, mounted and measured alike?"
+    return "This one rests on more data and replaces it."
 
 
 def _dropped(before: Verdict, content: Verdict) -> str:

@@ -1,5 +1,6 @@
 """The verdict in one line: it says no more than what is left allows."""
 
+from ...choice.judged import UNKNOWN
 from ...document.bounds import at_bound
 from ...document.content import Verdict
 from ..explanations import left_out, rivals
@@ -14,7 +15,7 @@ SAID = {
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
     "explained": "physics is missing, and named{sure}.",
     "ambiguous": "physics is missing; {recordings} cannot decide between {count} explanations{sure}.",
-    "unknown": "the mismatch is real, and nothing in the library explains it.",
+    "unknown": "the mismatch is real, and no explanation of the library is good enough{lacks}.",
 }
 WITH_ADOPTED = {
     "consistent": "with {it} the simulation explains the recording to its noise ({floor}); {adopted}.",
@@ -55,6 +56,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
         "sure": how_sure(content),
+        "lacks": lacks(content),
         "adopted": named,
         "beside": f"{named}; with {_them(adopted)} " if adopted else "",
         "it": _them(adopted),
@@ -120,6 +122,12 @@ def errors_of_adopted(content: Verdict, words: Vocabulary) -> tuple[float, float
         return None  # run.yaml simulates with these
     nominal, calibrated = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
     return (nominal, calibrated) if holdout.included(content) and nominal and calibrated else None
+
+
+def lacks(content: Verdict) -> str:
+    """How probable physics is that the library lacks, where that alone makes `unknown`; else nothing."""
+    none = content["evidence"].get("probability_of_none") or 0.0
+    return f"; physics that it lacks has a probability of {percent(none)}" if none >= UNKNOWN else ""
 
 
 def how_sure(content: Verdict) -> str:

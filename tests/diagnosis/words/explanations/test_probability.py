@@ -19,7 +19,7 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
     beaten = text[text.index("Why no other") :]
     assert beaten.index("+ sensor_drift 6 %") < beaten.index(" creep less than 1 % 0.060 mm (2.0)")
-    rule = "Kept are the likeliest explanations, until together they reach 80 % of what the library has."
+    rule = "Kept are the likeliest, until they reach 80 % of that, so 77 %."
     kept = (
         "These 2 have 83 %; all others of the library 13 %; physics that the library lacks 4 %. None of these is impos"
     )
@@ -41,7 +41,11 @@ def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_n
     unknown = {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.3, 0.1, 0.0, 0.1, 0.02, none=0.48, **unknown)).split())
     assert "creep: probability 30 %; takes 99 % of the mismatch's energy, but is too unlikely." in text
-    assert "90 % would be needed, of an explanation that is likely; that no physics of the library explains it" in text
+    assert "no explanation of the library is good enough; physics that it lacks has a probability of 48 %." in text
+    assert (
+        "To be named, an explanation must take 90 % of that energy and be likely. Physics that the library lacks"
+        in text
+    )
     for shares in ((0.3, 0.1, 0.0, 0.1, 0.02), (0.02, 0.1, 0.0, 0.1, 0.3)):
         made = " ".join(told(weighed(*shares, none=0.48, **unknown)).split())
         ordered = [int(share) for share in re.findall(r"probability ([0-9]+) %; takes", made)]

@@ -34,7 +34,7 @@ def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest()
             "errs by 0.020 mm rms on the unseen strokes, calibration by 0.80 mm rms. That is the level",
             "better",
         ),
-        ("unknown", 0.79, "calibration by 0.80 mm rms: what is left there follows none of these as it did", "level"),
+        ("unknown", 0.79, "calibration by 0.80 mm rms: it does no better, so what is left there follows", "level"),
         ("unknown", None, "", "regression"),
     ],
 )

@@ -31,7 +31,7 @@ def test_under_one_load_a_slow_effect_is_said_to_look_like_the_others(loaded, na
         slow = {"unit": "mm/10N", "value": 0.3}
         made["mechanisms"][1]["parameters"] = {"load_240_s_mm_per_10_n": slow, "rate": {"unit": "1", "value": 9.0}}
         asked = certainty.asks(made, Vocabulary.of(SYSTEMS["mm"]))[0]
-        assert asked.startswith("What tells creep from what looks like it: a hold under load, then a rest without it")
+        assert asked.startswith("What tells creep from what looks like it: a hold under load, then a rest under less")
         assert "Hold and rest for 8 min or longer each" in asked and "The run below" not in asked
         assert certainty.asks(made | {"next_run": {"legs": []}}, Vocabulary.of(SYSTEMS["mm"]))[0].endswith(
             "not this test."

@@ -49,6 +49,15 @@ def test_a_verdict_on_other_runs_or_one_that_cannot_be_read_is_not_spoken_of(tmp
     assert "Before, the verdict" not in written(Path("reports/mine/nylon-3"), "nylon-3"), "one run is not more"
 
 
+def test_runs_that_are_explained_alone_and_not_together_are_asked_whether_they_are_of_one_string(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    written(Path("reports/mine/nylon-3"), "nylon-3", verdict="explained", alternatives=[])
+    nothing = {"verdict": "unknown", "mechanisms": [], "alternatives": [], "next_run": None}
+    text = written(Path("reports/mine/both"), ["nylon-3", "nylon-4"], **nothing)
+    assert "Alone it was explained, together the runs are not: are they of one string" in text
+    assert "replaces it" not in text
+
+
 def test_what_the_verdict_on_more_runs_does_not_keep_is_said(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     radius = {"nominal": 0.55, "value": 0.531, "low": 0.529, "high": 0.533}

@@ -492,7 +492,7 @@ def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_record
     assert f"Recorded so far: loads of 24.8 to 36.9 N, speeds of 1.9 to 5.8 turns/s, {holds}" in said
     assert "Optional, to be surer of a name, after step 1: before adopting, record what tells" in said
     assert "record what tells the effect from others: - friction_hysteresis: " in said
-    assert "- creep: a hold under load, then a rest without it" in said
+    assert "- creep: a hold under load, then a rest under less" in said
     covered["speed_per_s"] = [5.0, 5.8]
     under_one = full_steps(content(**ALONE, mechanisms=timeless, evidence__loaded=False, evidence__covered=covered))
     assert "Recorded so far: one load, one speed, 5.8 turns/s, holds of up to" in under_one
