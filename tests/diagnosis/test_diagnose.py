@@ -309,7 +309,7 @@ def test_what_cannot_be_diagnosed_is_named_and_the_rest_is(conceal, tmp_path, mo
     done = command("pipeline.diagnose", mass, good / "run.yaml", "--out", tmp_path / "out")
     assert done.returncode == 2 and "Traceback" not in done.stderr
     done = command("pipeline.diagnose", good, other, "--together", "--out", tmp_path / "out")
-    assert done.returncode == 2 and "other: string: is not that of" in done.stderr
+    assert done.returncode == 2 and f"{good}: string: is not that of other" in done.stderr
     monkeypatch.setattr(diagnose, "read", lambda folder: 1 / 0)
     outcome = diagnose._one(good, tmp_path / "out", diagnose.Options(), note=True)
     assert outcome.fine is None and "ZeroDivisionError" in outcome.text and not (tmp_path / "out").exists()
