@@ -1,8 +1,8 @@
 """Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
-(`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist that was not
-recorded around its load, or further ahead of the last recorded stroke than errors could be learnt, is answered, flagged
+(`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist or in a stroke
+that was not recorded around its load, or further ahead than errors could be learnt, is answered, flagged
 (`inside` false, its reason in `why`) and given infinite bounds. Between recorded loads the interval is wider: by the
 errors at recorded loads that were left out whole, or, of two loads, over the answers at both. A row that is no question
 has no answer, and its reason in `why`; the others are answered, and the exit status is 2. With `--saved` a model that
@@ -35,6 +35,7 @@ from .models.parts.foreseen import GIVEN
 from .models.parts.prediction_intervals import Intervals, TooFew
 from .models.parts.questions import ASKED, EITHER, Questions, by_known, read_questions
 from .models.parts.recorded_pairs import pairs_of
+from .models.parts.recorded_strokes import Under
 from .models.parts.rolling_origin import last_strokes
 from .models.parts.saved_files import check_own, datasets, listed
 from .models.parts.thinned import thinned
@@ -128,8 +129,9 @@ def main() -> None:
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)
         pairs, strokes = pairs_of(dataset), last_strokes(dataset)
+        under = Under.of(dataset, source.foreseen[1] if source.foreseen else 0)
         table = beside_questions(
-            questions, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs, strokes)
+            questions, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs, strokes, under)
         )
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:

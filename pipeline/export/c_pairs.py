@@ -1,9 +1,13 @@
-"""Whether a twist was recorded around a load, or around what else the state tells, in C: half-planes of each hull."""
+"""Whether a twist was recorded around a load, or what else the state tells, and a stroke around a load, in C.
+
+Half-planes of each hull.
+"""
 
 from itertools import pairwise
 
 from ..ground.kinematics import Array
 from ..models.parts.recorded_pairs import Paired
+from ..models.parts.recorded_strokes import Under
 from .c_text import function, real
 from .interface import Source
 
@@ -30,25 +34,34 @@ def checked_pairs(source: Source) -> str:
     ]
     for paired in source.pairs:
         if paired.name in source.inputs.names:
-            planes = [
-                f"motor_turns {beyond} {_along(edge, paired.name)}"
-                for corners, beyond in zip(paired.corners, "<>", strict=True)
-                for edge in _edges(corners, paired)
-            ]
-            lines += [f"if ({' ||'.join(chr(10) + ' ' * 8 + plane for plane in planes).lstrip()}) {{"]
-            lines += ["    return TSA_UNRECORDED;", "}"]
+            lines += _refused_beyond(paired, "motor_turns")
+    if source.under and source.under.name in source.inputs.names:
+        last = real(source.under.last)
+        lines += [f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"]
+        lines += _refused_beyond(source.under, "stroke")
     has = "#define TSA_HAS_RECORDED 1 /* tsa_recorded is there */\n\n"
     return has + function("int", "tsa_recorded(const tsa_state *at, tsa_real motor_turns)", *lines, "return TSA_OK;")
 
 
-def _edges(corners: Array, paired: Paired) -> list[tuple[float, float, float]]:
-    """Of each edge of a hull's side the first corner and the rise: the condition in its unit, twist in turns."""
+def _refused_beyond(paired: Paired | Under, what: str) -> list[str]:
+    """Lines that refuse a number, of this name in C, which lies beyond an edge of a hull."""
+    planes = [
+        f"{what} {beyond} {_along(edge, paired.name)}"
+        for corners, beyond in zip(paired.corners, "<>", strict=True)
+        for edge in _edges(corners, paired)
+    ]
+    beyond_any = " ||".join(f"\n{' ' * 8}{plane}" for plane in planes).lstrip()
+    return [f"if ({beyond_any}) {{", "    return TSA_UNRECORDED;", "}"]
+
+
+def _edges(corners: Array, paired: Paired | Under) -> list[tuple[float, float, float]]:
+    """Of each edge of a hull's side the first corner and the rise: condition in its unit, twist in turns or stroke."""
     edges = [(float(x), float(y), float((y_next - y) / (x_next - x))) for (x, y), (x_next, y_next) in pairwise(corners)]
     return edges or [(float(paired.values[0]), float(corners[0][1]), 0.0)]
 
 
 def _along(edge: tuple[float, float, float], name: str) -> str:
-    """The twist of an edge at the state's value of a condition."""
+    """The twist or the stroke of an edge at the state's value of a condition."""
     at, turns, rise = edge
     if rise == 0.0:
         return real(turns)

@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 from ..ground.modules import holding
 from ..models.parts.recorded_pairs import Paired
+from ..models.parts.recorded_strokes import Under
 from .c_text import Body
 from .inputs import Inputs
 
@@ -21,9 +22,9 @@ class Source:
 
     As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `values` what was
     recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
-    errors are measured. `pairs` are the twists that were recorded around each condition, and `trained` says which
-    recordings these are; `on_unseen` tells, when asked, what the model errs on points that it has not seen. Of what is
-    in `deaf` no answer depends.
+    errors are measured. `pairs` are the twists that were recorded around each condition, `under` the strokes around
+    each load, and `trained` says which recordings these are; `on_unseen` tells, when asked, what the model errs on
+    points that it has not seen. Of what is in `deaf` no answer depends.
     """
 
     name: str
@@ -35,6 +36,7 @@ class Source:
     foreseen: tuple[int, int] | None = None
     deaf: tuple[str, ...] = ()
     pairs: tuple[Paired, ...] | None = None
+    under: Under | None = None
     trained: str = ""
     on_unseen: Callable[[], str] = str
 

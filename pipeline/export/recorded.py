@@ -15,20 +15,21 @@ from ..ground.units import unit_of
 from ..models.parts.box import MARGIN, room
 from ..models.parts.conditions import MEASURED
 from ..models.parts.recorded_pairs import Paired, pairs_of
+from ..models.parts.recorded_strokes import LOAD
 from ..models.parts.rolling_origin import most_ahead
 from .interface import Source
 
 WHO_SAYS = "pipeline.predict"
 FEW = 4  # values of a condition that are named each
 ALONE = (
-    "Each number is checked alone: also a twist that was never recorded around that value is answered "
+    "Each number is checked alone: also a twist or a stroke that was never recorded around that value is answered "
     f"({WHO_SAYS} says of which)."
 )
 
 
 def twists_recorded(dataset: Path, last_stroke: int) -> pd.DataFrame:
-    """The twist and the measured columns of a dataset's points up to a stroke; empty where no dataset is there."""
-    return points_to(dataset, last_stroke, ["motor_turns", *MEASURED])
+    """String, twist and the measured columns of a dataset's points up to a stroke; empty where no dataset is there."""
+    return points_to(dataset, last_stroke, ["string", "motor_turns", *MEASURED])
 
 
 def values_recorded(points: pd.DataFrame) -> dict[str, str]:
@@ -37,7 +38,7 @@ def values_recorded(points: pd.DataFrame) -> dict[str, str]:
     for name in MEASURED if len(points) else ():
         values = points[name].to_numpy(float)
         if np.isfinite(values).all() and values.max() > values.min():
-            words[name] = _in_words(values, points["motor_turns"].to_numpy(float), name)
+            words[name] = _in_words(values, points, name)
     return words
 
 
@@ -93,18 +94,24 @@ def _columns(dataset: Path, names: list[str]) -> pd.DataFrame:
         return pd.DataFrame(columns=names)
 
 
-def _in_words(values: Array, turns: Array, name: str) -> str:
-    """Values that lie together, and the twists that were recorded with them; all of them where these are too many."""
+def _in_words(values: Array, points: pd.DataFrame, name: str) -> str:
+    """Values that lie together, and the twists that were recorded with them; all of them where these are too many.
+
+    Of loads also the strokes.
+    """
     order, unit = np.argsort(values, kind="stable"), f" {unit_of(name)}"
-    values, turns = values[order], turns[order]
+    values, turns, strokes = values[order], *(points[of].to_numpy(float)[order] for of in ("motor_turns", "stroke"))
     wide = room(name, float(values[0]), float(values[-1]))
     groups = np.split(np.arange(len(values)), np.flatnonzero(np.diff(values) > wide) + 1)
     if len(groups) > FEW:
         return f"{values[0]:.4g} to {values[-1]:.4g}{unit}"
-    return " and ".join(
-        f"{_span(values[group])}{unit} (twists {turns[group].min():.4g} to {turns[group].max():.4g} turns)"
-        for group in groups
-    )
+    each = []
+    for group in groups:
+        with_them = f"twists {turns[group].min():.4g} to {turns[group].max():.4g} turns"
+        if name == LOAD:
+            with_them += f", strokes {strokes[group].min():.0f} to {strokes[group].max():.0f}"
+        each.append(f"{_span(values[group])}{unit} ({with_them})")
+    return " and ".join(each)
 
 
 def _span(values: Array) -> str:

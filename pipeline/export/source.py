@@ -14,6 +14,7 @@ from ..ground.given_table import opened as opened_table
 from ..models.interface import Model, StringsApart, about, make_model
 from ..models.interface import names as models_there
 from ..models.parts.box import Box
+from ..models.parts.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import in_words
 from ..stages.train import SPLITS, divided
@@ -96,6 +97,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         values,
         foreseen,
         pairs=pairs,
+        under=Under.of(points, foreseen[1]) if foreseen else None,
         trained=trained,
         on_unseen=errors,
     )

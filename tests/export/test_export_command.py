@@ -390,7 +390,7 @@ def test_a_load_that_a_model_does_not_read_is_not_called_constant(tmp_path: Path
     text = said_of((file.parent / "tsa.h").read_text())
     constant = re.findall(r"Constant in training, and baked in: (.*?)\. ", text)[0]
     assert "load_n" not in constant and "radius_mm" in constant
-    each = r"20 N \(twists 0\.\d+ to 26\.\d+ turns\) and 30 N \(twists"
+    each = r"20 N \(twists 0\.\d+ to 26\.\d+ turns, strokes 1 to 5\) and 30 N \(twists"
     assert re.search(rf"Varied in training, and this model does not read it: load_n, {each}", text)
     assert "This model does not read direction: winding and unwinding get one answer" in text
     (tmp_path / "dataset.parquet").rename(tmp_path / "moved.parquet")
@@ -435,7 +435,8 @@ def test_a_range_says_what_was_recorded_at_which_twists(tmp_path: Path, has_data
         schemas.write(points, schemas.DATASET, tmp_path / "dataset.parquet")
     assert export(file, "--format", "c").returncode == 0
     text = said_of((file.parent / "tsa.h").read_text())
-    each = r"20 N \(twists 0\.\d+ to 26\.\d+ turns\) and 30 N \(twists 0\.\d+ to 15\.\d+ turns\)"
+    twists = r"20 N \(twists 0\.\d+ to 26\.\d+ turns, strokes 1 to 4\) and 30 N \(twists 0\.\d+ to 15\.\d+ turns"
+    each = rf"{twists}, strokes 5 to 6\)"
     words = (
         rf"load_n: recorded were {each if has_dataset else '20 to 30 N'}; its range here is 5% wider at either end\."
     )

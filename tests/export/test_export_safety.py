@@ -125,6 +125,11 @@ def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_
         outside |= np.array([bool(reason) for reason in paired.never(points, queries[:, 0])])
         for end in paired.turns(points):
             near |= np.abs(queries[:, 0] - end) < (1e-3 if real == "float" else 1e-9)
+    under = source("spline", kind).under
+    if under:
+        outside |= np.array([bool(reason) for reason in under.never(points)])
+        for end in under.strokes(points):
+            near |= np.abs(np.minimum(queries[:, 1 + inputs.names.index("stroke")], under.last) - end) < 1e-3
     codes = program("spline", kind, real).recorded(queries)
     assert set(codes[~near]) <= {0.0, UNRECORDED}
     assert ((codes == UNRECORDED) == outside)[~near].all() and near.mean() < 0.1

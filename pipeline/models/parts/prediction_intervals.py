@@ -7,7 +7,8 @@ get the scores of blocks held out inside strokes, strokes ahead those of as many
 knows more than those that were tried: what their errors have above the noise is taken to fall with the points, and
 ahead with the square of the strokes. Between recorded loads an interval is wider (`between.py`). A point outside the
 model's box, at a twist that was not recorded around its load (`recorded_pairs.py`), or farther ahead than could be
-tried, gets no interval: low and high are infinite and it is flagged.
+tried, gets no interval: low and high are infinite and it is flagged. So does one whose stroke was not recorded around
+its load (`recorded_strokes.py`), and a contraction that lies beyond all recorded ones with its whole interval.
 
 Source: Vovk, Gammerman and Shafer, Algorithmic Learning in a Random World, 2005 (conformal prediction); Tashman, "Out-
 of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000 (rolling origin).
@@ -27,6 +28,7 @@ from .box import Box
 from .foreseen import GIVEN, foreseen
 from .reach import brought
 from .recorded_pairs import pairs_of, turns_at
+from .recorded_strokes import Under
 from .rolling_origin import FOLDS, last_seen, last_strokes, parts_of
 from .scatter import Scatter, quantile
 
@@ -79,6 +81,8 @@ class Intervals:
                 shrunk = np.sqrt((square - above * (1.0 - less)) / square)
                 self.scores[wanted][int(ahead)] = np.sort(np.abs(rows[wanted].to_numpy()) / size * shrunk)
 
+        self.under = Under.of(points, self.ahead("displacement_mm"))
+
     def forward(self, points: pd.DataFrame, level: float) -> pd.DataFrame:
         """Contraction in mm with an interval that holds it with probability `level`: value, low, high, inside."""
         return self._predicted(points, "displacement_mm", level)
@@ -98,7 +102,8 @@ class Intervals:
     def outside(self, points: pd.DataFrame, wanted: str) -> dict[str, Mask]:
         """Which questions lie outside what was recorded, by the column that is why: masks of shape (points,).
 
-        `pairs` are those whose twist was not recorded around their load, or what else differs.
+        `pairs` are those whose twist was not recorded around their load, or what else differs, `under` those whose
+        stroke was not.
         """
         last, stroke = self.last_recorded(points), points["stroke"].to_numpy()
         far = (stroke - last.to_numpy() > self.ahead(wanted)) | (stroke < self.box.low["stroke"])
@@ -106,6 +111,8 @@ class Intervals:
         if wanted == "displacement_mm":
             (low, high), turns = self.turns(points), points["motor_turns"].to_numpy(float)
             wrong["pairs"] = (turns < low) | (turns > high)
+        if self.under:
+            wrong["under"] = np.array([bool(reason) for reason in self.under.never(points)])
         return {name: np.asarray(mask, bool) for name, mask in wrong.items() if mask.any()}
 
     def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:
@@ -137,6 +144,8 @@ class Intervals:
             turns = value
         half = self._half(points, wanted, turns, level)
         low, high = self.between.widened(self.model, points, self.pairs, wanted, turns, level, value, half)
+        if wanted == "displacement_mm":  # further than recorded by more than the interval
+            wrong = (low > self.box.high[wanted]) | (high < self.box.low[wanted])
         inside = np.isfinite(half) & ~np.any([wrong, *self.outside(points, wanted).values()], axis=0)
         low, high = np.where(inside, low, -np.inf), np.where(inside, high, np.inf)
         return pd.DataFrame({"value": value, "low": low, "high": high, "inside": inside})

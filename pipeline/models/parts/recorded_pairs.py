@@ -40,8 +40,8 @@ class Paired:
         values = least.index.to_numpy(float)
         wide, turns_wide = (room(of, float(low), float(high)) for of, low, high in (
             (name, values[0], values[-1]), ("motor_turns", least.min(), most.max())))  # fmt: skip
-        below = _upper(values, wide, turns_wide - least.to_numpy(float)) * (1.0, -1.0)
-        return cls(name, values, wide, (below, _upper(values, wide, most.to_numpy(float) + turns_wide)))
+        below = upper(values, wide, turns_wide - least.to_numpy(float)) * (1.0, -1.0)
+        return cls(name, values, wide, (below, upper(values, wide, most.to_numpy(float) + turns_wide)))
 
     def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:
         """Least and largest twist around each question's value of the condition, in turns; each of shape (points,)."""
@@ -121,7 +121,7 @@ def around(pairs: tuple[Paired, ...], points: pd.DataFrame, ends: Array) -> list
     return words
 
 
-def _upper(values: Array, wide: float, heights: Array) -> Array:
+def upper(values: Array, wide: float, heights: Array) -> Array:
     """Corners of the upper hull, shape (corners, 2), of heights over values that count so wide to either side.
 
     Values and heights have the shape (values,), each in its own unit, which the corners have as well.

@@ -1,7 +1,8 @@
 """Why a question got no interval: which number it gives, and what was recorded of that.
 
-A question lies outside the box of the recordings, at a twist that was not recorded around its load, or too many strokes
-ahead of the last recorded one of its string, or asks for a contraction that no recorded twist gives. One that lies
+A question lies outside the box of the recordings, at a twist or in a stroke that was not recorded around its load, or
+too many strokes ahead of the last recorded one of its string, or asks for a contraction that no recorded twist gives,
+or its answer lies beyond all recorded contractions. One that lies
 between what was recorded is answered with an interval, and that is said too.
 """
 
@@ -45,10 +46,13 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
     sentences = np.full(len(questions), "", object)
     outside, last = intervals.outside(questions, wanted), intervals.last_recorded(questions)
     apart = outside.pop("pairs", np.zeros(len(questions), bool))
+    never = intervals.under.never(questions) if intervals.under and outside.pop("under", None) is not None else ()
     for name, mask in outside.items():
         for row, value, recorded in zip(np.flatnonzero(mask).tolist(), questions[name][mask], last[mask], strict=True):
             reason = _reason(intervals, name, value, float(recorded), intervals.ahead(wanted))
             sentences[row] = also(sentences[row], reason)
+    for row, reason in enumerate(never):
+        sentences[row] = also(sentences[row], reason)
     if apart.any():
         turns = questions["motor_turns"].to_numpy(float)
         known = apart if "motor_turns" not in outside else apart & ~outside["motor_turns"]
@@ -65,6 +69,14 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
             end, least, most = float(twists[place]), float(least_mm[place]), float(most_mm[place])
             conditions = [paired.name for paired in intervals.pairs]
             sentences[rows[place]] = held(end, least, most, conditions, near[place])
+    if wanted == "displacement_mm" and len(rows):
+        ends = intervals.box.low[wanted], intervals.box.high[wanted]
+        for row, value in zip(rows.tolist(), intervals.model.forward(questions.iloc[rows]), strict=True):
+            if not ends[0] <= value <= ends[1]:
+                reason = beyond(
+                    wanted, float(f"{value:.4g}"), *ends, f"was recorded, with {MARGIN[wanted]:.0%} to spare"
+                )
+                sentences[row] = f"the answer is beyond all that was recorded: {reason}"
     sentences[sentences == ""] = "how large an error is here could not be learnt"
     return sentences
 

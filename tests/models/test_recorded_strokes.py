@@ -1,0 +1,87 @@
+"""A stroke under a load counts as recorded where runs came near the two together; beyond, no answer is `inside`."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import programs
+import pytest
+from made_dataset import made_dataset
+
+from pipeline.ground import schemas
+from pipeline.models.interface import make_model
+from pipeline.models.parts.recorded_strokes import Under
+
+
+def two_loads() -> pd.DataFrame:
+    """One string of 12 strokes, the first six under 30 N and the others under 20 N, where it is 0.7 mm shorter."""
+    points = made_dataset(60, 12)
+    points["load_n"] = np.where(points["stroke"] <= 6, 30.0, 20.0)
+    points["displacement_mm"] += (20.0 - points["load_n"]) / 15.0
+    return points
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("strokes") / "dataset.parquet"
+    schemas.write(two_loads(), schemas.DATASET, path)
+    return path
+
+
+def ask(dataset: Path, rows: list[str], *words: str) -> pd.DataFrame:
+    questions, answers = dataset.with_name("questions.csv"), dataset.with_name("answers.csv")
+    questions.write_text("\n".join(["stroke,direction,load_n,motor_turns,displacement_mm", *rows]) + "\n")
+    done = programs.run("pipeline.predict", dataset, questions, "--out", answers, *words)
+    assert done.returncode == 0, done.stderr
+    return pd.read_csv(answers, keep_default_na=False)
+
+
+@pytest.mark.parametrize("saved", [False, True])
+def test_a_stroke_that_no_run_under_its_load_came_near_is_not_inside(dataset: Path, saved: bool) -> None:
+    """It was answered as inside with a narrow interval and no word, far beyond all that was recorded."""
+    words = ("--model", "polynomial")
+    if saved:
+        file = dataset.parent / "spline" / "within-0.model"
+        file.parent.mkdir(exist_ok=True)
+        model = make_model("spline")
+        model.fit(pd.read_parquet(dataset), 0)
+        model.save(file)
+        words = ("--saved", str(file))
+    rows = ["9,1,30,10,", "9,-1,30,,3", "3,1,20,10,", "3,1,30,10,", "9,1,20,10,", "7,1,30,10,", "13,1,20,10,"]
+    table = ask(dataset, rows, *words)
+    assert table["inside"].tolist() == [False] * 3 + [True] * 4
+    why = table["why"].tolist()
+    assert all(
+        each.startswith("no stroke near 9 was recorded under load 30 N: the last there is 6") for each in why[:2]
+    )
+    assert why[2].startswith("no stroke near 3 was recorded under load 20 N: the first there is 7")
+    assert why[3:] == [""] * 4
+    assert all(("tsa_recorded says of which" in each) == saved for each in why[:3])
+
+
+def test_an_answer_beyond_all_that_was_recorded_is_not_inside(tmp_path: Path) -> None:
+    """A string that grows by 1 mm a stroke: three strokes ahead it is beyond all that was recorded."""
+    path = tmp_path / "dataset.parquet"
+    points = made_dataset(60, 9)
+    points["displacement_mm"] += points["stroke"]
+    schemas.write(points, schemas.DATASET, path)
+    table = ask(path, ["12,1,20,27,", "9,1,20,10,"], "--model", "polynomial")
+    most = points["displacement_mm"].max()
+    reason = r"the answer is beyond all that was recorded: contraction [\d.]+ mm is above ([\d.]+), the most that was"
+    assert table["inside"].tolist() == [False, True] and table["displacement_mm"][0] > most
+    assert float(table["why"].str.extract(reason)[0][0]) == pytest.approx(most, rel=0.02)
+
+
+def test_the_strokes_under_a_load_are_a_hull_and_go_on_ahead_under_the_last_load_of_each_string() -> None:
+    under = Under.of(two_loads(), 3)
+    assert under is not None
+    loads = pd.DataFrame({"load_n": [20.0, 25.0, 30.0]})
+    first, last = under.strokes(loads)
+    np.testing.assert_allclose(first + 1.0, [7.0, 4.0, 1.0], atol=0.5)  # a little of the room of the load
+    np.testing.assert_allclose(last - 1.0, [15.0, 10.5, 6.0], atol=0.5)
+    one, other = made_dataset(20, 4), made_dataset(20, 6).assign(string="b", load_n=30.0)
+    apart = Under.of(pd.concat([one, other]), 1)
+    asked = pd.DataFrame({"load_n": [20.0, 20.0, 30.0, 30.0, 50.0], "stroke": [5.0, 7.0, 7.0, 90.0, 3.0]})
+    assert apart is not None
+    assert [bool(reason) for reason in apart.never(asked)] == [False, True, False, False, False]
+    assert Under.of(one, 1) is None
