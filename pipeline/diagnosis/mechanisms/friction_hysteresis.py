@@ -141,7 +141,7 @@ MECHANISM = Mechanism(
         "half the loop is larger by {half_loop_near_mm} where the motion begins",
         "half the loop is larger by {half_loop_far_mm} where the motion ends",
         "half the loop is larger by half of {half_loop_middle_mm} in the middle of the motion",
-        "half the play is {play_turns} under the middle one of the recorded loads",
+        "half the play is {play_turns} under the usual load",
     ),
     names={
         "stop": "the state of a stop, from -1 to 1, as wide as that share of the range",

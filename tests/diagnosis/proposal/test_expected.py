@@ -325,10 +325,7 @@ def test_wear_says_which_way_it_moves_the_radius_and_the_reading(trend, grows, l
 def test_the_page_says_which_dimension_took_most_of_the_nominal_error_away():
     changes = {"evidence__nominal_mm": 1.1, "evidence__calibrated_mm": 0.2, "evidence__moved_sigma": {"radius_mm": 1.2}}
     text = details(content(**changes))
-    assert (
-        "The radius moved the most, from 0.55 mm to 0.5612 mm: 1.2 times its tolerance, which is no reason to measure"
-        in text
-    )
+    assert "named the radius moved the most, from 0.55 mm to 0.5612 mm: 1.2 times its tolerance, and only more" in text
     assert "moved the most" not in details(content(**changes | {"evidence__calibrated_mm": 0.9}))
 
 

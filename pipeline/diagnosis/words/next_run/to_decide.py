@@ -41,7 +41,8 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {question}{hard}: try the run that parts them most{others}."
         tried = "About half of such runs decided in tests."
-        return [[" ".join(part for part in (need, tried, parts, where) if part), *alone]]
+        tells = parting.sentence(content) if short and parting.some(content) else parts  # not what the page asks, too
+        return [[" ".join(part for part in (need, tried, tells, where) if part), *alone]]
     if parting.some(content):
         best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
         return [[f"No run that was tried decides {question}{others}. {parting.sentence(content)} {best}"]]

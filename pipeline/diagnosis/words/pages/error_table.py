@@ -11,7 +11,7 @@ from ..held_out.without_name import kept_times
 from ..language.quantity import duration, size, times
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from ..measured.dimensions import far_moved, from_to, name_of
+from ..measured.dimensions import LEAVES, far_moved, from_to, name_of
 
 HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
@@ -101,9 +101,10 @@ def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     most = max(measured, key=lambda name: measured[name])
     nominal_value, value = from_to(content, most)
-    moved = f"The {name_of(most)} moved the most, from {nominal_value} to {value}"
-    leave = f"{times(measured[most])} times its tolerance, which is no reason to measure it again"
-    return [f"Most of the nominal error is dimensions. {moved}: {leave}."]
+    beside = "Beside what is named the" if content["mechanisms"] else "The"
+    moved = f"{beside} {name_of(most)} moved the most, from {nominal_value} to {value}"
+    leave = f"{times(measured[most])} times its tolerance, and only more than {LEAVES:g} asks for measuring it again"
+    return [f"Moving dimensions alone takes most of the nominal error away. {moved}: {leave}."]
 
 
 def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
