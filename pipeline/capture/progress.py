@@ -3,6 +3,7 @@
 import time
 
 from ..ground.counts import counted
+from ..ground.unwound import Unwound
 from ..wire import Event, Frame, Hello, Kind
 from ..wire.belief import LATE, Numbers
 from ..wire.frames import EVENT
@@ -22,7 +23,7 @@ class Progress:
         self.samples = self.lost = self.bad = 0
         self.screen, self.watch, self.left = Screen(), Watch(hello), Left(hello.strokes, motion_s)
         self.numbers = Numbers(hello.rate_hz)
-        self._stroke = 0  # the one under way
+        self._stroke, self._unwound = 0, Unwound()  # the one under way
         self._missing: set[int] = set()
         self._began_s = self._looked_s = time.monotonic()
         self._looked_samples = self._looked_bad = 0
@@ -44,11 +45,14 @@ class Progress:
             wrong = self.watch.look(frame)
             if wrong:
                 self.screen.say(f"warning: {wrong}")
+            if "motor_turns" in self.watch.now:
+                self._unwound.look(self.watch.now["motor_turns"])
         elif frame.kind == Kind.EVENT and len(frame.payload) == EVENT.size:
             _, code, value = EVENT.unpack(frame.payload)
             passed_s = time.monotonic() - self._began_s
             if code == Event.STROKE_START:
                 self._stroke = value
+                self._unwound.starts()
                 self.left.starts(passed_s)
             elif code == Event.STROKE_END:
                 self._stroke = 0
@@ -56,7 +60,7 @@ class Progress:
         return True
 
     def parts(self, free_bytes: int = 0, last: bool = False) -> list[str]:
-        """What the line says, the most important first; the `last` one foretells nothing."""
+        """What the line says, the most important first; the `last` one foretells nothing and counts unwound strokes."""
         passed_s = time.monotonic() - self._began_s
         recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
         rigs_own = f"{clock(recorded_s)} by the rig's clock"
@@ -67,10 +71,12 @@ class Progress:
         own = f" ({rate_hz / self.hello.rate_hz:.2g} times the {self.hello.rate_hz:g} of the rig's own clock)"
         left_s, lost = self.left.at(passed_s, recorded_s), f"{counted(self.lost, 'frame')} lost"
         readings = [f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now]
-        done = "stroke done" if self.left.done == 1 and not of else "strokes done"
+        is_whole = last and self._stroke > 0 and self._unwound.is_whole  # it ended without a rest: nobody told of it
+        whole = self.left.done + is_whole
+        done = "stroke done" if whole == 1 and not of else "strokes done"
         return [
             f"{clock(passed_s)} passed" if other_pace else f"{clock(recorded_s)} recorded",
-            f"stroke {self._stroke}{of}" if self._stroke else f"{self.left.done}{of} {done}",
+            f"stroke {self._stroke}{of}" if self._stroke and not is_whole else f"{whole}{of} {done}",
             *([f"about {clock(left_s)} left"] if left_s is not None and not last else []),
             *([lost, *readings] if self.lost else [*readings, lost]),  # of a narrow line the end is cut off
             *([rigs_own] if other_pace else []),

@@ -9,9 +9,9 @@ import numpy as np
 from ..ground import quantiles, schemas, spans
 from ..ground.kinematics import Array
 from ..ground.spans import Places, Spans
+from ..ground.unwound import PHASE_REVERSAL
 from .motion import Motion
 
-PHASE_REVERSAL = 0.02  # of the range: what counts as moving the other way within a stroke
 HOLD_SPEED = 0.10  # of the speed at which the motor does half its travel: slower is holding
 HOLD_LEAST_S = 0.25
 

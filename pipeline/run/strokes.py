@@ -17,8 +17,9 @@ from ..ground.kinematics import Array
 from ..ground.rows import Rows, rows_of
 from ..ground.spans import Places, Spans
 from ..ground.units import unit_of
+from ..ground.unwound import PHASE_REVERSAL
 from .motion import Motion
-from .stands import PHASE_REVERSAL, stands
+from .stands import stands
 from .turning import turning_points
 
 STROKE_REVERSAL = 0.25  # of the range: what parts a winding from an unwinding

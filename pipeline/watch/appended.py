@@ -32,7 +32,8 @@ class Piece:
 class Counts:
     """What a page says of losses; `lost` is None where the rig does not number what it sends.
 
-    `unnamed` lines of numbers are no samples, since nothing has named their columns.
+    `unnamed` lines of numbers are no samples, since nothing has named their columns. `begun` strokes have begun, the
+    last of them `is_open` while nothing told of its end.
     """
 
     bad: int
@@ -41,6 +42,8 @@ class Counts:
     strokes: int | None
     planned: int
     unnamed: int = 0
+    begun: int = 0
+    is_open: bool = False
 
 
 class Source(Protocol):
@@ -107,8 +110,11 @@ class Frames:
     def counts(self) -> Counts:
         """Frames that are missing, and stretches that were none."""
         tally, hello = self._ledger.tally(), self._ledger.hello
-        done = sum(code == Event.STROKE_END for _, code, _ in tally.events)
-        return Counts(tally.bad, tally.lost, self._jumps, done, hello.strokes if hello else 0)
+        marks = [(code, value) for _, code, value in tally.events if code in (Event.STROKE_START, Event.STROKE_END)]
+        done = sum(code == Event.STROKE_END for code, _ in marks)
+        begun, is_open = len({value for _, value in marks}), bool(marks) and marks[-1][0] == Event.STROKE_START
+        planned = hello.strokes if hello else 0
+        return Counts(tally.bad, tally.lost, self._jumps, done, planned, begun=begun, is_open=is_open)
 
     def why_none(self, folder: Path) -> str:
         """Nothing: frames name what they carry."""

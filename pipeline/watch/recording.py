@@ -12,9 +12,10 @@ import numpy as np
 from ..capture.log import in_use
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
+from ..ground.unwound import Unwound
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
-from .appended import Frames, Printed, Source
+from .appended import Counts, Frames, Printed, Source
 from .coming import Coming
 from .envelope import Envelope
 from .named import stored_columns
@@ -25,7 +26,7 @@ PIECE = 1 << 20  # bytes that are read at once
 BUDGET_S = 0.4  # a long recording is caught up with in steps of this
 WHOLE, STROKE = 1200, 600  # parts that are kept of all, and of a stroke
 KEPT = 3  # strokes
-READING = "displacement_mm"
+DRIVER, READING = "motor_turns", "displacement_mm"
 STALE_S = 3.0  # so long after its last sample a recording is silent
 CUT_S = 20.0  # what counts as a stroke where nothing tells of strokes
 
@@ -87,7 +88,7 @@ class Followed:
         if self.whole is None or self.last.shape != rows[-1].shape:
             self.whole = Envelope(rows.shape[1], WHOLE)
             self.strokes.clear()
-            self.strokes.append(Envelope(rows.shape[1], STROKE))
+            self._begin_stroke()
             self._nominal = Nominal(self.run(), self.source.columns)
             if self._nominal.usable:
                 self._nominal.at(rows)
@@ -101,12 +102,17 @@ class Followed:
             begins, self._cut_s = [0], float(rows[-1, 0])
         self._cut(rows, begins)
 
+    def _begin_stroke(self) -> None:
+        columns = self.source.columns
+        along = 1 + columns.index(DRIVER) if DRIVER in columns else 0
+        self.strokes.append(Envelope(1 + len(columns), STROKE, along))
+
     def _cut(self, rows: Array, begins: list[int]) -> None:
         """Add samples to the last stroke, and begin another before each of `begins`."""
         at = 0
         for begin in begins:
             self.strokes[-1].add(rows[at:begin])
-            self.strokes.append(Envelope(rows.shape[1], STROKE))
+            self._begin_stroke()
             at = begin
         self.strokes[-1].add(rows[at:])
 
@@ -146,9 +152,21 @@ class Followed:
             return "Nothing is recorded yet."
         if not self.samples:
             return self.source.why_none(self.folder) or "No sample came yet."
-        if not {"motor_turns", READING} <= {*self.source.columns}:
-            return f"Nothing here is motor_turns and {READING}; it has {', '.join(self.source.columns)}."
+        if not {DRIVER, READING} <= {*self.source.columns}:
+            return f"Nothing here is {DRIVER} and {READING}; it has {', '.join(self.source.columns)}."
         return ""
+
+    def _whole_strokes(self, counts: Counts) -> int | None:
+        """The strokes of a recording that ended: a last one that unwinds counts, though nobody told of its end."""
+        if counts.strokes is None or self.whole is None or DRIVER not in self.source.columns:
+            return counts.strokes
+        at, unwound = 1 + self.source.columns.index(DRIVER), Unwound()
+        for twist in [*self.whole.low[:, at].tolist(), *self.whole.high[:, at].tolist()]:
+            unwound.look(twist)  # the range of all
+        unwound.starts()
+        for twist in self.strokes[-1].line(at)[1].tolist():
+            unwound.look(twist)
+        return counts.begun - (counts.is_open and not unwound.is_whole)
 
     def state(self) -> dict[str, Any]:
         """How it stands, in words and numbers."""
@@ -176,6 +194,6 @@ class Followed:
             "behind_bytes": self.behind,
             "age_s": age_s,
             "free_bytes": shutil.disk_usage(self.folder).free,
-            "strokes": counts.strokes,
+            "strokes": self._whole_strokes(counts) if status else counts.strokes,
             "planned": counts.planned,
         }

@@ -2,7 +2,7 @@
 
 import json
 import math
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from ..ground.kinematics import Array
@@ -21,10 +21,11 @@ def numbers(values: Array) -> list[float | None]:
 def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> dict[str, Any]:
     """One stroke: displacement over twist, and the simulator at the same twist."""
     simulated = followed.simulated(part.first)
+    twist, measured_mm = part.line(mm)
     return {
-        "motor_turns": numbers(part.first[:, turns]),
-        "low_mm": numbers(part.low[:, mm]),
-        "high_mm": numbers(part.high[:, mm]),
+        "motor_turns": numbers(twist),
+        "displacement_mm": numbers(measured_mm),
+        "simulated_turns": [] if simulated is None else numbers(part.first[:, turns]),
         "simulated_mm": [] if simulated is None else numbers(simulated),
     }
 
@@ -62,6 +63,7 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
     if newest is None and (loop := content.get("loop")):  # the run that is made now has none; the loop's first run has
         newest = newest_verdict(reports, loop["first"])
     content["verdict"], content["verdict_page"] = (newest["verdict"], newest["page"]) if newest else (None, None)
+    content["verdict_text"] = str(PurePosixPath(newest["page"]).parent / "verdict.txt") if newest else None
     content["verdict_of"] = newest.get("of", "") if newest else ""
     content["index"] = (reports / "index.html").is_file()
     content["left"] = strokes_left(reports, run.string_id) if run else None

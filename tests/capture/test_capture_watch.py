@@ -2,6 +2,7 @@
 
 import random
 import struct
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ from pipeline.capture.progress import Progress
 from pipeline.capture.sample_faults import Watch
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
-from pipeline.wire import Channel, Frame, Hello, Kind, encode
+from pipeline.wire import Channel, Event, Frame, Hello, Kind, encode
+from pipeline.wire.frames import EVENT
 
 RATE_HZ = 100.0
 CHANNELS = (Channel("motor_turns", "turns", "i32", 0.01), Channel("displacement_mm", "mm", "i16", 0.02))
@@ -124,6 +126,20 @@ def test_the_last_line_foretells_no_time():
     shown.left.starts(1.0)
     shown.left.ends(9.0)
     assert [any(part.endswith(" left") for part in shown.parts(last=last)) for last in (False, True)] == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("ends_at_turns", "words"), [(0.0, "1 of 1 strokes done"), (20.0, "stroke 1 of 1")], ids=["unwound", "wound"]
+)
+def test_the_last_line_counts_a_stroke_that_was_unwound_though_nothing_told_of_its_end(ends_at_turns, words):
+    """A run that ended with its unwinding, without a rest, ended with `stroke 1 of 1` beside `complete`."""
+    hello = replace(HELLO, rate_hz=20.0, strokes=1, channels=(Channel("motor_turns", "turns", "i32", 0.001),))
+    shown, motion = Progress(hello), np.interp(np.arange(200), [0, 100, 199], [0.0, 20.0, ends_at_turns])
+    shown.count(Frame(Kind.EVENT, 1, EVENT.pack(50_000, Event.STROKE_START, 1)))
+    for at, turns in enumerate(motion.tolist(), 2):
+        shown.count(Frame(Kind.SAMPLE, at, struct.pack("<Ii", at * 50_000, round(1000 * turns))))
+    assert shown.parts()[1] == "stroke 1 of 1", "while it may go on, what the rig told counts"
+    assert shown.parts(last=True)[1] == words
 
 
 @pytest.mark.parametrize(("lost", "place"), [(0, -1), (3, 0)])

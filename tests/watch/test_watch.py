@@ -132,7 +132,10 @@ def test_what_the_page_is_told_is_what_the_capture_program_recorded(tmp_path: Pa
     assert found["time_s"][-1] <= recorded.time_s[-1] < found["time_s"][-1] + 2.0
     loop = found["loops"][-1]
     assert len(found["loops"]) == 3 and max(loop["motor_turns"]) == pytest.approx(16, abs=0.1)
-    off = np.array(loop["simulated_mm"]) - np.array(loop["low_mm"])
+    wound = slice(0, int(np.argmax(loop["motor_turns"])))
+    here = slice(0, int(np.argmax(loop["simulated_turns"])))
+    measured = np.interp(loop["simulated_turns"][here], loop["motor_turns"][wound], loop["displacement_mm"][wound])
+    off = np.array(loop["simulated_mm"][here]) - measured
     assert 0.0 < np.abs(off).max() < 10.0, "the simulator is near, and not the recording itself"
 
 

@@ -125,7 +125,8 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         assert "with its token" in seen.run("document.body.innerText")
         seen.open(printed)
         seen.until("document.getElementById('loop-state')?.textContent == 'waits for approval'")
-        assert seen.text("stop") == "Stop the loop: nothing moves now"
+        assert seen.text("stop") == "Stop the loop", "a button says what it does, and not how things stand"
+        assert seen.text("still") == "nothing is moving now" and seen.run("!document.getElementById('still').hidden")
         assert seen.text("step").startswith("Step 0: a first recording: 6 equal strokes to 21 turns (73 s, 6 strokes)")
         rows = [row.split() for row in seen.run("document.getElementById('legs').innerText").splitlines()]
         assert ["leg", "s", "turns", "turns/s", "load", "(N)"] in rows, "each leg is said in numbers before the yes"
@@ -137,7 +138,7 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         seen.press("approve")
         until(one, run / FRAMES, 15_000)
         seen.until("document.getElementById('loop-state').textContent == 'is made now'")
-        assert seen.text("stop") == "Stop: the motor first"
+        assert seen.text("stop") == "Stop: the motor first" and seen.run("document.getElementById('still').hidden")
         seen.until("parseInt(document.getElementById('samples').textContent.replace(',', '')) > 400")
         seen.until("document.getElementById('strokes').textContent.endsWith('of 6')")  # of its own motion: of 8
         seen.picture(place / "moves.png")

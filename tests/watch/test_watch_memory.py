@@ -32,6 +32,30 @@ def test_an_envelope_holds_the_least_and_the_greatest_whatever_the_pieces(pieces
         assert np.array_equal(found.high_s[part], block[block.argmax(axis=0), 0])
 
 
+@pytest.mark.parametrize("pieces", [[1] * 655, [655], [3, 600, 52]])
+def test_few_samples_are_joined_as_they_came_over_the_twist(pieces):
+    """Of 655 samples at 20 Hz, two in a part, the least and the greatest stood at one twist: a saw of 0.2 mm."""
+    turns = 20.0 - np.abs(np.linspace(-20.0, 20.0, 655))
+    rows = np.column_stack([np.arange(655) / 20.0, turns, 0.02 * turns**2])
+    found, at = Envelope(3, 600, along=1), 0
+    for count in pieces:
+        found.add(rows[at : at + count])
+        at += count
+    assert found.each == 2
+    for drawn, came in zip(found.line(2), rows[:, 1:].T, strict=True):
+        assert np.array_equal(drawn, came)
+
+
+def test_the_least_and_the_greatest_of_a_part_are_joined_in_the_order_in_which_they_came():
+    turns = 20.0 - np.abs(np.linspace(-20.0, 20.0, 5000))
+    found = Envelope(2, 64, along=1)
+    found.add(np.column_stack([np.arange(5000.0), turns]))
+    twist, drawn = found.line(1)
+    assert np.array_equal(twist, drawn) and 64 < len(twist) <= 2 * 64
+    top = int(np.argmax(drawn))
+    assert np.all(np.diff(drawn[: top + 1]) > 0.0) and np.all(np.diff(drawn[top:]) < 0.0)
+
+
 def test_what_is_no_number_stays_none_whatever_the_pieces():
     rows = np.column_stack([np.arange(64.0), np.where(np.arange(64) == 9, np.nan, 1.0)])
     whole, single = Envelope(2, 4), Envelope(2, 4)

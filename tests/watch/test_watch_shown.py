@@ -2,18 +2,22 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
+import pytest
 import ready
 from browser import CHROMIUM, browser
 from made_recording import content
 from scripted_rig import synthetic_rig
 from watch.test_watch import HELLO, ROOT, SAMPLE, folder, told, watched
 
+from pipeline.run.strokes import segment
 from pipeline.watch.appended import Printed
 from pipeline.watch.coming import Coming
-from pipeline.wire import Event, Kind, encode
+from pipeline.wire import Event, Kind, encode, read_recording
 from pipeline.wire.frames import EVENT
 
 PACE = 5  # times as fast as life
@@ -78,7 +82,7 @@ def test_a_ramp_of_many_samples_is_drawn_as_a_ramp(tmp_path: Path):
     place = (xs - xs[0]) * 1000.0 / each % 2.0
     assert len(xs) > 1000 and np.all(np.diff(xs) >= 0.0)
     assert np.abs(ys / ys.max() - np.minimum(place, 2.0 - place)).max() < 0.01
-    assert join == "round" and "the least and the greatest sample" in words
+    assert join == "round" and "the least and the greatest sample" in words and "more than 1,200 samples" in words
 
 
 @CHROMIUM
@@ -139,4 +143,66 @@ def test_the_tile_of_the_strokes_left_names_its_limit_and_the_page_what_the_othe
         tile = page.run("document.getElementById('left').previousSibling.textContent")
         file = page.text("left-file")
     assert tile == "strokes left, forecast, until a model calibrated on the first strokes is off by 1 mm"
-    assert file.endswith("; 197 (median), at least 150 in 90 % of the futures, until 10 % of the stroke is lost")
+    assert "stand in reports/spool-1/lifespan.json. Counted until a model calibrated on the first" in file
+    assert file.endswith("Also: 197 (median), at least 150 in 90 % of the futures, until 10 % of the stroke is lost.")
+
+
+def one_stroke(ends_at_turns: float) -> bytes:
+    """655 samples of one winding to 20 turns and the unwinding after it, with no word of the stroke's end."""
+    turns = np.concatenate([np.linspace(0.0, 20.0, 330), np.linspace(20.0, ends_at_turns, 325)])
+    rows = np.zeros(len(turns), SAMPLE)
+    rows["t_us"] = (2 + np.arange(len(turns))) * 50_000
+    rows["motor_turns"] = np.rint(1000 * turns)
+    rows["displacement_mm"] = np.rint(20 * turns**2)
+    hello = replace(HELLO, rate_hz=20.0, strokes=1)
+    begins = encode(Kind.EVENT, 1, EVENT.pack(50_000, Event.STROKE_START, 1))
+    return (
+        encode(Kind.HELLO, 0, hello.pack())
+        + begins
+        + b"".join(encode(Kind.SAMPLE, 2 + at, row.tobytes()) for at, row in enumerate(rows))
+    )
+
+
+@pytest.mark.parametrize(("ends_at_turns", "whole"), [(0.2, 1), (20.0, 0)])
+def test_a_recording_that_ended_without_a_rest_counts_its_last_stroke_as_the_pipeline_does(
+    tmp_path: Path, ends_at_turns, whole
+):
+    """`state: complete` stood beside `strokes: 0 of 1`: the run ended with its unwinding, and no event told of it."""
+    run = folder(tmp_path)
+    (run / "recording.frames").write_bytes(one_stroke(ends_at_turns))
+    recording = read_recording((run / "recording.frames").read_bytes())
+    samples = pd.DataFrame({"time_s": recording.time_s, **recording.channels})
+    assert segment(samples, "motor_turns", run)["complete"].all() == bool(whole)
+    with watched(run) as (port, _):
+        found = told(port, lambda found: found["samples"] == 655)
+        assert (found["strokes"], found["planned"]) == (0, 1), "while it may go on, what the rig told counts"
+        assert ready.run("pipeline.capture", "--recover", run).returncode == 0
+        assert told(port, lambda found: found["ended"])["strokes"] == whole
+
+
+@CHROMIUM
+def test_few_samples_are_drawn_without_teeth_and_the_page_says_what_cannot_be_seen(tmp_path: Path):
+    """A saw stood on both branches; a band thinner than the line was promised; a curve may be mm off."""
+    run = folder(tmp_path)
+    (run / "recording.frames").write_bytes(one_stroke(0.0))
+    verdicts = tmp_path / "reports" / "diagnosis" / "run-1"
+    with watched(run) as (port, _), browser(tmp_path / "home") as page:
+        page.open(f"http://127.0.0.1:{port}/")
+        page.until("document.getElementById('samples')?.textContent === '655'")
+        before = page.text("loop-key")
+        page.picture(tmp_path / "few.png")
+        verdicts.mkdir(parents=True)
+        for name, words in (("verdict.txt", "run-1: explained: friction.\n"), ("diagnosis.pdf", "%PDF")):
+            (verdicts / name).write_text(words)
+        (verdicts / "diagnosis.json").write_text(json.dumps({"run": "run-1"}))
+        page.until("document.getElementById('verdict-page').textContent")
+        links = page.run("[...document.querySelectorAll('#verdict-page a')].map((one) => one.textContent)")
+        after = page.text("loop-key")
+        (loop,) = told(port)["loops"]
+    top = int(np.argmax(loop["motor_turns"]))
+    for branch in (slice(0, top), slice(top, None)):
+        off = np.array(loop["displacement_mm"])[branch] - 0.02 * np.array(loop["motor_turns"])[branch] ** 2
+        assert np.abs(off).max() < 0.002, "each reading stands over its own twist"
+    assert "is thinner than the line" in before and "and twice the noise about it" not in before
+    assert "before a diagnosis it may be some mm off" in before and "before a diagnosis" not in after
+    assert links == [f"reports/diagnosis/run-1/{name}" for name in ("diagnosis.pdf", "verdict.txt")]

@@ -34,10 +34,12 @@ function axes(canvas, xs, ys, xLabel, yLabel) {
   return { pen, x, y };
 }
 
-function band(plot, xs, low, high, colour, alpha) {
+const LINE = 1.4; // px
+
+function line(plot, xs, ys, colour, alpha) {
   const { pen, x, y } = plot;
-  pen.globalAlpha = alpha; pen.strokeStyle = colour; pen.lineWidth = 1.4; pen.lineJoin = "round"; pen.beginPath(); // a pointed join is a spike above a top
-  xs.forEach((one, k) => { if (one === null || low[k] === null) return; pen.lineTo(x(one), y(low[k])); pen.lineTo(x(one), y(high[k])); });
+  pen.globalAlpha = alpha; pen.strokeStyle = colour; pen.lineWidth = LINE; pen.lineJoin = "round"; pen.beginPath(); // a pointed join is a spike above a top
+  xs.forEach((one, k) => { if (one !== null && ys[k] !== null) pen.lineTo(x(one), y(ys[k])); });
   pen.stroke(); pen.globalAlpha = 1;
 }
 
@@ -51,6 +53,9 @@ function inOrder(one) {
   });
   return [xs, ys];
 }
+
+// Whether a strip can be seen beside the line in its middle.
+function isSeen(plot, half) { return plot.y(-half) - plot.y(half) > 2 * LINE; }
 
 function strip(plot, xs, middle, half, colour) {
   const { pen, x, y } = plot;

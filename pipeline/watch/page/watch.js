@@ -54,30 +54,31 @@ function draw(d) {
   d.channels.forEach((one, k) => {
     const shown = axes(box.children[k], [d.time_s], [one.low, one.high], k === d.channels.length - 1 ? "time (s)" : "", label(one.name));
     const [times, values] = inOrder(one);
-    band(shown, times, values, values, "#2166ac", 1);
+    line(shown, times, values, "#2166ac", 1);
   });
 }
 
 function drawLoops(loops, d) {
-  const plot = axes(at("loop"), loops.map((one) => one.motor_turns), loops.flatMap((one) => [one.low_mm, one.high_mm, one.simulated_mm]), "twist (turns)", "displacement (mm)");
+  const plot = axes(at("loop"), loops.map((one) => one.motor_turns), loops.flatMap((one) => [one.displacement_mm, one.simulated_mm]), "twist (turns)", "displacement (mm)");
   loops.forEach((one, k) => {
     const shade = FADES ** (loops.length - 1 - k);
-    band(plot, one.motor_turns, one.low_mm, one.high_mm, "#2166ac", shade);
-    const turns = one.motor_turns.slice(0, one.simulated_mm.length);
-    if (d.noise_mm) strip(plot, turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
-    band(plot, turns, one.simulated_mm, one.simulated_mm, "#d6604d", 0.8 * shade);
+    line(plot, one.motor_turns, one.displacement_mm, "#2166ac", shade);
+    if (d.noise_mm) strip(plot, one.simulated_turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
+    line(plot, one.simulated_turns, one.simulated_mm, "#d6604d", 0.8 * shade);
   });
+  const noise = !d.noise_mm ? "" : isSeen(plot, BAND * d.noise_mm) ? ", and twice the noise about it" : `; twice the noise, ± ${round(BAND * d.noise_mm, 2)} mm, is thinner than the line`;
+  show("nominal", noise + (d.verdict ? "" : "; before a diagnosis it may be some mm off"));
 }
 
 let listed = "";
 function verdicts(d) {
   show("verdict", d.verdict || "This run has no diagnosis yet.");
-  const text = JSON.stringify([d.verdicts, d.index, d.verdict_page, d.verdict_of, d.left]);
+  const text = JSON.stringify([d.verdicts, d.index, d.verdict_page, d.verdict_text, d.verdict_of, d.left]);
   if (text === listed) return;
   listed = text;
   const link = (name, path) => { const a = document.createElement("a"); a.textContent = name; a.href = "/reports/" + path.split("/").map(encodeURIComponent).join("/"); return a; };
-  at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page), d.verdict_of ? `: ${d.verdict_of}` : ""] : []));
-  at("left-file").replaceChildren(...(d.left ? ["The strokes left", d.left.until && ` until ${d.left.until}`, d.left.rests && ` (by ${d.left.rests})`, " stand in ", link(`reports/${d.left.file}`, d.left.file), ...d.left.beside.map((other) => `; ${other}`)] : []));
+  at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page), ...(d.verdict_text && d.verdict_text !== d.verdict_page ? [", as text in ", link(`reports/${d.verdict_text}`, d.verdict_text)] : []), d.verdict_of ? `: ${d.verdict_of}` : ""] : []));
+  at("left-file").replaceChildren(...(d.left ? ["The strokes left stand in ", link(`reports/${d.left.file}`, d.left.file), ".", d.left.until && ` Counted until ${d.left.until}.`, d.left.rests && ` From ${d.left.rests}.`, ...d.left.beside.map((other) => ` Also: ${other}.`)] : []));
   at("index").replaceChildren(...(d.index ? [link("All reports", "index.html")] : []));
   at("verdicts").replaceChildren(...d.verdicts.map((one) => {
     const row = document.createElement("tr"), run = document.createElement("td"), said = document.createElement("td");
@@ -119,8 +120,8 @@ function loop(d) {
   show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
   for (const id of ["clear-label", "approve"]) at(id).hidden = !l.question;
   at("approve").disabled = !token || !at("clear").checked;
-  show("stop", l.state === "approved" ? "Stop: the motor first" : "Stop the loop: nothing moves now");
-  at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
+  show("stop", l.state === "approved" ? "Stop: the motor first" : "Stop the loop");
+  at("still").hidden = !l.at_work || l.state === "approved"; at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
   at("no-token").hidden = Boolean(token) || !l.at_work;
   foretold(l.foretold, d);
 }
@@ -146,15 +147,15 @@ function foretold(f, d) {
     return one;
   }));
   const came = d.samples && d.loop.state !== "proposed" && d.channels.find((one) => one.name === "displacement_mm");
-  const low = came ? since(came.low) : [], times = [f.time_s, came ? d.time_s : []];
-  const whole = axes(at("foretold"), times, [...rivals.map((one) => one[1]), low], rivals.length < 2 ? "time (s)" : "", "displacement (mm)");
-  rivals.forEach(([, curve], k) => band(whole, f.time_s, curve, curve, COLOURS[k % COLOURS.length], 1));
-  if (came) band(whole, d.time_s, low, low, "#222", 1);
-  at("apart").hidden = rivals.length < 2;
+  const [times, values] = came ? inOrder(came) : [[], []], measured = since(values);
+  const whole = axes(at("foretold"), [f.time_s, times], [...rivals.map((one) => one[1]), measured], rivals.length < 2 ? "time (s)" : "", "displacement (mm)");
+  rivals.forEach(([, curve], k) => line(whole, f.time_s, curve, COLOURS[k % COLOURS.length], 1));
+  if (came) line(whole, times, measured, "#222", 1);
+  for (const id of ["apart", "apart-key"]) at(id).hidden = rivals.length < 2;
   if (rivals.length < 2) return;
   const apart = rivals.map(([, curve]) => curve.map((one, k) => one - f.calibrated[k]));
-  const small = axes(at("apart"), [f.time_s], apart, "time (s)", "apart (mm)");
-  apart.forEach((curve, k) => band(small, f.time_s, curve, curve, COLOURS[k % COLOURS.length], 1));
+  const small = axes(at("apart"), [f.time_s], apart, "time (s)", "difference (mm)");
+  apart.forEach((curve, k) => line(small, f.time_s, curve, COLOURS[k % COLOURS.length], 1));
 }
 
 function jobs(d) {

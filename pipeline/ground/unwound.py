@@ -1,0 +1,28 @@
+"""Whether the stroke under way has unwound, so that its end counts though nobody told of it."""
+
+import math
+
+PHASE_REVERSAL = 0.02  # of the range: what counts as moving the other way within a stroke
+
+
+class Unwound:
+    """Tell it when a stroke starts, and the twist as it comes; memory does not grow."""
+
+    def __init__(self) -> None:
+        self._low, self._high = math.inf, -math.inf
+        self._peak, self._fell = -math.inf, 0.0  # of the stroke under way
+
+    def starts(self) -> None:
+        """A stroke starts."""
+        self._peak, self._fell = -math.inf, 0.0
+
+    def look(self, twist: float) -> None:
+        """Take note of a twist, in any unit."""
+        self._low, self._high = min(self._low, twist), max(self._high, twist)
+        self._peak = max(self._peak, twist)
+        self._fell = max(self._fell, self._peak - twist)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the stroke under way has an unwinding, by the share of the range that a run's strokes go by."""
+        return self._fell > 0.0 and self._fell >= PHASE_REVERSAL * (self._high - self._low)
