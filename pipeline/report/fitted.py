@@ -51,3 +51,10 @@ def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[
     others = ", ".join(sorted({path.parent.name for path in files} - {chosen, ALONE}))
     more = [f"fitted too: {others}"] if others else []
     return [f"to a controller: {export}", f"to ask it: {ask}", QUESTIONS, *more]
+
+
+def times_floor(ratio: float) -> str:
+    """How many times its floor an error is, with three significant digits at most."""
+    if ratio >= 10.0:
+        return f"{float(f'{ratio:.3g}'):g}"
+    return f"{ratio:.2f}"

@@ -11,7 +11,7 @@ from ..ground.errors import program
 from ..ground.files import write_text
 from . import paper
 from .comparison import line
-from .fitted import FLOORS, SPLITS, lines_on_files
+from .fitted import FLOORS, SPLITS, lines_on_files, times_floor
 from .least import sentences
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
@@ -104,7 +104,7 @@ def table(chosen: pd.DataFrame) -> list[str]:
         cells = [_cell(by_column.loc[head], best[head]) if head in by_column.index else "" for head in heads]
         title = mine["title"].iloc[0]
         direction = "" if model in FLOORS else "yes" if mine["direction"].iloc[0] else "no"
-        ratio = "" if model in FLOORS else f"{by_column.loc['all', 'ratio']:.2f}"
+        ratio = "" if model in FLOORS else times_floor(by_column.loc["all", "ratio"])
         lines.append(line([title if model in FLOORS else plain(title), direction, ratio, *cells]))
     return lines
 

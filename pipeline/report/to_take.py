@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from .fitted import FLOORS
+from .fitted import FLOORS, times_floor
 from .stroke_conditions import APART
 from .usual_model import ALONE, RULE, chosen_of, uses, weighed
 from .web.page import Text, paragraph, together
@@ -41,7 +41,8 @@ class Models(NamedTuple):
                 if line["column"] != "all" or line["model"] in FLOORS:
                     continue
                 models.titles[line["model"]] = line["title"]
-                rmse, times = float(line["median"]), f" ({float(line['ratio']):.2f} ×)" if line["ratio"] else ""
+                rmse = float(line["median"])
+                times = f" ({times_floor(float(line['ratio']))} ×)" if line["ratio"] else ""
                 models.errors[line["model"], line["split"], line["map"]] = rmse, f"{rmse:.3f}{times}"
         return models
 

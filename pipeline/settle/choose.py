@@ -10,7 +10,7 @@ from ..wire.motion import Leg, Limits
 from .limits import ByHand, beyond
 from .proposed import ProposedRun, without_curves
 from .step import Step
-from .tie import FORETOLD, closest
+from .tie import SETTLED_RIGHTLY, closest
 
 FIRM = ("explained", "consistent", "parameters", "unknown")
 SLOWER = 1.1  # times the shortest time for the way to where the proposed run begins
@@ -107,8 +107,8 @@ def apart(run: ProposedRun) -> str:
     if "gap_then" not in run:
         return ""
     two = closest(run)
-    names = f", {two}," if two else ""
-    return f"With it the closest two explanations{names} are expected {in_words(gaps(run)[1])} apart: {FORETOLD}."
+    pair = f"the closest two explanations{f', {two},' if two else ''}"
+    return f"By the library's formulas it puts {pair} {in_words(gaps(run)[1])} apart; {SETTLED_RIGHTLY}."
 
 
 def in_words(deviations: float) -> str:

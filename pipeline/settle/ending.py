@@ -12,6 +12,7 @@ from .choose import Budget
 from .step import Place, Step
 
 NAME = "settled.json"
+OPTIONAL = "Optional"  # begins a step of a verdict that nobody has to take
 
 
 def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: Budget, why: str, sentence: str) -> None:
@@ -49,11 +50,18 @@ def going_on(sentence: str, budget: Budget) -> str:
     return f"start it again with the same words and {' and '.join(short)}: it goes on from here" if short else ""
 
 
+def _recording(asked_for: str) -> str:
+    """The recording that a verdict's page asks for, or proposes where its step is optional."""
+    if asked_for.startswith(OPTIONAL):
+        return f"to be surer still, its page proposes one more recording: {asked_for.partition(': ')[2] or asked_for}"
+    return f"that verdict asks for another recording: {asked_for}"
+
+
 def _next(folder: Path, verdict: str, runs: Sequence[Path]) -> str:
     """What a person does after the loop."""
     page = folder / "verdict.txt"
     asked_for = record_asked(page.read_text(encoding="utf-8")) if page.is_file() else ""
-    recording = f"that verdict asks for another recording: {asked_for}" if asked_for else "nothing to record"
+    recording = _recording(asked_for) if asked_for else "nothing to record"
     if verdict in ("explained", "parameters"):
         adopt = shlex.join([*command("adopt").split(), str(folder / "diagnosis.json"), str(runs[0])])
         return f"{recording}. Where that verdict advises to adopt it, for each run: {adopt}"

@@ -15,7 +15,7 @@ from in_a_browser import clicked, needs_browser
 from pipeline.ground import schemas
 from pipeline.ground.glossary import MEANING
 from pipeline.report.drawing import STYLE
-from pipeline.report.fitted import lines_at_end, lines_on_files
+from pipeline.report.fitted import lines_at_end, lines_on_files, times_floor
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
 from pipeline.report.least import sentences
@@ -336,3 +336,12 @@ def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
         "model,split,map,column,median\nspline,later,forward,all,2\ncinn,later,forward,all,1\n"
     )
     assert "processed/nylon/cinn/within-0.model" in lines_at_end("nylon", made, tmp_path / "models.csv")[0]
+
+
+@pytest.mark.parametrize(
+    ("ratio", "words"),
+    [(0.9, "0.90"), (1.0, "1.00"), (1.037, "1.04"), (23.275, "23.3"), (232.75, "233"), (4321.0, "4320")],
+)
+def test_a_ratio_has_three_digits_at_most(ratio, words):
+    """`7.271 (232.75 ×)` stood on the index."""
+    assert times_floor(ratio) == words

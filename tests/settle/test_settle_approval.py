@@ -36,7 +36,10 @@ def test_before_a_person_says_yes_each_leg_is_said_in_numbers(tmp_path):
     assert ["1", "2.0", "stands", "at", "0.00", "0", "20"] in rows
     assert ["2", "5.0", "0.00", "to", "20.00", "4.08", "40"] in rows, "with the ramps of the rig: faster than 20 / 5"
     assert ["3", "5.0", "20.00", "to", "0.00", "4.08", "40"] in rows
-    assert "With it the closest two explanations are expected about 20 standard deviations apart: so the lib" in text
+    assert (
+        "By the library's formulas it puts the closest two explanations about 20 standard deviations apart; in t"
+        in text
+    )
 
 
 def test_before_a_person_says_yes_the_tie_is_named_with_its_probabilities_and_the_file_of_the_verdict(
@@ -59,8 +62,8 @@ def test_before_a_person_says_yes_the_tie_is_named_with_its_probabilities_and_th
     text = told(step, place)
     assert "what ties: backlash (38 %), friction_hysteresis (48 %), creep + wear." in text
     assert f"the verdict so far: {tmp_path / 'step-0' / 'verdict.txt'}" in text
-    assert "the closest two explanations, backlash and friction_hysteresis, are expected about 20 standard" in text
-    assert "foretell poorly which run settles a tie: in tests 12 of 22 were settled rightly (docs/settle.md)." in text
+    assert "it puts the closest two explanations, backlash and friction_hysteresis, about 20 standard" in text
+    assert "apart; in tests 33 of 50 ties were settled rightly by such runs (docs/settle.md)." in text
     place.write(Step(0, "diagnosed", proposal={"runs": [str(tmp_path / "a")]}))
     place.write(step)
     monkeypatch.setattr(Motor, "takes", lambda self: RIG)

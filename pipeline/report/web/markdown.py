@@ -12,7 +12,7 @@ from markupsafe import Markup
 from ..made_by import MadeBy
 from .page import anchor, document
 
-INDEX = "All reports: reports/index.html, a page that the main job makes (snakemake --cores 2)"  # no link
+INDEX = Markup('<a href="../index.html">All reports</a>, a page that the main job makes (snakemake --cores 2)')
 RANGE, UNBROKEN = re.compile(r"(?<=\d)–(?=\d)"), "\u2060–\u2060"  # no line ends between lowest and highest
 SPREAD = re.compile(rf"(\d(?:</strong>)?) (\([\d.]+{UNBROKEN}[\d.]+\))</td>")  # behind a number: on a line of its own
 DEEPEST = 2  # headings below are not in the contents
