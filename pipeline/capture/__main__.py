@@ -86,16 +86,19 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
         print(f"{folder}: {sentence}")
     if not info["samples"]["received"]:
         return
-    if info["exit_status"] == "fault" and not tell_of_use(folder):
-        return
     hello = info.get("hello")
     whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
+    if info["exit_status"] == "fault":
+        usable = strokes_of_use(folder)
+        if usable is None:
+            return
+        whole = usable
     anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
     print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
 
 
-def tell_of_use(folder: Path) -> bool:
-    """Say of a run that a fault ended whether its samples can be used, and why not; whether they can."""
+def strokes_of_use(folder: Path) -> int | None:
+    """Say of a run that a fault ended whether its samples can be used, and why not; how many strokes if they can."""
     from ..run.samples import read_strokes  # it needs pandas, for which no rig should wait
 
     try:
@@ -103,10 +106,11 @@ def tell_of_use(folder: Path) -> bool:
             _, samples, strokes = read_strokes(folder)
     except BadInput as error:
         print(f"{error} Until then nothing can use this run.")
-        return False
-    kept = f"{counted(len(samples), 'sample')} in {counted(len(strokes), 'stroke')}"
+        return None
+    count = int(strokes["stroke"].max())
+    kept = f"{counted(len(samples), 'sample')} in {counted(count, 'stroke')}"
     print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")
-    return True
+    return count
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

@@ -5,24 +5,30 @@ from collections.abc import Container
 from pathlib import Path
 
 from ..ground.command import command
+from ..ground.counts import counted
 from ..run.folder import read_run
 from ..run.next_command import following
 from .same_string import next_name, others_recorded
 
+DIAGNOSIS = 6  # strokes that a diagnosis needs at least, as docs/record.md says; a test holds it to that page
 LIFE = 12  # strokes from which a forecast of a string's life is made; a test holds it to that program's own number
 
 
 def next_steps(folder: Path, strokes: int, anew: bool = False, but: Container[Path] = ()) -> list[str]:
-    """Lines, each with a command to paste, for a run that was recorded with so many strokes; raises BadInput.
+    """Lines, each with a command to paste, for a run that was recorded with so many strokes, 0 where nobody counted.
 
-    `anew`: the rig's next recording is of another string, as those of the synthetic rig are that keeps none. No run of
-    `but`, whose paths are resolved, is named: those cannot be read.
+    Fewer than a diagnosis needs are said in place of its command. `anew`: the rig's next recording is of another
+    string, as those of the synthetic rig are that keeps none. No run of `but`, whose paths are resolved, is named:
+    those cannot be read. Raises BadInput.
     """
     run = read_run(folder)
     others = [other for other in others_recorded(folder, run) if other.resolve() not in but]
     lines = following(folder, recorded=True, others=others)
     if run.string is None:
         return lines
+    if not others and 0 < strokes < DIAGNOSIS:
+        needs = f"a diagnosis needs at least {DIAGNOSIS} to 8, with holds (docs/record.md)"
+        lines = [f"Next: record more of this rig: {counted(strokes, 'stroke')} so far, and {needs}"]
     if others or strokes >= LIFE:
         runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
         lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")

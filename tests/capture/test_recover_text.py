@@ -106,7 +106,7 @@ def test_what_a_rigs_own_names_mean_goes_by_their_words_then_by_their_places(pri
 
 
 def test_a_run_whose_cable_went_is_said_to_be_usable_and_what_comes_next(folder):
-    """Exit status 1 and not a word of what to do, though `diagnose` takes the run."""
+    """Its phases were counted as strokes (4 of 2), and it was to be diagnosed, which needs 6."""
     (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
     (folder / "recording.lines").write_text(wound())
     recover(folder)
@@ -114,8 +114,10 @@ def test_a_run_whose_cable_went_is_said_to_be_usable_and_what_comes_next(folder)
     (folder / "capture.json").write_text(json.dumps(info | {"exit_status": "fault", "fault": "the port went away"}))
     (folder / "recording.csv").unlink()
     done = recover(folder)
-    words = "what came before the fault can be used: 800 samples in 4 strokes; the exit status 1 tells of the fault"
+    words = "what came before the fault can be used: 800 samples in 2 strokes; the exit status 1 tells of the fault"
     assert done.returncode == 1 and words in done.stdout and "Next:" in done.stdout, done.stdout
+    assert "2 strokes so far, and a diagnosis needs at least 6 to 8" in done.stdout
+    assert "pipeline.diagnose" not in done.stdout and "snakemake" not in done.stdout, "no two strokes tell enough"
     (folder / "capture.json").write_text(json.dumps(info | {"exit_status": "fault", "fault": "the port went away"}))
     (folder / "recording.lines").chmod(0o644)
     (folder / "recording.lines").write_text(HEADER + "0,1,1\n20,1,1\n")

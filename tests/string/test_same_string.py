@@ -9,7 +9,7 @@ from stages.nine_strokes import string
 
 from pipeline.lifespan.strokes_left import LEAST_STROKES
 from pipeline.run.folder import read_run
-from pipeline.string.next_steps import LIFE, next_steps
+from pipeline.string.next_steps import DIAGNOSIS, LIFE, next_steps
 from pipeline.string.same_string import next_name, others_recorded, tares
 
 
@@ -57,6 +57,17 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
     assert again == f"Next: for another recording of this string: {described}, then record into it"
     assert "next recording is of another string" in next_steps(alone, 9, anew=True)[1]
     assert "pipeline.lifespan" in next_steps(alone, LIFE)[1] and LIFE == LEAST_STROKES
+
+
+def test_fewer_strokes_than_a_diagnosis_needs_are_said_and_not_diagnosed(runs: list[Path]) -> None:
+    alone = runs[0].parent / "b-1"
+    more, again = next_steps(alone, DIAGNOSIS - 1)
+    needs = "a diagnosis needs at least 6 to 8, with holds"
+    assert more == f"Next: record more of this rig: 5 strokes so far, and {needs} (docs/record.md)"
+    assert "pipeline.new_run b-2" in again
+    assert "pipeline.diagnose" in next_steps(alone, DIAGNOSIS)[0]
+    assert "--together" in next_steps(runs[0], 1)[0], "with the others of its string it has more"
+    assert needs[0].upper() + needs[1:] in (Path(__file__).parents[2] / "docs/record.md").read_text()
 
 
 def test_a_rig_without_a_string_has_no_life(tmp_path: Path) -> None:
