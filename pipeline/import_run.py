@@ -31,6 +31,7 @@ from .run.description import parse_run
 from .run.folder import read_run
 from .run.named_units import in_its_unit
 from .run.next_command import following
+from .run.no_number import without_damaged
 from .run.plausible_dimensions import dimension_questions
 from .run.recording import asked_columns, to_samples
 from .run.samples import check, check_finite, questions
@@ -81,7 +82,9 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
         where = "--run" if error.field == "run" else str(mapping)
         raise BadInput(where, error.field, error.problem, error.mend) from None
     table = read_foreign(file, run.file, asked_columns(run))
-    samples = to_samples(run, table, file, mapping)
+    samples, damaged = without_damaged(to_samples(run, table, file, mapping, bear=True), file, run.file)
+    if damaged:
+        print(f"warning: {damaged}", file=sys.stderr)
     check_finite(samples, file)
     time_s, mended = mend_time(samples["time_s"].to_numpy())
     check_mended(samples["time_s"].to_numpy(), time_s, file)
@@ -91,11 +94,12 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
         print(f"warning: {question}", file=sys.stderr)
     loads = "load_n" in run.channels or "load_n" in table.columns or in_its_unit("load_n", table.columns)
     if not loads:
-        samples = samples.drop(columns="load_n", errors="ignore")  # rig.load_n stays the one place that says it
+        samples, checked_samples = (each.drop(columns="load_n", errors="ignore") for each in (samples, checked_samples))
+        # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     rules = ", ".join(mends(mended))
     sentence = f"{folder}: {counted(len(samples), 'sample')}" + (f"; mended {rules}" if rules else "")
-    sentence = "\n".join(filter(None, (sentence, read_as(run, samples, file), read_back(run))))
+    sentence = "\n".join(filter(None, (sentence, read_as(run, checked_samples, file, len(samples)), read_back(run))))
     return _Run({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
 
 

@@ -151,7 +151,7 @@ def test_dates_with_a_unit_are_refused(foreign):
 
 @pytest.mark.parametrize("wrong", ["30.02.2026 10:00:00", "12:5", "soon", "17.5"])
 def test_a_row_without_a_date_among_dates_is_named(foreign, wrong):
-    file, mapping, raw = dated(foreign, lambda stamps: stamps.where(stamps.index != 700, wrong))
+    file, mapping, raw = dated(foreign, lambda stamps: stamps.where((stamps.index < 700) | (stamps.index > 730), wrong))
     with pytest.raises(BadInput, match=rf"time_s: row 701 holds '?{wrong}'?, not a time of day like '23.11.2026 23:59"):
         import_run(file, mapping, "a-01", raw)
     assert not raw.exists()
@@ -210,13 +210,55 @@ def test_bad_imports_write_nothing(foreign, name, change, says):
     assert (sorted(raw.rglob("*")) if raw.exists() else []) == before
 
 
-def test_a_time_stamp_that_is_no_number_is_not_mended(foreign):
+def test_many_time_stamps_that_are_no_numbers_are_not_mended(foreign):
     file, mapping, raw = foreign
     lines = file.read_text().splitlines()
-    lines[30] = ";".join(["nan", *lines[30].split(";")[1:]])
+    for row in range(30, 60):
+        lines[row] = ";".join(["nan", *lines[row].split(";")[1:]])
     file.write_text("\n".join(lines))
     with pytest.raises(BadInput, match="time_s: is not a number"):
         import_run(file, mapping, "a-01", raw)
+    assert not raw.exists()
+
+
+@pytest.mark.parametrize("damaged", ["75,0#;;7Ã9,", "1500,0", "1500,0;2x,772;1,5", "nan;1,0;2,0"])
+def test_a_damaged_line_costs_itself_and_is_named_by_its_line_in_the_file(foreign, capsys, damaged):
+    """One line of 3000 refused the file: by its row, and "write numbers with a decimal point" of decimal commas."""
+    file, mapping, raw = foreign
+    lines = file.read_text().replace(".", ",").splitlines()
+    lines[30] = damaged
+    file.write_text("\n".join(lines) + "\n")
+    text = yaml.safe_load(mapping.read_text())
+    mapping.write_text(yaml.safe_dump({**text, "file": {**text["file"], "decimal": ","}}))
+    import_run(file, mapping, "a-01", raw)
+    assert f"log.csv: 1 damaged row left out: line 31, '{damaged}'\n" in capsys.readouterr().err
+    samples = pd.read_parquet(raw / "a-01" / "recording.parquet")
+    assert np.allclose(samples["motor_turns"], GOOD["motor_turns"].drop(index=29))
+    mapping.write_text(yaml.safe_dump({**text, "file": {**text["file"], "decimal": ",", "rows": [20, len(GOOD)]}}))
+    import_run(file, mapping, "a-02", raw)
+    assert f"left out: line 31, '{damaged}'\n" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("cell", "decimal", "mend"),
+    [
+        ("75,0#", ",", "remove these rows, or name the column that is meant"),
+        ("75,5", ".", 'set file.decimal to ","'),
+        ("1.075,5", ",", 'write numbers with no other sign in them than the decimal sign ","'),
+    ],
+)
+def test_many_damaged_cells_are_refused_with_a_mend_that_fits_them(foreign, cell, decimal, mend):
+    file, mapping, raw = foreign
+    lines = file.read_text().splitlines() if decimal == "." else file.read_text().replace(".", ",").splitlines()
+    for row in range(30, 60):
+        lines[row] = ";".join([lines[row].split(";")[0], cell, "1"])
+    file.write_text("\n".join(lines) + "\n")
+    text = yaml.safe_load(mapping.read_text())
+    mapping.write_text(yaml.safe_dump({**text, "file": {**text["file"], "decimal": decimal}}))
+    with pytest.raises(BadInput) as error:
+        import_run(file, mapping, "a-01", raw)
+    problem = f"row 30 holds '{cell}', not a number (line 31 of the file); so do 29 more rows"
+    assert (error.value.field, error.value.problem, error.value.mend) == ("motor_turns", problem, mend)
     assert not raw.exists()
 
 

@@ -18,6 +18,7 @@ from ..ground.text_file import TextFile
 from ..ground.units import conversion
 from ..run.description import String
 from ..systems import System, systems
+from .damaged import damaged_rows
 from .layout_guess import BY_HAND, guess_layout
 from .roles import Role, find_roles, numbers
 
@@ -181,6 +182,7 @@ def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
     units = {column: named.get(column if isinstance(column, str) else table.columns[column], "") for column in columns}
     roles = _roles(system, columns, units, guessed.behind)
     kind = format_of(path).name
+    damaged = "".join(f"\n{sentence}" for sentence in damaged_rows(path, layout, columns, bool(refused)))
     free = [column for column in columns if column not in [role.column for role in roles.values()]]
     wanted = [channel for channel in system.columns if channel in roles or channel in system.columns[:3]]
     lines = [f"# A mapping for {key_name(path.name)} and files like it, drafted from {kind}."]
@@ -189,4 +191,4 @@ def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
     lines += [*_layout(layout), "channels:"]
     for channel in wanted:
         lines += _channel(channel, roles.get(channel), free)
-    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns) + refused
+    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns) + damaged + refused

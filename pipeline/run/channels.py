@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..formats.text_layout import DECIMAL_COMMA, with_point
+from ..formats.text_layout import with_point
 from ..formats.time_stamps import Stamps, holds_stamps
 from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
@@ -15,6 +15,7 @@ from ..ground.units import conversion
 from .column_places import check_columns, place_of
 from .description import STRING_ACTUATORS, Channel, Run
 from .named_units import in_its_unit
+from .no_number import are_few, no_number
 
 
 def _plain(value: object) -> object:
@@ -32,11 +33,12 @@ class Channels:
     """Channels of a run by file `mapping`, from a raw table that stands at `path`; its pieces are given in order.
 
     The first piece is looked at before it is told; where that says so, all others are looked at before that too.
-    Where a recording is read `again`, nothing is said a second time.
+    Where a recording is read `again`, nothing is said a second time. With `bear` few cells that are no numbers are
+    taken as empty ones.
     """
 
-    def __init__(self, run: Run, path: Path, mapping: Path, again: bool = False) -> None:
-        self.run, self.path, self.mapping = run, path, mapping
+    def __init__(self, run: Run, path: Path, mapping: Path, again: bool = False, bear: bool = False) -> None:
+        self.run, self.path, self.mapping, self._bear = run, path, mapping, bear
         self._rows = self._looked = 0  # of the pieces that were told so far, and of those that were looked at
         self._sample = 0  # of those that were told, that file.rows asks for
         self._stamps: Stamps | None = None
@@ -154,11 +156,15 @@ class Channels:
         """Number, from 1, of the first row of the table that is wrong in this piece."""
         return self._sample + int(np.argmax(wrong)) + 1
 
+    def _refuses(self, wrong: np.ndarray) -> bool:
+        """Whether cells of this piece that are no numbers are refused, and not taken as empty."""
+        return bool(wrong.any()) and not (self._bear and are_few(int(wrong.sum()), len(wrong)))
+
     def _clock(self, column: pd.Series, stamps: Stamps) -> pd.Series:
         """A raw column of dates or times of day in seconds, NaN where it is empty; raises BadInput for what is none."""
         seconds = stamps.seconds(column)
         wrong = (seconds.isna() & column.notna()).to_numpy()
-        if wrong.any():
+        if self._refuses(wrong):
             held, good = short(column.iloc[int(np.argmax(wrong))]), short(stamps.example)
             problem = f"row {self._row(wrong)} holds {held}, not a time of day like {good}"
             raise BadInput(self.path, "time_s", problem, "write it as the others, or remove that row")
@@ -180,10 +186,6 @@ class Channels:
                 column = column.map(with_point)
         numbers = pd.to_numeric(column, errors="coerce")
         wrong = (numbers.isna() & column.notna()).to_numpy()
-        if wrong.any():
-            held = column.iloc[int(np.argmax(wrong))]
-            mend = "write numbers with a decimal point" if "," in str(held) else "remove that row"
-            if DECIMAL_COMMA.fullmatch(str(held).strip()) and layout.delimiter != ",":
-                mend = 'set file.decimal to ","'
-            raise BadInput(self.path, name, f"row {self._row(wrong)} holds {short(held)}, not a number", mend)
+        if self._refuses(wrong):
+            raise no_number(column, wrong, self._sample + (layout.rows or (0, 0))[0], layout, self.path, name)
         return numbers.astype(float)

@@ -10,10 +10,11 @@ from ..ground.counts import counted
 from .description import Run
 
 
-def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
+def read_as(run: Run, samples: pd.DataFrame, path: Path, recorded: int | None = None) -> str:
     """How many samples, and a line each channel with its column, its unit there, and its range in our units.
 
-    `samples` are the table with a column a channel, as `to_samples` gives it.
+    `samples` are the table with a column a channel, as `to_samples` gives it; where those that no rig can
+    have read are not among them, `recorded` says how many there were.
     """
     sentences = []
     for name in samples.columns:
@@ -25,7 +26,9 @@ def read_as(run: Run, samples: pd.DataFrame, path: Path) -> str:
         sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
     if has_no_load(run) and not np.any(samples.get("load_n", 0.0)):
         sentences.append("no load: taken as 0 N; if one hangs, name its column as load_n, or write rig.load_n")
-    return "\n  ".join([f"{path.name} has {counted(len(samples), 'sample')}. They are read as:", *sentences])
+    count = len(samples) if recorded is None else recorded
+    wild = f", of which {count - len(samples)} will not count (see the warning)" if count > len(samples) else ""
+    return "\n  ".join([f"{path.name} has {counted(count, 'sample')}{wild}. They are read as:", *sentences])
 
 
 def has_no_load(run: Run) -> bool:

@@ -28,20 +28,26 @@ def asked_columns(run: Run) -> list[str]:
     return [column for column in columns if isinstance(column, str)]
 
 
-def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path) -> pd.DataFrame:
+def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path, bear: bool = False) -> pd.DataFrame:
     """A raw table from `path` as `time_s` and the run's channels in our units, by the channels of file `mapping`.
 
-    A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. Raises BadInput.
+    A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. With `bear` few cells that are no numbers
+    are NaN, as empty ones are. Raises BadInput.
     """
-    (samples,) = _samples(run, lambda: iter([table]), path, mapping)
+    (samples,) = _samples(run, lambda: iter([table]), path, mapping, bear=bear)
     return samples
 
 
 def _samples(
-    run: Run, pieces: Callable[[], Iterator[pd.DataFrame]], path: Path, mapping: Path, again: bool = False
+    run: Run,
+    pieces: Callable[[], Iterator[pd.DataFrame]],
+    path: Path,
+    mapping: Path,
+    again: bool = False,
+    bear: bool = False,
 ) -> Iterator[pd.DataFrame]:
     """What `to_samples` makes of a raw table that comes in pieces, and may come twice; raises BadInput."""
-    channels, tables = Channels(run, path, mapping, again), pieces()
+    channels, tables = Channels(run, path, mapping, again, bear), pieces()
     first = next(tables)
     if channels.look(first):
         any(not channels.look(table) for table in tables)

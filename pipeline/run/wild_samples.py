@@ -1,4 +1,4 @@
-"""Lonely samples that no rig can have read: found by their neighbours, left out, and said."""
+"""Lonely samples that no rig can have read: found by their neighbours, not counted, and said."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -8,7 +8,7 @@ import pandas as pd
 from scipy.ndimage import median_filter
 
 from ..ground import quantiles
-from ..ground.counts import are
+from ..ground.counts import are, counted
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.rows import Rows, rows_of
@@ -70,7 +70,8 @@ def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]
             raise BadInput(
                 path, name, problem, "check the sensor and its cable, then remove these rows or record again"
             )
-        warnings.append(f"{path}: {count} sample{'s' * (count > 1)} left out: {reads}")
+        keeps = f"will not count; the recording keeps {'them' if count > 1 else 'it'}"
+        warnings.append(f"{path}: {counted(count, 'sample')} {keeps}: {reads}")
     return gone, warnings
 
 

@@ -301,6 +301,22 @@ def test_a_row_with_a_field_too_many_is_told_by_its_line_and_the_draft_is_made_a
     assert done.returncode == 2 and "more lines" in done.stderr and "Mend: check file.delimiter, file." in done.stderr
 
 
+def test_damaged_rows_are_named_by_their_lines_and_what_the_import_does_about_them(tmp_path):
+    """The draft said "3026 rows of 4 columns of numbers", and not a word of the damaged ones."""
+    lines = ["Log 7", *GERMAN.to_csv(sep=";", decimal=",", index=False).splitlines()]
+    lines[300], lines[400] = "75,0#;;7Ã9,;", "1,0;2"
+    (tmp_path / "log.csv").write_text("\n".join(lines) + "\n")
+    done = program("--guess", "log.csv", cwd=tmp_path)
+    said = "2 damaged rows, which the import leaves out: line 301, '75,0#;;7Ã9,;'; line 401, '1,0;2'\n"
+    assert done.returncode == 0 and said in done.stderr, done.stderr
+    for row in range(500, 540):
+        lines[row] = "1,0;off;2,0;0"
+    (tmp_path / "log.csv").write_text("\n".join(lines) + "\n")
+    done = program("--guess", "log.csv", cwd=tmp_path)
+    many = "Drehwinkel (°)' has no number in 42 of "
+    assert many in done.stderr and "first in line 301, '75,0#;;7Ã9,;'. As a channel it will be refused" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("unit", "column", "turn"),
     [

@@ -45,7 +45,8 @@ def test_one_impossible_sample_is_left_out_and_said(make_run, tmp_path, column, 
     samples.loc[row, column] = value
     done = ingested(make_run("a-01", samples), tmp_path / "samples.parquet")
     assert done.returncode == 0, done.stderr
-    assert f"1 sample left out: {column} reads {value:.3g} in row {row + 1}, where its neighbours" in done.stderr
+    said = f"1 sample will not count; the recording keeps it: {column} reads {value:.3g} in row {row + 1}"
+    assert f"{said}, where its neighbours" in done.stderr
     assert schemas.read(tmp_path / "samples.parquet").equals(GOOD.drop(index=row).reset_index(drop=True))
 
 
@@ -55,7 +56,7 @@ def test_ordinary_outliers_stay(make_run, tmp_path):
     samples.loc[[60, 210], "load_n"] += [25.0, -19.0]
     samples.loc[400, "motor_turns"] += 20.0
     done = ingested(make_run("a-01", samples), tmp_path / "samples.parquet")
-    assert done.returncode == 0 and "left out" not in done.stderr
+    assert done.returncode == 0 and "will not count" not in done.stderr
     assert len(schemas.read(tmp_path / "samples.parquet")) == len(GOOD)
 
 
@@ -67,14 +68,19 @@ def test_more_than_a_percent_is_refused_with_the_mend(make_run, tmp_path):
     assert "samples are impossible, over 1 %" in done.stderr and "Mend: check the sensor" in done.stderr
 
 
-def test_an_import_keeps_what_ingest_leaves_out(tmp_path, make_run):
+def test_an_import_keeps_what_ingest_leaves_out(tmp_path, make_run, capsys):
+    """It said "1 sample left out", kept it, and gave its value as the channel's range."""
     folder = make_run("a-01")
     samples = GOOD.copy()
     samples.loc[300, "displacement_mm"] = 1e6
     samples.to_csv(tmp_path / "log.csv", index=False)
     mapping = tmp_path / "map.yaml"
     mapping.write_text((folder / "run.yaml").read_text().replace("run: a-01\n", ""))
-    import_run(tmp_path / "log.csv", mapping, "b-01", tmp_path)
+    said = import_run(tmp_path / "log.csv", mapping, "b-01", tmp_path)
+    assert "1 sample will not count; the recording keeps it: displacement_mm reads 1e+06" in capsys.readouterr().err
+    assert f"log.csv has {len(GOOD)} samples, of which 1 will not count (see the warning)." in said
+    most = GOOD["displacement_mm"].drop(index=300).max()
+    assert f"displacement_mm {GOOD['displacement_mm'].min():.4g} to {most:.4g}" in said and "1e+06" not in said
     assert len(pd.read_parquet(tmp_path / "b-01" / "recording.parquet")) == len(GOOD)
     assert len(read_samples(tmp_path / "b-01")[1]) == len(GOOD) - 1
 
