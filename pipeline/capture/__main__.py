@@ -88,17 +88,14 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
         return
     hello = info.get("hello")
     whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
-    if info["exit_status"] == "fault":
-        usable = strokes_of_use(folder)
-        if usable is None:
-            return
-        whole = usable
+    if info["exit_status"] == "fault" and (whole := strokes_of_use(folder)) == 0:
+        return
     anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
     print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
 
 
-def strokes_of_use(folder: Path) -> int | None:
-    """Say of a run that a fault ended whether its samples can be used, and why not; how many strokes if they can."""
+def strokes_of_use(folder: Path) -> int:
+    """Say of a run that a fault ended whether its samples can be used, and why not; how many strokes, or 0."""
     from ..run.samples import read_strokes  # it needs pandas, for which no rig should wait
 
     try:
@@ -106,7 +103,7 @@ def strokes_of_use(folder: Path) -> int | None:
             _, samples, strokes = read_strokes(folder)
     except BadInput as error:
         print(f"{error} Until then nothing can use this run.")
-        return None
+        return 0
     count = int(strokes["stroke"].max())
     kept = f"{counted(len(samples), 'sample')} in {counted(count, 'stroke')}"
     print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")

@@ -15,7 +15,8 @@ from ..run.no_number import are_few, named
 def damaged_rows(path: Path, layout: TextFile, by_column: Mapping[str | int, Array], even: bool) -> list[str]:
     """Sentences on the rows that lack a number in a column of numbers, or in one that has too many of them.
 
-    `by_column` has the columns, each of shape (rows,). `even`: lines with more fields than the first are no rows.
+    `by_column` has the columns, each of shape (rows,) and in its own unit. `even`: lines with more fields than the
+    first are no rows.
     """
     wrong = {column: ~np.isfinite(values) for column, values in by_column.items()}
     if len({len(rows) for rows in wrong.values()}) != 1:  # of several lengths: they are not rows of one table

@@ -34,7 +34,10 @@ def _mend(held: str, layout: TextFile) -> str:
 
 
 def no_number(column: pd.Series, wrong: np.ndarray, first: int, layout: TextFile, path: Path, name: str) -> BadInput:
-    """What is said of a column with cells that are no numbers; `first` is the number of its first row, from 0."""
+    """What is said of a raw column with cells that are no numbers, `wrong`, of shape (rows,) and without a unit.
+
+    `first` is the number of its first row in the file's table, from 0.
+    """
     place, count = int(np.argmax(wrong)), int(wrong.sum())
     held = column.iloc[place]
     more = f"; so do {counted(count - 1, 'more row')}" if count > 1 else ""
@@ -53,17 +56,17 @@ def lines_of(path: Path, layout: TextFile, rows: Iterable[int], even: bool = Fal
     """
     if not path.is_file() or path.suffix == ".frames" or ".csv" not in format_of(path).suffixes:
         return {}
-    wanted, found, row, width = set(rows), {}, -1 - layout.header, 0
+    wanted, by_row, row, width = set(rows), {}, -1 - layout.header, 0
     for number, line in table_lines(path, layout):
         width = width or len(cells(line, layout.delimiter))
         if even and len(cells(line, layout.delimiter)) > width:
             continue
         row += 1
         if row in wanted:
-            found[row] = (number + 1, line.strip())
-        if len(found) == len(wanted):
+            by_row[row] = (number + 1, line.strip())
+        if len(by_row) == len(wanted):
             break
-    return found
+    return by_row
 
 
 def named(path: Path, layout: TextFile, rows: list[int], even: bool = False) -> str:
@@ -86,5 +89,5 @@ def without_damaged(samples: pd.DataFrame, path: Path, layout: TextFile) -> tupl
         return samples, ""
     first = (layout.rows or (0, 0))[0]
     rows = [first + int(row) for row in np.flatnonzero(wrong)]
-    said = f"{path}: {counted(len(rows), 'damaged row')} left out: {named(path, layout, rows)}"
-    return samples[~wrong].reset_index(drop=True), said
+    sentence = f"{path}: {counted(len(rows), 'damaged row')} left out: {named(path, layout, rows)}"
+    return samples[~wrong].reset_index(drop=True), sentence
