@@ -128,7 +128,7 @@ def main() -> None:
     rests = [[Rests.of(run) for run in runs] for runs in by_string(recorded) if len(runs) > 1]
     jumped = [jump for of_string in rests for jump in jumps_among(of_string)]
     notes = [note for of_string in rests for _, note in tare_notes(of_string)]
-    notes += [f"Beware: {note}" for note in not_compared([one for of_string in rests for one in of_string])]
+    notes += [f"Beware: {note}" for note in not_compared([of_run for of_string in rests for of_run in of_string])]
     print("".join(f"{sentence}\n" for sentence in [*(jump.advice for jump in jumped), *notes]), end="")
     dataset = Dataset(recorded, strokes_left, without)
     if not dataset.within.train.count or not dataset.within.test.count:
