@@ -20,7 +20,7 @@ from .recorded import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
 SAME = (
-    "A small configuration, such as pipeline/config/ci.yaml, makes the same file from the same recordings: its tables "
+    "A small configuration, such as ci.yaml, makes the same file from the same recordings: its tables "
     "are marked as no results for the sake of other models, and of fewer seeds."
 )
 MOST_STRINGS = 3  # whose zero is named

@@ -250,7 +250,7 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
     small = "Small fit, not a result: blocks 4 instead of 5, width 20 instead of 32, epochs 12 instead of 60"
     assert small in said["cinn"] and small in done["cinn"].stdout
     assert (
-        "Fit: Made with the usual settings of this model. A small configuration, such as pipeline/config/ci.yaml"
+        "Fit: Made with the usual settings of this model. A small configuration, such as ci.yaml"
         in said["spline"]
     )
     assert "no small fit" not in said["spline"], "beside tables that are marked as small fits it read as its opposite"
