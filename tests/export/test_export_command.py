@@ -249,10 +249,7 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
     said = {name: " ".join(text.replace("\n *", " ").split()) for name, text in texts.items()}
     small = "Small fit, not a result: blocks 4 instead of 5, width 20 instead of 32, epochs 12 instead of 60"
     assert small in said["cinn"] and small in done["cinn"].stdout
-    assert (
-        "Fit: Made with the usual settings of this model. A small configuration, such as ci.yaml"
-        in said["spline"]
-    )
+    assert "Fit: Made with the usual settings of this model. A small configuration, such as ci.yaml" in said["spline"]
     assert "no small fit" not in said["spline"], "beside tables that are marked as small fits it read as its opposite"
     zero_mm = made_dataset(2, 1).iloc[:1].assign(motor_turns=0.0).pipe(point_contraction_mm)[0]
     for text in said.values():
