@@ -42,7 +42,6 @@ def parsed(description: str) -> argparse.Namespace:
     parser.add_argument("--mark", default="", metavar="TEXT", help="a line on the figure: what made the recording")
     arguments = parser.parse_args()
     folder_to_write(arguments.out)
-    arguments.run_dir = [folder if folder.name else folder.resolve() for folder in arguments.run_dir]
     for id_ in sorted(set(arguments.without) - set(library.mechanisms())):
         raise BadInput("arguments", "--without", f"{id_} is no mechanism", f"use {', '.join(library.mechanisms())}")
     return arguments

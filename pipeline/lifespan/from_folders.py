@@ -21,7 +21,7 @@ def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:
     refuse_twice(folders, "its strokes would count twice")
     with TemporaryDirectory(prefix=".samples-", dir=scratch) as temporary:
         for number, folder in enumerate(steps(folders, "run read")):
-            recorded = read_long(folder if folder.name else folder.resolve(), Path(temporary) / f"{number}.parquet")
+            recorded = read_long(folder, Path(temporary) / f"{number}.parquet")
             runs.setdefault(recorded.run.string_id, []).append(recorded)
         return [health(of_one) for of_one in runs.values()]
 
@@ -29,7 +29,7 @@ def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:
 def others_beside(string: str, folders: list[Path]) -> list[Path]:
     """Runs of a string that lie beside the given ones and were not given: their strokes are missing in what is said."""
     given = {folder.resolve() for folder in folders}
-    places = {folder.resolve().parent: (folder if folder.name else folder.resolve()).parent for folder in folders}
+    places = {folder.resolve().parent: folder.parent for folder in folders}
     return [
         run for place in sorted(places.values()) for run in runs_naming(place, {string}, given) if has_recording(run)
     ]

@@ -19,15 +19,13 @@ from .step import Place
 REPORTS = Path("reports/settle")
 
 
-def looked_at(folders: list[Path]) -> list[Path]:
-    """Run folders whose motor this program can speak of; raises BadInput."""
-    paths = [folder if folder.name else folder.resolve() for folder in folders]
-    for folder in paths:
+def check(folders: list[Path]) -> None:
+    """Raise BadInput for a run folder whose motor this program cannot speak of."""
+    for folder in folders:
         run = read_run(folder)
         if run.system.driver != "motor_turns":
             mend = "make the run that its diagnosis proposes by hand"
             raise BadInput(folder, "actuator", f"is {run.actuator}, whose motion is not in turns of a motor", mend)
-    return paths
 
 
 @program
@@ -56,7 +54,8 @@ def main() -> int:
         parser.error(f"--approve {arguments.approve} needs --limits, such as {EXAMPLE}: nothing moves without them")
     if arguments.runs < 1 or not arguments.minutes > 0 or arguments.strokes < 1:
         parser.error("--runs, --minutes and --strokes must be above 0")
-    runs = looked_at(arguments.run_dir)
+    runs: list[Path] = arguments.run_dir
+    check(runs)
     allowed = Allowed.read(arguments.limits or "{}")
     place = Place(folder_to_write(arguments.out or REPORTS / runs[0].name))
     motor = Motor(arguments.port, arguments.baud, allowed, arguments.approve in UNATTENDED)
