@@ -5,6 +5,7 @@ A mapping is a `run.yaml` without `run`: the string, the rig, how the file is wr
 
 import shlex
 import sys
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -31,9 +32,9 @@ from .run.description import parse_run
 from .run.folder import read_run
 from .run.named_units import in_its_unit
 from .run.next_command import following
-from .run.no_number import without_damaged
 from .run.plausible_dimensions import dimension_questions
-from .run.recording import asked_columns, to_samples
+from .run.read_log import read_log
+from .run.recording import asked_columns
 from .run.samples import check, check_finite, questions
 from .run.tolerances_given import read_back
 from .string.known_strings import imported_as_another
@@ -81,21 +82,17 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     except BadInput as error:  # the mapping is what a person can mend, but for the name
         where = "--run" if error.field == "run" else str(mapping)
         raise BadInput(where, error.field, error.problem, error.mend) from None
-    table = read_foreign(file, run.file, asked_columns(run))
-    samples, damaged = without_damaged(to_samples(run, table, file, mapping, bear=True), file, run.file)
-    if damaged:
-        print(f"warning: {damaged}", file=sys.stderr)
-    check_finite(samples, file)
-    time_s, mended = mend_time(samples["time_s"].to_numpy())
-    check_mended(samples["time_s"].to_numpy(), time_s, file)
-    samples["time_s"] = time_s
-    checked_samples, _ = check(run, samples, file)  # a run folder keeps all of them: ingest leaves out what this did
+    log = read_log(run, file, mapping, lambda: read_foreign(file, run.file, asked_columns(run)))
+    check_finite(log.samples, file, log.where)
+    time_s, mended = mend_time(log.samples["time_s"].to_numpy())
+    check_mended(log.samples["time_s"].to_numpy(), time_s, file, log.where)
+    samples = log.samples.assign(time_s=time_s).reset_index(drop=True)
+    checked_samples, _ = check(run, samples, file, log.where)  # a run folder keeps all: ingest leaves out what this did
     for question in [*dimension_questions(run, mapping), *questions(run, checked_samples, file)]:
         print(f"warning: {question}", file=sys.stderr)
-    loads = "load_n" in run.channels or "load_n" in table.columns or in_its_unit("load_n", table.columns)
-    if not loads:
+    loads = "load_n" in run.channels or "load_n" in log.table.columns or in_its_unit("load_n", log.table.columns)
+    if not loads:  # rig.load_n stays the one place that says it
         samples, checked_samples = (each.drop(columns="load_n", errors="ignore") for each in (samples, checked_samples))
-        # rig.load_n stays the one place that says it
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     rules = ", ".join(mends(mended))
     sentence = f"{folder}: {counted(len(samples), 'sample')}" + (f"; mended {rules}" if rules else "")
@@ -108,6 +105,11 @@ def import_run(file: Path, mapping: Path, name: str, out: Path, string_id: str |
 
     `string_id` goes before the mapping's. Raises BadInput, before anything is written.
     """
+    return "\n".join(run.said for run in _imported(file, mapping, name, out, string_id))
+
+
+def _imported(file: Path, mapping: Path, name: str, out: Path, string_id: str | None) -> list[_Run]:
+    """The runs that `import_run` makes."""
     axes = each_axis(read_mapping(mapping), mapping, string_id)
     names = {axis: f"{name}-{axis}" if axis else name for axis in axes}
     runs = [_checked(file, mapping, own, names[axis], out) for axis, own in axes.items()]
@@ -116,12 +118,12 @@ def import_run(file: Path, mapping: Path, name: str, out: Path, string_id: str |
             raise BadInput(run.folder, "run", "is there already", TAKEN)
     for run in runs:
         write_run(run.content, run.samples, run.folder, origin(file, mapping))
-    return "\n".join(run.said for run in runs)
+    return runs
 
 
-def say_another(folder: Path) -> None:
-    """Say of an imported run, the last of several, where it counts as another string than one that is like it."""
-    if note := imported_as_another(read_run(folder), folder.parent):
+def say_another(folder: Path, axes: Collection[str] = ()) -> None:
+    """Say of the last imported run where it counts as another string than one like it; `axes` are its file's runs."""
+    if note := imported_as_another(read_run(folder), folder.parent, axes):
         print(note, file=sys.stderr)
 
 
@@ -186,9 +188,10 @@ def main() -> int:
         parser.error(f"{OPTION} goes with a folder")
     if arguments.file.is_dir():
         return import_folder(arguments.file, arguments.map, arguments.run, raw, arguments.files, arguments.string_id)
-    print(sentences := import_run(arguments.file, arguments.map, arguments.run, raw, arguments.string_id))
-    folder = Path(sentences.partition(": ")[0])
-    say_another(folder)
+    runs = _imported(arguments.file, arguments.map, arguments.run, raw, arguments.string_id)
+    print("\n".join(run.said for run in runs))
+    folder = runs[0].folder
+    say_another(folder, [run.folder.name for run in runs])
     print("\n".join(following(folder, recorded=True, others=others_recorded(folder, read_run(folder)))))
     return 0
 

@@ -2,13 +2,13 @@
 
 import argparse
 import shlex
-import shutil
 import sys
 from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
+from .foreign.as_options import by_look
 from .formats.stored import read_table
 from .ground.command import command
 from .ground.errors import BadInput, program
@@ -20,12 +20,14 @@ from .ground.strict_yaml import parse_yaml, write_yaml
 from .run.columns_read import read_as
 from .run.copied_run import as_in, with_given
 from .run.description import STRING_ACTUATORS, Run, parse_run
-from .run.folder import RECORDINGS, has_recording, recording_path, unfinished
+from .run.file_lines import FileLines, Where
+from .run.folder import has_recording, recording_path, unfinished
 from .run.needed_options import lacking, load_taken
 from .run.next_command import following
 from .run.option_mend import by_option
 from .run.plausible_dimensions import dimension_questions
-from .run.recording import read_recording, to_samples
+from .run.read_log import copy_log, read_log, recording_name, rows_left
+from .run.recording import read_recording
 from .run.run_dir import run_dir
 from .run.samples import check, questions
 from .run.tolerances_given import read_back
@@ -34,19 +36,11 @@ from .string.known_strings import string_id
 from .string.same_string import others_recorded, tares
 
 
-def recording_name(recording: Path) -> str:
-    """What a recording is called in its run folder; raises BadInput for a kind that has no name there."""
-    name = f"recording{''.join(recording.suffixes[-2:]) if recording.suffix == '.gz' else recording.suffix}"
-    if not recording.is_file() or name not in RECORDINGS[1:]:
-        mend = f"give a file that ends like {', '.join(RECORDINGS[1:])}, or use {command('import_run')}"
-        raise BadInput(recording, "--recording", "is not there or not of a known kind", mend)
-    return name
-
-
-def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool) -> None:
-    """Raise BadInput for a recording that ingest would refuse, and, unless `sure`, for one that is likely a mistake."""
-    samples, _ = check(run, samples, path)
-    _question(questions(run, samples, path), sure)
+def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool, where: Where) -> pd.DataFrame:
+    """The samples that count; raises BadInput where ingest would, and, unless `sure`, for what is likely a mistake."""
+    checked_samples, _ = check(run, samples, path, where)
+    _question(questions(run, checked_samples, path), sure)
+    return checked_samples
 
 
 def _question(doubts: list[BadInput], sure: bool) -> None:
@@ -80,20 +74,24 @@ def make_run(
     if recording is not None:
         kept = recording_name(recording)
         try:
-            samples = to_samples(run, read_table(recording, run.file), recording, path)
-            check_samples(run, samples, recording, sure)
-            print(read_as(run, samples, recording))
+            log = read_log(run, recording, path, lambda: read_table(recording, run.file))
+            counting = check_samples(run, log.samples, recording, sure, log.where)
+            print(read_as(run, counting, recording, len(log.samples)))
         except BadInput as error:
-            raise by_option(error, content) from None
+            raise by_look(error, recording, run) or by_option(error, content) from None
     if folder.exists():  # recorded before it was described
         if has_recording(folder) and not unfinished(folder):
-            check_samples(run, read_recording(run, folder), recording_path(folder), sure)
+            recorded = recording_path(folder)
+            check_samples(run, read_recording(run, folder), recorded, sure, FileLines(recorded, run.file))
         write_text(path, write_yaml(content))
         return folder
     with whole_folder(folder, "run", taken) as temporary:
-        (temporary / "run.yaml").write_text(write_yaml(content), encoding="utf-8")
+        text = write_yaml(content)
         if recording is not None:
-            shutil.copyfile(recording, temporary / kept)
+            rows = rows_left(log)
+            file = {"file": {**content["file"], "rows": rows}} if rows else {}
+            text = copy_log(log, temporary / kept) + write_yaml({**content, **file})
+        (temporary / "run.yaml").write_text(text, encoding="utf-8")
     return folder
 
 

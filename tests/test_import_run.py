@@ -91,7 +91,10 @@ def test_it_says_which_column_it_read_as_what_over_which_range(foreign):
 def test_a_displacement_the_wrong_way_is_mended_by_the_other_sign_of_its_own_scale(foreign):
     file, mapping, raw = foreign
     content_before = yaml.safe_load(mapping.read_text())
-    for by, mend in ((-1, "set its scale to 1, not -1"), (-2.5, "set its scale to 2.5, not -2.5")):
+    for by, mend in (
+        (-1, "set channels.displacement_mm.scale to 1, not -1"),
+        (-2.5, "set channels.displacement_mm.scale to 2.5, not -2.5"),
+    ):
         content_before["channels"]["displacement_mm"]["scale"] = by
         mapping.write_text(yaml.safe_dump(content_before))
         with pytest.raises(BadInput, match=mend):
@@ -152,7 +155,7 @@ def test_dates_with_a_unit_are_refused(foreign):
 @pytest.mark.parametrize("wrong", ["30.02.2026 10:00:00", "12:5", "soon", "17.5"])
 def test_a_row_without_a_date_among_dates_is_named(foreign, wrong):
     file, mapping, raw = dated(foreign, lambda stamps: stamps.where((stamps.index < 700) | (stamps.index > 730), wrong))
-    with pytest.raises(BadInput, match=rf"time_s: row 701 holds '?{wrong}'?, not a time of day like '23.11.2026 23:59"):
+    with pytest.raises(BadInput, match=rf"time_s: line 702 holds '?{wrong}'?, not a time of day like '23.11.2026"):
         import_run(file, mapping, "a-01", raw)
     assert not raw.exists()
 
@@ -231,7 +234,7 @@ def test_a_damaged_line_costs_itself_and_is_named_by_its_line_in_the_file(foreig
     text = yaml.safe_load(mapping.read_text())
     mapping.write_text(yaml.safe_dump({**text, "file": {**text["file"], "decimal": ","}}))
     import_run(file, mapping, "a-01", raw)
-    assert f"log.csv: 1 damaged row left out: line 31, '{damaged}'\n" in capsys.readouterr().err
+    assert f"log.csv: 1 damaged line left out: line 31, '{damaged}'\n" in capsys.readouterr().err
     samples = pd.read_parquet(raw / "a-01" / "recording.parquet")
     assert np.allclose(samples["motor_turns"], GOOD["motor_turns"].drop(index=29))
     mapping.write_text(yaml.safe_dump({**text, "file": {**text["file"], "decimal": ",", "rows": [20, len(GOOD)]}}))
@@ -242,7 +245,7 @@ def test_a_damaged_line_costs_itself_and_is_named_by_its_line_in_the_file(foreig
 @pytest.mark.parametrize(
     ("cell", "decimal", "mend"),
     [
-        ("75,0#", ",", "remove these rows, or name the column that is meant"),
+        ("75,0#", ",", "remove these lines, or name the column that is meant"),
         ("75,5", ".", 'set file.decimal to ","'),
         ("1.075,5", ",", 'write numbers with no other sign in them than the decimal sign ","'),
     ],
@@ -257,7 +260,7 @@ def test_many_damaged_cells_are_refused_with_a_mend_that_fits_them(foreign, cell
     mapping.write_text(yaml.safe_dump({**text, "file": {**text["file"], "decimal": decimal}}))
     with pytest.raises(BadInput) as error:
         import_run(file, mapping, "a-01", raw)
-    problem = f"row 30 holds '{cell}', not a number (line 31 of the file); so do 29 more rows"
+    problem = f"line 31 holds '{cell}', not a number; so do 29 more lines"
     assert (error.value.field, error.value.problem, error.value.mend) == ("motor_turns", problem, mend)
     assert not raw.exists()
 

@@ -231,7 +231,13 @@ def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp
     assert new("a-01", samples=GOOD)[0] == 0
     for option in (["--string-id", "spool 9"], ["--material", "nylon"]):
         status, said, made = made_like(tmp_path, monkeypatch, capsys, *option)
-        assert status == 2 and made is None and "is of the string 'a-01', UHMWPE. Mend: leave out --like" in said
+        assert status == 2 and made is None and "is of the string a-01, of UHMWPE. Mend: for that string" in said
+        anew = shlex.split(said.rpartition("in place of --like: ")[2].strip().removesuffix("."))
+        monkeypatch.setattr(sys, "argv", ["new_run", f"a-{option[0][2:]}", *anew, "--out", str(tmp_path / "raw")])
+        with pytest.raises(SystemExit) as end:
+            main()
+        made = read_yaml(tmp_path / "raw" / f"a-{option[0][2:]}" / "run.yaml")["string"]
+        assert end.value.code == 0 and made["radius_mm"] == 0.4 and option[1] in made.values(), capsys.readouterr()
     (tmp_path / "raw" / "a-01" / "run.yaml").unlink()
     assert made_like(tmp_path, monkeypatch, capsys)[0] == 2
     monkeypatch.setattr(sys, "argv", ["new_run", "a-03", "--material", "nylon"])
@@ -276,11 +282,11 @@ def test_a_name_that_ends_in_a_unit_in_brackets_is_read_in_it(new, tmp_path, nam
     assert read["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy())
     assert read["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"].to_numpy()), "lap is no unit"
     status, _, said = new("a-02", "--channels", given.replace("lap", "rev."), samples=samples)
-    (option,) = re.findall(r"here by (--channels .*?)\.?\n", said)
+    (option,) = re.findall(r"check it: (--channels .*?)\.?\n", said)
     assert option.startswith(f"--channels {chr(34) if '[' in name else chr(39)}{{time_s: ") and "'\"'" not in option, (
         option
     )
-    assert "…" in shlex.split(option)[1]
+    assert new("a-02", *shlex.split(option), samples=samples)[0] == 0
 
 
 def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
@@ -297,12 +303,14 @@ def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
     by_index = "{time_s: 0, motor_turns: 1, displacement_mm: {column: 2, unit: cm}}"
     assert new("a-02", "--channels", by_index, samples=samples)[0] == 0
     status, _, said = new("a-03", "--channels", given.replace(": turns", ": tunrs"), samples=samples)
-    option = "--channels '{time_s: t, motor_turns: …, displacement_mm: slide_cm}'"
+    option = "--channels '{time_s: t, motor_turns: turns, displacement_mm: slide_cm, load_n: load_n}'"
     assert status == 2 and "there is no column 'tunrs'" in said and option in said
     status, _, said = new("a-03", samples=samples.rename(columns={"slide_cm": "displacement_mm"}))
     assert status == 2 and "time_s, motor_turns: there are no columns 'time_s' and 'motor_turns', only t, turns" in said
-    assert "name the columns under channels.time_s and channels.motor_turns" in said
-    assert "here by --channels '{time_s: …, motor_turns: …}'" in said
+    likely = "{time_s: t, motor_turns: turns, displacement_mm: displacement_mm, load_n: load_n}"
+    assert f"Mend: add what the file looks like, and check it: --channels '{likely}'." in said
+    status, _, said = new("a-03", samples=samples.rename(columns={"turns": "a", "slide_cm": "displacement_mm"}))
+    assert "and fill in each … and check it: --channels '{time_s: t, motor_turns: …, displ" in said
     status, _, said = new("a-03", "--channels", "{motor_turns: [turns]}", samples=samples)
     assert status == 2 and "channels.motor_turns: is ['turns']" in said and "or the column's name alone" in said
 
@@ -310,7 +318,7 @@ def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
 @pytest.mark.parametrize(
     ("samples", "option"),
     [
-        (GOOD.rename(columns={"motor_turns": "theta"}), "--channels '{motor_turns: …}'"),
+        (GOOD.rename(columns={"motor_turns": "theta"}), "motor_turns: theta, "),
         (spoiled("motor_turns", lambda v: v * 360), "--channels '{motor_turns: {unit: …}}'"),
     ],
 )
@@ -329,7 +337,7 @@ def test_an_option_is_whole_where_the_program_knows_the_answer(new, tmp_path, te
     file = tmp_path / "log.csv"
     file.write_text(text(GOOD.to_csv(index=False)))
     status, _, said = new("a-01", "--recording", str(file))
-    assert status == 2 and f"here by {option}" in said and "…" not in said, said
+    assert status == 2 and f"check it: {option}." in said and "…" not in said, said
     status, _, said = new("a-01", "--recording", str(file), *shlex.split(option))
     assert status == 0, said
 

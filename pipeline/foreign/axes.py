@@ -33,12 +33,11 @@ def _named(mapping: dict[str, Any], string_id: str, path: Path) -> dict[str, Any
 def each_axis(mapping: dict[str, Any], path: Path, string_id: str | None = None) -> dict[str, dict[str, Any]]:
     """The mapping of each axis by its name, one without a name where there are no `axes`; raises BadInput.
 
-    `string_id` goes before the one that all share.
+    `string_id` goes before the one that all share; the string of each of several axes is called by its axis too.
     """
     shared = {key: value for key, value in mapping.items() if key != "axes"}
-    shared = shared if string_id is None else _named(shared, string_id, path)
     if "axes" not in mapping:
-        return {"": shared}
+        return {"": shared if string_id is None else _named(shared, string_id, path)}
     axes = mapping["axes"]
     if not isinstance(axes, dict) or not axes:
         mend = "write one name an axis, each with the keys of a mapping that it has for itself"
@@ -51,4 +50,7 @@ def each_axis(mapping: dict[str, Any], path: Path, string_id: str | None = None)
             raise BadInput(path, field, f"is {short(own)}", "write the keys that this axis has for itself")
         if wrong := {"run", "mended", "axes", "file"} & own.keys():
             raise BadInput(path, f"{field}.{min(wrong)}", "belongs to no axis", "remove it, or say it once for all")
-    return {str(name): _over(_with_keys(shared), _with_keys(own)) for name, own in axes.items()}
+    whole = {str(name): _over(_with_keys(shared), _with_keys(own)) for name, own in axes.items()}
+    if string_id is None:
+        return whole
+    return {name: _named(axis, f"{string_id}-{name}", path) for name, axis in whole.items()}

@@ -6,9 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ..formats import format_of, read_foreign
-from ..formats.text import Uneven, even_lines
-from ..formats.text_layout import NUMBER
+from ..formats import format_of
 from ..ground.complaint import key_name
 from ..ground.counts import counted
 from ..ground.errors import BadInput
@@ -19,12 +17,11 @@ from ..ground.units import conversion
 from ..run.description import String
 from ..systems import System, systems
 from .damaged import damaged_rows
-from .layout_guess import BY_HAND, guess_layout
-from .roles import Role, find_roles, numbers
+from .recognised import layout_yaml, recognise
+from .roles import Role
 
 USUAL = "separator"  # the kind of rig where nobody tells it
 SHOWN_ROWS, SHOWN_COLUMNS = 5, 24
-THOUSANDS = r"[+-]?\d{1,3}(?:[.']\d{3})+(?:,\d*)?|[+-]?\d{1,3}(?:,\d{3})+(?:\.\d*)?"
 UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, um, cm or m"}
 UNITS |= {"s": "s, ms or us", "m": "m, cm or mm", "n": "N, kgf or g", "nm": "Nm or Nmm", "c": "degC or K"}
 NO_LOAD = (
@@ -61,67 +58,9 @@ def _rig(system: System, has_load: bool) -> list[str]:
 
 
 def _layout(layout: TextFile) -> list[str]:
-    default = TextFile.model_validate({})
-    settings = {key: value for key, value in layout.model_dump().items() if value != getattr(default, key)}
     own = "  # rows: of this file alone, below which stands no recording" if layout.rows else ""
-    return [f"file: {write_yaml(settings, flow=True)}{own}"] if settings else []
-
-
-def _table(path: Path, layout: TextFile) -> tuple[pd.DataFrame, str]:
-    """The file's table, and why the import will refuse the file as it is; raises BadInput where there is no table."""
-    try:
-        return read_foreign(path, layout), ""
-    except Uneven as error:  # the draft can be made all the same
-        return even_lines(path, layout), f"\nbut as it is the import will refuse it: {error}"
-    except BadInput as error:
-        if not error.mend.startswith("set file."):
-            raise
-        begins = " ".join(_layout(layout)) or "file: {}"
-        mend = f"--guess cannot: write the mapping by hand (docs/import.md), with {begins}, and there {error.mend}"
-        raise BadInput(error.file, error.field, error.problem, mend) from None
-
-
-def _refuse_thousands(path: Path, table: pd.DataFrame, columns: dict[str | int, Array]) -> None:
-    """Raise BadInput where a column is no numbers since a sign parts their thousands."""
-    for place, name in enumerate(table.columns):
-        column = table.iloc[:, place]
-        if name in columns or place in columns or column.dtype.kind in "fiu":
-            continue
-        words = column.dropna().astype(str).str.strip()
-        parted = words[words.str.fullmatch(THOUSANDS)]
-        if len(parted) and (words.str.fullmatch(THOUSANDS) | words.str.fullmatch(NUMBER)).mean() > 0.5:
-            problem = f"has numbers such as {parted.iloc[0]}, with a sign between thousands"
-            mend = "save it again without that sign (in Excel: the cells' format, Number, without separator)"
-            raise BadInput(path, key_name(name), problem, mend)
-
-
-def _without_foot(layout: TextFile, columns: dict[str | int, Array]) -> tuple[TextFile, dict[str | int, Array]]:
-    """How a file is written, and its columns, without the rows at its end that have no number at all."""
-    if len({len(values) for values in columns.values()}) != 1:
-        return layout, columns
-    numbered = np.flatnonzero(np.isfinite(np.column_stack([*columns.values()])).any(axis=1))
-    end, count = int(numbered[-1]) + 1, len(next(iter(columns.values())))
-    if end == count:
-        return layout, columns
-    kept = {column: values[:end] for column, values in columns.items()}
-    return layout.model_copy(update={"rows": (0, end)}), kept
-
-
-def _roles(
-    system: System, columns: dict[str | int, Array], units: dict[str | int, str], behind: list[str]
-) -> dict[str, Role]:
-    """The channels that were found; `behind` are names of columns that the file has by their places alone."""
-    if not behind:
-        return find_roles(system, columns, units)
-    place_by_name = {behind[place]: place for place in columns if isinstance(place, int) and place < len(behind)}
-    if len(place_by_name) != len(columns):
-        return find_roles(system, columns, units)
-    roles = find_roles(system, {name: columns[place] for name, place in place_by_name.items()}, {})
-    for role in roles.values():
-        name = str(role.column)
-        role.column = place_by_name[name]
-        role.why = [f"a remark calls it {name}", *role.why]
-    return roles
+    settings = layout_yaml(layout)
+    return [f"file: {settings}{own}"] if settings else []
 
 
 def _span(values: Array) -> str:
@@ -132,7 +71,7 @@ def _channel(channel: str, role: Role | None, free: list[str | int]) -> list[str
     """Lines of a channel, with what a person must fill in or check."""
     unit = UNITS.get(channel.rpartition("_")[2], "its unit")
     if role is None:
-        names = ", ".join(key_name(column) for column in free[:SHOWN_COLUMNS])
+        names = ", ".join(key_name(column) for column in free[:SHOWN_COLUMNS]) or "its columns: no other has numbers"
         return [f"  {channel}:", _filled("column", f"one of {names}", 4), _filled("unit", unit, 4)]
     settings: dict[str, Any] = {"column": role.column, "unit": role.unit, "scale": role.scale}
     settings = {key: value for key, value in settings.items() if value is not None and (key, value) != ("scale", 1.0)}
@@ -171,24 +110,19 @@ def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
     known, actuator = systems(), told_actuator or USUAL
     if actuator not in known:
         raise BadInput("--actuator", "actuator", f"{actuator!r} is not known", f"use one of {', '.join(known)}")
-    system, guessed = known[actuator], guess_layout(path)
-    table, refused = _table(path, guessed.layout)
-    columns = numbers(table, guessed.layout.decimal == ",")
-    _refuse_thousands(path, table, columns)
-    if not columns:
-        raise BadInput(path, "file", "holds no column of numbers", BY_HAND)
-    layout, columns = _without_foot(guessed.layout, columns)
-    named = dict(zip([*table.columns], guessed.units, strict=False))
-    units = {column: named.get(column if isinstance(column, str) else table.columns[column], "") for column in columns}
-    roles = _roles(system, columns, units, guessed.behind)
+    system = known[actuator]
+    seen = recognise(path, system)
+    layout, columns, roles = seen.layout, seen.columns, seen.roles
     kind = format_of(path).name
-    damaged = "".join(f"\n{sentence}" for sentence in damaged_rows(path, layout, columns, bool(refused)))
+    damaged = "".join(f"\n{sentence}" for sentence in damaged_rows(path, layout, columns))
     free = [column for column in columns if column not in [role.column for role in roles.values()]]
     wanted = [channel for channel in system.columns if channel in roles or channel in system.columns[:3]]
     lines = [f"# A mapping for {key_name(path.name)} and files like it, drafted from {kind}."]
     lines += ["# Fill in what is empty, check what is a guess, then import it through this mapping."]
     lines += [_actuator(actuator, told_actuator is not None), *_rig(system, "load_n" in roles)]
     lines += [*_layout(layout), "channels:"]
+    if all(channel in roles and roles[channel].alike for channel in (system.driver, system.channel)):
+        lines += ["  # two axes in one file: write their channels under axes (docs/import.md); each makes a run"]
     for channel in wanted:
         lines += _channel(channel, roles.get(channel), free)
-    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns) + damaged + refused
+    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns) + damaged + seen.uneven

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
+from ..run.file_lines import Where
 from ..run.mended_time import far_moved
 
 LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there
@@ -54,15 +55,15 @@ def mend_time(time_s: Array) -> tuple[Array, dict[str, int]]:
     return time_s, {rule: times for rule, times in mended.items() if times}
 
 
-def check_mended(before_s: Array, after_s: Array, file: Path) -> None:
+def check_mended(before_s: Array, after_s: Array, file: Path, where: Where) -> None:
     """Raise BadInput where mending moved over 1 % of the stamps by ten usual steps: the clock itself was wrong.
 
-    Both in s, of shape (samples,).
+    Both in s, of shape (samples,). `where` says where a row stands.
     """
     usual_s = float(np.median(np.abs(np.diff(before_s))))
     moved = np.abs(after_s - before_s) > LEAP * usual_s
     if far_moved(int(moved.sum()), len(moved)):
         row = int(np.argmax(moved))
-        problem = f"falls back or leaps near row {row + 1}, which only moving {int(moved.sum())} stamps would mend"
+        problem = f"falls back or leaps near {where(row)}, which only moving {int(moved.sum())} stamps would mend"
         mend = "correct the stamps there, or cut the recording where its clock begins anew"
         raise BadInput(file, "time_s", problem, mend)

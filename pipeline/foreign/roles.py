@@ -33,6 +33,7 @@ SIZES = {"turns": (2.0, 60.0), "rad": (60.0, 720.0), "deg": (720.0, 40_000.0)}  
 STEP_S = (0.5e-4, 0.21)
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 MOST_ALIKE = 8
+SPARSE = 0.05  # of its cells are filled: a column with fewer is marks and remarks, no slow sensor
 
 
 @dataclass
@@ -44,6 +45,7 @@ class Role:
     unit: str | None
     scale: float = 1.0
     why: list[str] = field(default_factory=list)
+    alike: bool = False  # whether other columns may be meant as well
 
 
 def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
@@ -58,7 +60,8 @@ def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
             read = stamps_s(column) if holds_stamps(column) else column.map(with_point) if comma else column
             column = pd.to_numeric(read, errors="coerce")
         values = column.to_numpy(np.float64)
-        if np.isfinite(values).mean() > 0.5:
+        full = int(column.notna().sum())
+        if full > SPARSE * len(column) and np.isfinite(values).sum() > 0.5 * full:
             own = isinstance(name, str) and name and list(table.columns).count(name) == 1
             columns[name if own else place] = values
     return columns
@@ -166,6 +169,7 @@ def find_roles(system: System, columns: dict[str | int, Array], units: dict[str 
         alike = [key_name(column) for column in same if column not in used]
         if alike:
             role.why.append(f"{', '.join(alike[:MOST_ALIKE])} may be meant as well")
+            role.alike = True
     driver, follower = roles.get(system.driver), roles.get(system.channel)
     if driver and system.driver == "motor_turns" and wraps(driver.values):
         _wrapped(driver, unit_by_column[driver.column])

@@ -94,7 +94,9 @@ def _tables(path: Path, layout: TextFile, lines: TableFile) -> Iterator[pd.DataF
 
 
 class Uneven(BadInput):
-    """Some lines have fields too many: the others are a table."""
+    """Some `lines`, by number from 1 and text, have fields too many: the others are a table."""
+
+    lines: list[tuple[int, str]]
 
 
 def _no_table(path: Path, layout: TextFile, error: Exception) -> BadInput:
@@ -104,13 +106,16 @@ def _no_table(path: Path, layout: TextFile, error: Exception) -> BadInput:
     if longer is None:
         reason = re.sub(r"\s+", " ", str(error)).strip()[:200]
         return BadInput(path, "file", f"is not a table ({reason})", f"{mend}, and the line that it names")
-    number, what, count = longer
+    what, count, several = longer
+    number = several[0][0]
     more = f"; so have {counted(count - 1, 'more line')}" if count > 1 else ""
     problem = f"is not a table (line {number}, {what}{more})"
     if count > FEW:
         return BadInput(path, "file", problem, mend)
     lines = f"line {number}" if count == 1 else f"line {number} and the others"
-    return Uneven(path, "file", problem, f"take the fields that are too many out of {lines}, or the whole line")
+    error = Uneven(path, "file", problem, f"take the fields that are too many out of {lines}, or the whole line")
+    error.lines = several
+    return error
 
 
 def even_lines(path: Path, layout: TextFile) -> pd.DataFrame:
@@ -118,7 +123,12 @@ def even_lines(path: Path, layout: TextFile) -> pd.DataFrame:
     lines = [line for _, line in table_lines(path, layout)]
     width = len(cells(lines[0], layout.delimiter))
     text = "".join(line for line in lines if len(cells(line, layout.delimiter)) <= width)
-    return pd.read_csv(io.StringIO(text), **_as_written(layout))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pd.errors.DtypeWarning)  # a word among numbers is found later
+        table = pd.read_csv(io.StringIO(text), **_as_written(layout))
+    if layout.header:  # as they stand: pandas would number those that stand twice
+        table.columns = cells(lines[0], layout.delimiter)
+    return table
 
 
 def _as_written(layout: TextFile) -> Reading:

@@ -87,18 +87,20 @@ def is_half(before: str, last: str, delimiter: str) -> bool:
     return short_row or half_number
 
 
-def uneven(lines: Iterator[tuple[int, str]], delimiter: str) -> tuple[int, str, int] | None:
-    """The first of a table's lines with more fields than its first line; None where no line has more.
+def uneven(lines: Iterator[tuple[int, str]], delimiter: str) -> tuple[str, int, list[tuple[int, str]]] | None:
+    """A table's lines with more fields than its first line; None where no line has more.
 
-    Its number in the file, from 1, what it has in words, and how many such lines there are. `lines` are those of the
-    table, each after how many lines of the file.
+    What the first of them has in words, how many there are, and number in the file, from 1, and text of the first
+    `LOOK` of them. `lines` are those of the table, each after how many lines of the file.
     """
-    (_, first), worst, count = next(lines), None, 0
+    (_, first), worst, count = next(lines), "", 0
+    longer: list[tuple[int, str]] = []
     width = len(cells(first, delimiter))
     for number, line in lines:
         fields = len(cells(line, delimiter))
         if fields > width:
             first_has = f"its first line {short(first.rstrip())} has {width}"
-            worst = worst or (number + 1, f"{short(line.rstrip())} has {counted(fields, 'field')}, {first_has}")
+            worst = worst or f"{short(line.rstrip())} has {counted(fields, 'field')}, {first_has}"
+            longer += [(number + 1, line.strip())] * (count < LOOK)
             count += 1
-    return (*worst, count) if worst else None
+    return (worst, count, longer) if worst else None

@@ -14,6 +14,7 @@ from ..ground.errors import BadInput
 from ..ground.units import conversion
 from .column_places import check_columns, place_of
 from .description import STRING_ACTUATORS, Channel, Run
+from .file_lines import FileLines
 from .named_units import in_its_unit
 from .no_number import are_few, no_number
 
@@ -152,10 +153,6 @@ class Channels:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused as no number
             return factor * (channel.scale * self._numbers(column, name) + channel.offset) + shift
 
-    def _row(self, wrong: np.ndarray) -> int:
-        """Number, from 1, of the first row of the table that is wrong in this piece."""
-        return self._sample + int(np.argmax(wrong)) + 1
-
     def _refuses(self, wrong: np.ndarray) -> bool:
         """Whether cells of this piece that are no numbers are refused, and not taken as empty."""
         return bool(wrong.any()) and not (self._bear and are_few(int(wrong.sum()), len(wrong)))
@@ -166,8 +163,10 @@ class Channels:
         wrong = (seconds.isna() & column.notna()).to_numpy()
         if self._refuses(wrong):
             held, good = short(column.iloc[int(np.argmax(wrong))]), short(stamps.example)
-            problem = f"row {self._row(wrong)} holds {held}, not a time of day like {good}"
-            raise BadInput(self.path, "time_s", problem, "write it as the others, or remove that row")
+            where = FileLines(self.path, self.run.file)(self._sample + int(np.argmax(wrong)))
+            problem = f"{where} holds {held}, not a time of day like {good}"
+            mend = f"write it as the others, or remove that {where.partition(' ')[0]}"
+            raise BadInput(self.path, "time_s", problem, mend)
         return seconds
 
     def _numbers(self, column: pd.Series, name: str) -> pd.Series:

@@ -12,6 +12,10 @@ from .description import Channel
 SHOWN = 12  # columns of a table that are named
 
 
+class NoColumn(BadInput):
+    """A table lacks the column of a channel."""
+
+
 def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool, described: Path) -> int:
     """Index of a channel's column, which `described` tells; raises BadInput where the file has none, or two."""
     key = name if channel.column is None else channel.column
@@ -27,7 +31,7 @@ def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, given
     if not places:
         names = ", ".join(key_name(name) for name in table.columns[:SHOWN])
         where = f"correct channels.{name}.column" if given else f"name the column under channels.{name}"
-        raise BadInput(path, name, f"there is no column {key!r}, only {names}", f"{where} in {described.name}")
+        raise NoColumn(path, name, f"there is no column {key!r}, only {names}", f"{where} in {described.name}")
     return places[0]
 
 
@@ -44,7 +48,7 @@ def check_columns(
         return
     names = ", ".join(key_name(name) for name in table.columns[:SHOWN])
     verb = "correct" if all(name in given for name in lacking) else "name the columns under"
-    where = " and ".join(f"channels.{name}{'.column' * (name in given)}" for name in lacking)
-    columns = " and ".join(map(repr, lacking.values()))
-    problem = f"there are no columns {columns}, only {names}"
-    raise BadInput(path, ", ".join(lacking), problem, f"{verb} {where} in {described.name}")
+    where = ", ".join(f"channels.{name}{'.column' * (name in given)}" for name in lacking)
+    *several, last = map(repr, lacking.values())
+    problem = f"there are no columns {', '.join(several)} and {last}, only {names}"
+    raise NoColumn(path, ", ".join(lacking), problem, f"{verb} {where} in {described.name}")

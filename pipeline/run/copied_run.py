@@ -1,10 +1,12 @@
 """A new run like another: its `run.yaml` says the same string on the same rig, but for what is given anew."""
 
+import shlex
 from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import read_yaml
+from .description import STRING_ACTUATORS
 from .folder import read_run
 
 OF_ONE_RUN = ("run", "mended", "tare")  # what a run.yaml says of its own recording alone
@@ -29,11 +31,31 @@ def with_given(content: dict[str, Any], given: dict[str, Any], source: Path) -> 
     string = content.get("string")
     for key, value in (given.get("string") or {}).items():
         if string is None or (key in ("id", "material") and value != string[key]):
-            known = "has no string" if string is None else f"is of the string {string['id']!r}, {string['material']}"
-            mend = f"leave out --like {source} and give all dimensions, or leave out what is given of the string"
-            raise BadInput(source, f"string.{key}", known, mend)
+            raise _of_another(key, str(value), string, _anew(content, given), source)
     made = {"run": given["run"]} | content | {key: value for key, value in given.items() if key not in SECTIONS}
     for section in SECTIONS:
         if given.get(section):
             made[section] = (content.get(section) or {}) | given[section]
     return made
+
+
+def _of_another(key: str, value: str, string: dict[str, Any] | None, anew: str, source: Path) -> BadInput:
+    """That a name or material is given which the string of the run `source` does not have; `anew` gives all of it."""
+    option, like = f"--{'string-id' if key == 'id' else key.replace('_', '-')}", f"--like {source}"
+    if string is None:
+        return BadInput(option, f"string.{key}", f"is {value}, but {like} has no string", f"leave {option} out")
+    problem = f"is {value}, but {like} is of the string {string['id']}, of {string['material']}"
+    mend = f"for that string leave {option} out; for another one of its size give, in place of --like: {anew}"
+    return BadInput(option, f"string.{key}", problem, mend)
+
+
+def _anew(content: dict[str, Any], given: dict[str, Any]) -> str:
+    """The options that make a run of another string, with the sizes and the rig that the content has."""
+    own = given.get("string") or {}
+    string = {**content["string"], **own} if content.get("string") else own
+    values = {key: value for key, value in string.items() if key != "id"}
+    values |= {"string_id": own.get("id"), **(content.get("rig") or {}), **(given.get("rig") or {})}
+    if content.get("actuator", STRING_ACTUATORS[0]) != STRING_ACTUATORS[0]:
+        values = {"actuator": content["actuator"], **values}
+    words = {key: f"{value:g}" if isinstance(value, float) else str(value) for key, value in values.items() if value}
+    return " ".join(f"--{key.replace('_', '-')} {shlex.quote(word)}" for key, word in words.items())

@@ -154,13 +154,14 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
     if curve.high - curve.low < 0.05:
         return  # no stroke in it: the segmentation says so
     if curve.high <= 0:
-        raise BadInput(path, "motor_turns", "is negative throughout", "winding is positive: set its scale to -1")
+        mend = "winding is positive: set channels.motor_turns.scale to -1"
+        raise BadInput(path, "motor_turns", "is negative throughout", mend)
     if curve.span_mm == 0:
         raise BadInput(path, "displacement_mm", "never changes while the motor turns", "check the sensor and its cable")
     if samples.correlation("motor_turns", "displacement_mm") < -0.5:
         scale = run.channels.get("displacement_mm", Channel.model_validate({})).scale
-        mend = f"contraction is positive: set its scale to {-scale:g}" + (f", not {scale:g}" if scale < 0 else "")
-        raise BadInput(path, "displacement_mm", "falls while the motor winds", mend)
+        mend = f"contraction is positive: set channels.displacement_mm.scale to {-scale:g}"
+        raise BadInput(path, "displacement_mm", "falls while the motor winds", mend + f", not {scale:g}" * (scale < 0))
     if not 1.0 / SPAN_RATIO <= curve.ratio() <= SPAN_RATIO:
         raise _span(run, curve, path)
 

@@ -18,11 +18,12 @@ from ..ground.rows import Rows, Stored, rows_of
 from ..ground.spans import Places
 from .clock import Clock
 from .description import STRING_ACTUATORS, Run
+from .file_lines import FileLines, Where, by_row
 from .folder import checked_info, read_run, recording_path
 from .plausible import check_string, doubts
 from .recording import read_recording, recording_pieces
 from .strokes import segment
-from .wild_samples import wild_samples, without_wild
+from .wild_samples import wild_samples
 from .wrapping import wrapped
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
@@ -45,17 +46,17 @@ def geometry(run: Run) -> Geometry:
     )
 
 
-def check_finite(samples: pd.DataFrame | Rows, path: Path) -> None:
-    """Raise BadInput for a table too short to hold a stroke, a NaN or an infinity."""
+def check_finite(samples: pd.DataFrame | Rows, path: Path, where: Where = by_row) -> None:
+    """Raise BadInput for a table too short to hold a stroke, a NaN or an infinity; `where` says where a row stands."""
     rows = rows_of(samples)
     if len(rows) < LEAST_SAMPLES:
         problem = f"holds {counted(len(rows), 'sample')}, too few for a stroke"
         raise BadInput(path, "file", problem, "record at least one stroke at 10 Hz to 10 kHz")
-    check_numbers(rows, path)
+    check_numbers(rows, path, where)
 
 
-def check_numbers(samples: pd.DataFrame | Rows, path: Path) -> None:
-    """Raise BadInput for a NaN or an infinity in a table."""
+def check_numbers(samples: pd.DataFrame | Rows, path: Path, where: Where = by_row) -> None:
+    """Raise BadInput for a NaN or an infinity in a table; `where` says where a row stands."""
     rows = rows_of(samples)
     for name in rows.columns:
         bad = [np.flatnonzero(~np.isfinite(piece)) for piece in rows.pieces(name)]
@@ -63,21 +64,25 @@ def check_numbers(samples: pd.DataFrame | Rows, path: Path) -> None:
             first = next(
                 begin + int(places[0]) for (begin, _), places in zip(rows.spans, bad, strict=True) if len(places)
             )
-            mend = "remove the rows without a reading; missing rows are no harm"
-            raise BadInput(path, name, f"is not a number in {counted(count, 'row')}, first in row {first + 1}", mend)
+            what = where(first).partition(" ")[0]
+            mend = f"remove the {what}s without a reading; missing {what}s are no harm"
+            problem = f"is not a number in {count} of {counted(len(rows), what)}, first in {where(first)}"
+            raise BadInput(path, name, problem, mend)
 
 
-def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STEP_S[1]) -> None:
-    """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig of this kind has."""
+def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STEP_S[1], where: Where = by_row) -> None:
+    """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig of this kind has.
+
+    `where` says where a row stands.
+    """
     clock = Clock.of(rows_of(samples))
     if clock.wrong:
         word = "runs backwards" if clock.least_s < 0 else "stands still"
         mend = f"{command('import_run')} mends repeated and backward time stamps and says so"
-        raise BadInput(
-            path, "time_s", f"{word} at row {clock.first_wrong + 2} ({counted(clock.wrong, 'time')} in all)", mend
-        )
+        problem = f"{word} at {where(clock.first_wrong + 1)} ({counted(clock.wrong, 'time')} in all)"
+        raise BadInput(path, "time_s", problem, mend)
     if clock.most_s > LONGEST_GAP_S:
-        ends = f"{clock.leap_s[0]:.6g} s in row {clock.leap + 1} and {clock.leap_s[1]:.6g} s after it"
+        ends = f"{clock.leap_s[0]:.6g} s in {where(clock.leap)} and {clock.leap_s[1]:.6g} s after it"
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"
         raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
     if not STEP_S[0] * (1.0 - ROUNDED) <= clock.usual_s <= slowest_s * (1.0 + ROUNDED):
@@ -91,9 +96,9 @@ def _lasting(step_s: float) -> str:
     return f"{step_s:.4g} s" if step_s >= 0.1 else f"{1000.0 * step_s:.4g} ms"
 
 
-def _cut(run: Run, samples: Rows, path: Path) -> pd.DataFrame:
+def _cut(run: Run, samples: Rows, path: Path, where: Where) -> pd.DataFrame:
     """Strokes of finite samples; raises BadInput unless these can be what their names say and hold a stroke."""
-    check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S)
+    check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S, where)
     if run.actuator not in STRING_ACTUATORS and len(set(samples.extremes(run.system.channel))) == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
@@ -104,16 +109,25 @@ def _cut(run: Run, samples: Rows, path: Path) -> pd.DataFrame:
     return segment(samples, run.system.driver, path)
 
 
-def check(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFrame, pd.DataFrame]:
+def check(run: Run, samples: pd.DataFrame, path: Path, where: Where = by_row) -> tuple[pd.DataFrame, pd.DataFrame]:
     """Samples of a run, read from `path`, without the few that are impossible, and its strokes.
 
-    What is left out is said on standard error. Raises BadInput unless the samples can be what their names say and hold
-    a stroke.
+    What is left out is said on standard error; `where` says where a row stands. Raises BadInput unless the samples can
+    be what their names say and hold a stroke.
     """
-    check_finite(samples, path)
-    samples, warnings = without_wild(run, samples, path)
+    check_finite(samples, path, where)
+    gone, warnings = wild_samples(run, rows_of(samples), path, where)
     _warn(warnings)
-    return samples, _cut(run, rows_of(samples), path)
+    if warnings:
+        samples = samples.drop(index=samples.index[gone])
+    samples = samples.reset_index(drop=True)
+    return samples, _cut(run, rows_of(samples), path, _beyond(gone, where))
+
+
+def _beyond(gone: Places, where: Where) -> Where:
+    """Where a row stands, of those that are left when the rows `gone` are taken out of a table."""
+    before = gone - np.arange(len(gone))  # how many rows are left before each that is gone
+    return lambda row: where(row + int(np.searchsorted(before, row, side="right")))
 
 
 def _warn(sentences: list[str]) -> None:
@@ -138,7 +152,8 @@ def read_strokes(folder: Path | str) -> tuple[Run, pd.DataFrame, pd.DataFrame]:
     run = read_run(folder)
     checked_info(folder)
     samples = read_recording(run, folder)
-    return run, *check(run, samples, recording_path(folder))
+    path = recording_path(folder)
+    return run, *check(run, samples, path, FileLines(path, run.file))
 
 
 def stored_strokes(folder: Path, temporary: Path) -> tuple[Run, Stored, pd.DataFrame]:
@@ -153,14 +168,15 @@ def stored_strokes(folder: Path, temporary: Path) -> tuple[Run, Stored, pd.DataF
     schema = schemas.samples(list(first.columns))
     schemas.put(chain([first], pieces), schema, temporary)
     samples = Stored(temporary)
-    check_finite(samples, path)
-    gone, warnings = wild_samples(run, samples, path)
+    where = FileLines(path, run.file)
+    check_finite(samples, path, where)
+    gone, warnings = wild_samples(run, samples, path, where)
     _warn(warnings)
     if warnings:
         with whole(temporary) as other:
             schemas.put(_without(samples, gone), schema, other)
         samples = Stored(temporary)
-    return run, samples, _cut(run, samples, path)
+    return run, samples, _cut(run, samples, path, _beyond(gone, where))
 
 
 def _without(samples: Rows, gone: Places) -> Iterator[pd.DataFrame]:

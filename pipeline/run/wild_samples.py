@@ -4,16 +4,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from scipy.ndimage import median_filter
 
 from ..ground import quantiles
 from ..ground.counts import are, counted
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
-from ..ground.rows import Rows, rows_of
+from ..ground.rows import Rows
 from ..ground.spans import Places
 from .description import Run
+from .file_lines import Where, by_row
 
 BESIDE = 5  # neighbours on either side, by whose median a sample is judged
 RANGES = 3.0  # of the channel's whole range: a sample further from its neighbours was never measured
@@ -48,11 +48,12 @@ def _wild(samples: Rows, name: str, is_load: bool) -> Places:
     return np.concatenate(places)
 
 
-def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]]:
+def wild_samples(run: Run, samples: Rows, path: Path, where: Where = by_row) -> tuple[Places, list[str]]:
     """Rows of finite samples that motion, reading or load make impossible, rising; and a sentence a channel.
 
     An ordinary outlier stays: a sample goes only where its value is further from its neighbours' median than three
-    times the channel's whole range (of a load: or its size). Raises BadInput where that is over 1 % of all samples.
+    times the channel's whole range (of a load: or its size). `where` a row stands in `path` is said. Raises BadInput
+    where that is over 1 % of all samples.
     """
     gone, warnings = np.zeros(0, np.intp), []
     for name in (run.system.driver, run.system.channel, run.system.load):
@@ -63,7 +64,7 @@ def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]
             continue
         row, count = int(wild[0]), len(wild)
         value, beside = samples.read(name, row, row + 1)[0], _beside(samples, name, row, row + 1)[0]
-        reads = f"{name} reads {value:.3g} in row {row + 1}, where its neighbours read {beside:.3g}"
+        reads = f"{name} reads {value:.3g} in {where(row)}, where its neighbours read {beside:.3g}"
         gone = np.union1d(gone, wild)
         if len(gone) > max(1, MOST * len(samples)):
             problem = f"{len(gone)} of {len(samples)} samples {are(len(gone))} impossible, over 1 %: {reads}"
@@ -73,9 +74,3 @@ def wild_samples(run: Run, samples: Rows, path: Path) -> tuple[Places, list[str]
         keeps = f"will not count; the recording keeps {'them' if count > 1 else 'it'}"
         warnings.append(f"{path}: {counted(count, 'sample')} {keeps}: {reads}")
     return gone, warnings
-
-
-def without_wild(run: Run, samples: pd.DataFrame, path: Path) -> tuple[pd.DataFrame, list[str]]:
-    """Samples without those of `wild_samples`, and its sentences; raises BadInput as it does."""
-    gone, warnings = wild_samples(run, rows_of(samples), path)
-    return (samples.drop(index=samples.index[gone]).reset_index(drop=True) if warnings else samples), warnings

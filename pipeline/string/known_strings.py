@@ -2,7 +2,7 @@
 
 import shlex
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 
 from ..ground.errors import BadInput
@@ -51,9 +51,13 @@ def string_id(string: String, raw: Path, name: str, ask: Callable[[str], str] | 
     return None
 
 
-def imported_as_another(run: Run, raw: Path) -> str:
-    """What is said of an imported run that names no string, where others of its material and size lie beside it."""
-    ids = list(dict.fromkeys(other.string_id for other in alike(run.string, raw, run.run))) if run.string else []
+def imported_as_another(run: Run, raw: Path, apart: Collection[str] = ()) -> str:
+    """What is said of an imported run that names no string, where others of its material and size lie beside it.
+
+    The runs `apart` are known to be of other strings.
+    """
+    others_there = [other for other in alike(run.string, raw, run.run) if other.run not in apart] if run.string else []
+    ids = list(dict.fromkeys(other.string_id for other in others_there))
     if not ids or (run.string and run.string.id is not None):
         return ""
     others = f"{', '.join(ids[:NAMED])}{f' and {len(ids) - NAMED} more' if len(ids) > NAMED else ''}"

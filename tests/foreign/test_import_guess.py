@@ -282,20 +282,37 @@ def test_a_delimiter_that_ends_the_rows_of_numbers_alone_costs_no_names(tmp_path
     assert read_samples(tmp_path / "raw" / "a-01")[1]["motor_turns"].to_numpy() == pytest.approx(M.to_numpy(), abs=1e-6)
 
 
-def test_a_row_with_a_field_too_many_is_told_by_its_line_and_the_draft_is_made_all_the_same(tmp_path):
-    """Nothing was drafted, and the mend, to check the delimiter, mended nothing."""
+def test_a_few_lines_with_a_field_too_many_cost_themselves_and_are_named_by_the_draft_and_the_import(tmp_path):
+    """One boot message of a microcontroller refused the whole file."""
     lines = table(time_s=T, motor_turns=M, x_mm=X).to_csv(index=False).splitlines()
     lines[57] += ",9"
+    lines[70] = "nan," + lines[70].split(",", 1)[1]  # its line is told right below one that is no row
+    (tmp_path / "a.csv").write_text("\n".join(lines) + "\n")
+    done = program("--guess", "a.csv", cwd=tmp_path)
+    assert done.returncode == 0 and "1 damaged line, which the import leaves out: line 71, 'nan," in done.stderr
+    assert f"\n1 line with fields too many, which the import leaves out: line 58, '{lines[57]}'" in done.stderr
+    (tmp_path / "map.yaml").write_text(filled(done.stdout))
+    words = ("a.csv", "--map", "map.yaml", "--run", "a-01")
+    done = program(*words, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert f"warning: a.csv: 1 line with fields too many left out: line 58, '{lines[57]}'\n" in done.stderr
+    assert "a.csv: 1 damaged line left out: line 71, 'nan," in done.stderr
+    read = read_samples(tmp_path / "raw" / "a-01")[1]
+    assert read["motor_turns"].to_numpy() == pytest.approx(M.drop(index=[56, 69]).to_numpy())
+
+
+def test_many_lines_with_a_field_too_many_are_refused_and_the_draft_says_so(tmp_path):
+    lines = table(time_s=T, motor_turns=M, x_mm=X).iloc[:900].to_csv(index=False).splitlines()
+    for row in range(57, 70):
+        lines[row] += ",9"
     (tmp_path / "a.csv").write_text("\n".join(lines) + "\n")
     done = program("--guess", "a.csv", cwd=tmp_path)
     assert done.returncode == 0 and "but as it is the import will refuse it: a.csv: file: is not a" in done.stderr
     (tmp_path / "map.yaml").write_text(filled(done.stdout))
     words = ("a.csv", "--map", "map.yaml", "--run", "a-01")
     done = program(*words, cwd=tmp_path)
-    assert done.returncode == 2 and "has 4 fields, its first line 'time_s,motor_turns,x_mm' has 3)" in done.stderr
-    assert "(line 58, " in done.stderr and "Mend: take the fields that are too many out of line 58, or" in done.stderr
-    (tmp_path / "a.csv").write_text("\n".join([*lines[:57], lines[57][:-2], *lines[58:]]) + "\n")
-    assert program(*words, cwd=tmp_path).returncode == 0
+    assert done.returncode == 2 and "has 4 fields, its first line 'time_s,motor_turns,x_mm' has 3; so" in done.stderr
+    assert "(line 58, " in done.stderr and "Mend: take the fields that are too many out of line 58 and" in done.stderr
     (tmp_path / "a.csv").write_text("\n".join([lines[0], *(f"{line},9" for line in lines[1:])]) + "\n")
     done = program(*words[:-1], "a-02", cwd=tmp_path)
     assert done.returncode == 2 and "more lines" in done.stderr and "Mend: check file.delimiter, file." in done.stderr
@@ -307,14 +324,14 @@ def test_damaged_rows_are_named_by_their_lines_and_what_the_import_does_about_th
     lines[300], lines[400] = "75,0#;;7Ã9,;", "1,0;2"
     (tmp_path / "log.csv").write_text("\n".join(lines) + "\n")
     done = program("--guess", "log.csv", cwd=tmp_path)
-    said = "2 damaged rows, which the import leaves out: line 301, '75,0#;;7Ã9,;'; line 401, '1,0;2'\n"
+    said = "2 damaged lines, which the import leaves out: line 301, '75,0#;;7Ã9,;'; line 401, '1,0;2'\n"
     assert done.returncode == 0 and said in done.stderr, done.stderr
     for row in range(500, 540):
         lines[row] = "1,0;off;2,0;0"
     (tmp_path / "log.csv").write_text("\n".join(lines) + "\n")
     done = program("--guess", "log.csv", cwd=tmp_path)
-    many = "has no number in 41 of 2300 rows"
-    assert many in done.stderr and "first in line 301, '75,0#;;7Ã9,;'. As a channel it will be refused" in done.stderr
+    many = "has no number in 41 of 2300 lines"
+    assert many in done.stderr and "first in line 301, '75,0#;;7Ã9,;'. The import refuses it so" in done.stderr
 
 
 @pytest.mark.parametrize(

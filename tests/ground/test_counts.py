@@ -20,7 +20,7 @@ def test_one_is_singular_and_all_else_plural():
     assert (strokes_at_least(1.7), strokes_at_most(1.7)) == ("1 stroke", "2 strokes")
 
 
-@pytest.mark.parametrize(("bad", "said"), [(1, "in 1 row, first in row 6"), (2, "in 2 rows, first in row 6")])
+@pytest.mark.parametrize(("bad", "said"), [(1, "in 1 of 2300 rows, first in row 6"), (2, "in 2 of 2300 rows")])
 def test_rows_without_a_number_are_counted_in_right_words(tmp_path, bad, said):
     samples = recording()
     samples.loc[5 : 4 + bad, "displacement_mm"] = np.nan

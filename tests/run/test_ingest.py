@@ -42,7 +42,7 @@ def repeated(values):
 @pytest.mark.parametrize(
     ("samples", "field", "says"),
     [
-        (spoiled("displacement_mm", with_nan), "displacement_mm", "not a number in 1 row, first in row 41"),
+        (spoiled("displacement_mm", with_nan), "displacement_mm", "not a number in 1 of 2300 rows, first in row 41"),
         (spoiled("load_n", lambda v: v * np.inf), "load_n", "not a number"),
         (spoiled("time_s", backwards), "time_s", "runs backwards at row 101.*import_run"),
         (spoiled("time_s", repeated), "time_s", "stands still at row 101.*import_run"),
@@ -136,7 +136,7 @@ def test_an_empty_cell_of_a_tab_file_shifts_nothing(make_run):
     cells = lines[60].split("\t")
     lines[60] = "\t".join([cells[0], "", *cells[2:]])
     (folder / "recording.csv").write_text("\n".join(lines))
-    with pytest.raises(BadInput, match="motor_turns: is not a number in 1 row, first in row 60"):
+    with pytest.raises(BadInput, match="motor_turns: is not a number in 1 of 2300 lines, first in line 61"):
         read_samples(folder)
 
 
@@ -200,7 +200,7 @@ def test_samples_carry_units(make_run, tmp_path):
     [
         ("", "file", "holds no samples"),
         ("time_s,motor_turns,displacement_mm\n", "file", "holds no samples"),
-        ("time_s,motor_turns,displacement_mm\n1,2,x\n", "displacement_mm", "row 1 holds 'x', not a number"),
+        ("time_s,motor_turns,displacement_mm\n1,2,x\n", "displacement_mm", "line 2 holds 'x', not a number"),
         ("time_s;motor_turns;displacement_mm\n1;2;3\n", "file.delimiter", "set file.delimiter to ';'"),
         ('time_s,motor_turns,displacement_mm\n1,2,"3,5"\n', "displacement_mm", "with a decimal point"),
         ('time_s,motor_turns\n1,2\n1,2,3,4\n"', "file", "is not a table"),

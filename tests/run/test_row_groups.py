@@ -118,12 +118,12 @@ def test_what_the_neighbours_read_is_the_same_at_the_border_of_two_groups():
 @pytest.mark.parametrize(
     ("spoil", "says"),
     [
-        ({"displacement_mm": np.nan}, f"not a number in 1 row, first in row {GROUP + 1}"),
-        ({"time_s": 0.0}, f"runs backwards at row {GROUP + 1} "),
-        ({"load_n": "high"}, f"row {GROUP + 1} holds 'high', not a number"),
+        ({"displacement_mm": np.nan}, f"not a number in 1 of 2300 lines, first in line {GROUP + 2}"),
+        ({"time_s": 0.0}, f"runs backwards at line {GROUP + 2} "),
+        ({"load_n": "high"}, f"line {GROUP + 2} holds 'high', not a number"),
     ],
 )
-def test_what_is_wrong_in_the_second_group_is_named_by_its_row(make_run, tmp_path, short_pieces, spoil, says):
+def test_what_is_wrong_in_the_second_group_is_named_by_its_line(make_run, tmp_path, short_pieces, spoil, says):
     samples = recording(3).astype(object)
     for name, value in spoil.items():
         samples.loc[GROUP, name] = value

@@ -10,9 +10,10 @@ import pytest
 from made_recording import recording
 
 from pipeline.ground import schemas
+from pipeline.ground.rows import Held
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
-from pipeline.run.wild_samples import without_wild
+from pipeline.run.wild_samples import wild_samples
 
 ROOT = Path(__file__).parents[2]
 BLIND = sorted((ROOT / "tests" / "data" / "blind").rglob("recording.parquet"))
@@ -103,5 +104,6 @@ def test_no_downloaded_recording_loses_a_sample(tmp_path, mapping):
     for number, file in enumerate(downloaded.files(*KINDS[mapping.stem.split("_")[0]])):
         import_run(file, mapping, f"a-{number}", tmp_path)
         run, samples = read_samples(tmp_path / f"a-{number}")
-        assert without_wild(run, samples, file) == (samples, [])
+        gone, warnings = wild_samples(run, Held(samples), file)
+        assert not len(gone) and not warnings
         assert len(samples) == len(pd.read_parquet(tmp_path / f"a-{number}" / "recording.parquet"))
