@@ -92,8 +92,7 @@ def diagnose(folders: list[Path], out: Path, options: Options = Options(), besid
 
 def decide(folders: list[Path], out: Path, options: Options) -> Decided:
     """As `diagnose`; its json and words are not written yet, for they tell of the zeros of the runs beside too."""
-    started = time.monotonic()
-    name = "+".join(folder.name for folder in folders)
+    started, name = time.monotonic(), "+".join(folder.name for folder in folders)
 
     def say(step: str) -> None:
         print(f"{name}: {step} ({time.monotonic() - started:.1f} s)", file=sys.stderr, flush=True)
@@ -101,6 +100,7 @@ def decide(folders: list[Path], out: Path, options: Options) -> Decided:
     say("reading")
     recordings = in_order([(options.reader or read)(folder) for folder in folders])
     runs, folders = [recorded.run for recorded in recordings], [recorded.folder for recorded in recordings]
+    name = "+".join(folder.name for folder in folders)
     if len(runs) > 1:
         say(f"taken in the order in which they were recorded: {', '.join(run.run for run in runs)}")
     by = judge(options.judge_file) if options.judge_file else None

@@ -22,7 +22,7 @@ COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "li
 SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
 BAND = "0.92"  # the noise
 BINS = 24
-TITLE_WIDE = 34  # characters
+TITLE_WIDE, NAME_WIDE = 34, 20  # characters
 HIGHEST = 0.65  # of an axis' height: where the largest error on unseen strokes stands at most
 NAMED = "as diagnosed"
 STANDINGS = {
@@ -122,7 +122,8 @@ def held_out(
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys.
 
-    `without` is what was named without those strokes, where the verdict names other effects: the last error is its.
+    `without` is what was named without those strokes, where the verdict names other effects: the last error is its,
+    and bears its name.
     """
     axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
     if not held:
@@ -138,9 +139,7 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    other = {NAMED: f"{NAMED}*"} if without else {}
-    if without:
-        axes.set_xlabel(fill(f"* named without these strokes: {without}", TITLE_WIDE), fontsize=8)
+    other = {NAMED: fill(f"{without}, named without these strokes", NAME_WIDE)} if without else {}
     axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     low, high = 0.5 * min(*values, floor), max(*values, floor)

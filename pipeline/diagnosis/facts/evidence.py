@@ -45,11 +45,12 @@ def listed(study: Study) -> list[Explanation]:
     )  # no rounding
 
 
-def explanations(study: Study, ending: str) -> list[dict[str, Any]]:
+def explanations(study: Study, ending: str, calibrated: float) -> list[dict[str, Any]]:
     """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
 
     `bent_…`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first, which is minus
-    twice the logarithm of how much likelier the first makes the recording.
+    twice the logarithm of how much likelier the first makes the recording. `calibrated` is what calibration alone
+    leaves, rms: the simulator's own number; what the search took it for stands beside it as `approximated_…`.
     """
     search = study.search
     decided = study.verdict in ("explained", "ambiguous")
@@ -69,6 +70,8 @@ def explanations(study: Study, ending: str) -> list[dict[str, Any]]:
             "standing": standing,
             f"left_{ending}": float(np.sqrt(max(explanation.energy, 0.0))),
         }
+        if not explanation.ids:
+            entry |= {f"approximated_{ending}": entry[f"left_{ending}"], f"left_{ending}": calibrated}
         entry["probability"] = probability(study, explanation.ids)
         entry[f"bent_{ending}"] = float(np.sqrt(max(search.with_discrepancy(explanation).energy, 0.0)))
         if first and explanation.ids and explanation is not first:
@@ -172,11 +175,11 @@ def evidence(study: Study) -> dict[str, Any]:
     """All of it, as `diagnosis.json` holds it; `floor` is that of the values that were compared, `step_s` apart."""
     system, drivers = study.problem.system, study.problem.drivers
     ending = system.channel.rpartition("_")[2]
-    effects = mechanism_entries.named_effects(study)
+    effects, alone = mechanism_entries.named_effects(study), misfits(study, ending)
     return {
         f"floor_{ending}": told_floor(study),
-        **misfits(study, ending),
-        "explanations": explanations(study, ending),
+        **alone,
+        "explanations": explanations(study, ending, alone[f"calibrated_{ending}"]),
         "probability_of_none": study.judged.none if study.judged.likely and drivers.levered else None,
         "left_out": left_out(study),
         **look_alikes(study, ending),

@@ -93,13 +93,14 @@ def test_wear_goes_on_at_the_highest_twist_and_has_no_loop(conceal):
 def test_the_table_has_a_column_for_each_explanation_and_no_row_that_nobody_would_see():
     made = content(evidence__expected=EXPECTED)
     rows = [re.split(r" {3,}", line) for line in lines(made, WORDS)]
-    assert rows[0] == ["What to expect of", "creep", "thermal"], "without what both have"
+    assert rows[0] == ["What to expect of", "with creep", "with thermal"], "without what both have"
     assert rows[1:4] == [
         ["change in a hold of 2 min at 30.7 turns under 20 N", "-0.28 mm", "hardly"],
         ["the loop at half the speed, 1 turns/s", "0.10 mm", "0.20 mm"],
         ["change in a rest of 2 min at 0 turns after it", "+0.10 mm", "–"],
     ], "what tells most comes first, what only one foretells last"
-    assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 9
+    assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 10
+    assert ["Both have friction_hysteresis as well."] in rows
     assert rows[-1][0].endswith("by less than their ±: the loop of a stroke as before under 20 N.")
     assert rows[-4] == ["–: this explanation foretells no such number."]
     small = EXPECTED | {"explanations": [{"ids": BOTH, "loop_as_before_mm": 0.05}]}
@@ -162,7 +163,7 @@ def test_what_lacks_a_part_of_the_best_explanation_comes_before_what_adds_to_it(
     more = CREEP | {"ids": [*BOTH, "sensor_drift"], "loop_as_before_mm": 0.3}
     made = content(evidence__expected=EXPECTED | {"explanations": [CREEP, more, HEAT]})
     heads = re.split(r" {3,}", lines(made, WORDS)[0])
-    assert heads[1:3] == ["creep", "thermal"]
+    assert heads[1:3] == ["with creep", "with thermal"]
 
 
 def test_the_load_that_a_run_asks_for_is_another_one_than_before():
@@ -237,7 +238,7 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
     table["outside"] = out.astype(float)
     for name, way in (("low_mm", -0.123456), ("high_mm", 0.123456)):
         table[name] = np.where(out, np.nan, table["displacement_mm"] + way)
-    *lines_of_it, meaning = corners(table, "motor_turns", "displacement_mm")
+    *lines_of_it, meaning, when = corners(table, "motor_turns", "displacement_mm")
     head, *cells = [re.split(r" {3,}", line) for line in lines_of_it]
     assert head[3:] == ["without_effects_mm", "nine of ten readings", "way to it"]
     assert [row[-1] for row in cells[1:]] == ["inside", "63 % outside", "outside"]
@@ -245,9 +246,10 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
     assert cells[1][3] == f"{bare:.2f}" and cells[1][4].count(".") == 2, "a band of ±0.12 mm has two decimals"
     assert cells[3][3] == "-0.9" and cells[3][-2] == "outside", "no band"
     out[20] = True  # the corner itself, since the next leg is outside
-    *_, leaving, _, _, _ = corners(table.assign(outside=out, low_mm=np.nan), "motor_turns", "displacement_mm")
+    *_, leaving, _, _, _, _ = corners(table.assign(outside=out, low_mm=np.nan), "motor_turns", "displacement_mm")
     assert re.split(r" {3,}", leaving)[-2:] == ["outside from here on", "inside"]
     assert "from the row above is outside what was recorded" in meaning
+    assert when == "the plan first leaves what was recorded at 14 s"
     assert max(map(len, [*lines_of_it, meaning])) <= 100
     inside = corners(table.assign(outside=0.0), "motor_turns", "displacement_mm")
     assert len(inside) == 5 and "way to it: " not in inside[-1]

@@ -2,6 +2,7 @@
 
 from ...document.bounds import of_later_run
 from ...document.content import Verdict
+from ...mechanisms.interface import physics
 from ..language.quantity import listing, percent, quantity
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
@@ -34,7 +35,8 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         rest = kept[by_name - 1 :]
         rows = [*rows[: by_name - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
     none = content["evidence"].get("probability_of_none") or 0.0
-    left = max(1.0 - none - sum(share for _, share in kept), 0.0)
+    sets = [entry["ids"] for entry in rivals.entries(content, "named", "tied")]
+    left = max(1.0 - none - sum(share for name, share in kept if physics(tuple(name.split(" + ")))), 0.0)
     for entry in out[:LEFT_OUT]:
         rows.append([rivals.called(entry["ids"]), percent(entry["probability"]), "left out: see below"])
         left = max(left - entry["probability"], 0.0)
@@ -42,7 +44,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     if following:
         rows.append([following[0], percent(following[1]), "less likely"])
         left = max(left - following[1], 0.0)
-    rows += [[OTHERS, percent(left), ""], [NONE, percent(none), ""]]
+    rows += [[OTHERS, percent(left), ""], [f"{NONE}{probability.stand_ins(sets)}", percent(none), ""]]
     return [
         *(line.rstrip() for line in aligned(rows)),
         *left_out.lines(content),

@@ -2,11 +2,12 @@
 
 from ...choice.judged import HELD, UNKNOWN
 from ...document.content import Part, Verdict
-from ..language.quantity import percent
+from ...mechanisms.interface import physics
+from ..language.quantity import listing, percent
 from . import left_out
 
 HELD_STANDINGS = ("named", "tied")
-LARGER_LEAVES_LESS = "with one more effect it is an explanation that leaves less"  # of a probability of 0
+LARGER_LEAVES_LESS = "the same effects with one more leave less of the recording"  # of a probability of 0
 SEEN = 0.005  # a probability that is worth a word
 WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
 OF_NONE = (
@@ -48,20 +49,27 @@ def rule(content: Verdict) -> list[str]:
     if not known(content):
         return [WITHOUT] if "probability_of_none" in content["evidence"] else []
     shown = content["evidence"]["explanations"]
-    together = sum(
-        explanation.get("probability") or 0.0 for explanation in shown if explanation["standing"] in HELD_STANDINGS
-    )
+    kept_ones = [explanation for explanation in shown if explanation["standing"] in HELD_STANDINGS]
+    together = sum(explanation.get("probability") or 0.0 for explanation in kept_ones)
     none = content["evidence"].get("probability_of_none") or 0.0
+    of_library = sum(each.get("probability") or 0.0 for each in kept_ones if physics(tuple(each["ids"])))
     several = content["verdict"] == "ambiguous"
     kept = f"These {1 + len(content['alternatives'])} have" if several else "Here the best one alone has"
-    rest = max(1.0 - none - together, 0.0)
-    others = f"; all others of the library {percent(rest)}; physics that the library lacks {percent(none)}"
+    rest = max(1.0 - none - of_library, 0.0)
+    lacks = f"physics that the library lacks{stand_ins([each['ids'] for each in kept_ones])} {percent(none)}"
+    others = f"; all others of the library {percent(rest)}; {lacks}"
     return [
         f"The explanations of the library have {percent(1.0 - none)} together. Kept are the likeliest, until they "
         f"reach {percent(HELD)} of that, so {percent(HELD * (1.0 - none))}. "
         f"{_left_out(content)}{kept} {percent(together)}{others}. None of these is impossible.",
         *([OF_NONE] if none >= WORTH else []),
     ]
+
+
+def stand_ins(kept: list[list[str]]) -> str:
+    """Which of the kept explanations are no physics of the library: their share is part of that of none of it."""
+    names = [" + ".join(ids) for ids in kept if ids and not physics(tuple(ids))]
+    return f" ({listing(names)} included)" if names else ""
 
 
 def _left_out(content: Verdict) -> str:

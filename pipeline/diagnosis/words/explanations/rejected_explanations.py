@@ -28,9 +28,9 @@ UNWEIGHED = "It was not weighed: the recording lacks a mark of its effects, or c
 def rejected(content: Verdict, words: Vocabulary) -> list[str]:
     """Why each explanation that was beaten was: how much worse it is, where, and following what."""
     first = next(iter(entries(content, "named", "not enough")), None)
-    shown = likeliest([explanation for explanation in entries(content, "beaten") if explanation is not first])[:SHOWN]
-    shown = shown if first else []
-    larger = likeliest(entries(content, "not needed"))[: SHOWN - len(shown)]
+    beaten = [explanation for explanation in entries(content, "beaten") if first and explanation is not first]
+    listed = likeliest([*beaten, *entries(content, "not needed")])[:SHOWN]
+    shown, larger = ([each for each in listed if (each["standing"] == "beaten") == is_it] for is_it in (True, False))
     weighed = [each for each in likeliest([*shown, *larger]) if each.get("probability") is not None]
     lines: list[str] = []
     if first and less_likely.known(weighed, first, content):
@@ -82,9 +82,10 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
     nothing = next(iter(entries(content, "nothing")), None)
     if nothing is None:
         return []
-    energy, lines = nothing[f"left_{ending}"] ** 2 - floor**2, []
+    alone = float(nothing.get(f"approximated_{ending}") or nothing[f"left_{ending}"])  # as what the others leave
+    energy, lines = alone**2 - floor**2, []
     for explanation in likeliest(entries(content, "not enough", "beaten", "not needed"))[:CLOSEST]:
-        taken = (nothing[f"left_{ending}"] ** 2 - explanation[f"left_{ending}"] ** 2) / energy if energy > 0.0 else 0.0
+        taken = (alone**2 - explanation[f"left_{ending}"] ** 2) / energy if energy > 0.0 else 0.0
         likely = probability.said(explanation)
         share = f"{100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
         sentence = f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}takes {share}"

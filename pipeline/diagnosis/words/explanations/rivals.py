@@ -21,6 +21,12 @@ def called(ids: list[str]) -> str:
     return " + ".join(ids) or "calibration alone"
 
 
+def best(content: Verdict) -> str:
+    """The name of the best explanation."""
+    named = next(iter(entries(content, "named")), {"ids": [entry["id"] for entry in content["mechanisms"]]})
+    return called(named["ids"])
+
+
 def entries(content: Verdict, *standings: str) -> list[Part]:
     """Explanations of some standing, the best first."""
     return [
@@ -73,13 +79,13 @@ def ties(content: Verdict, words: Vocabulary) -> list[str]:
     """What is likely as well, a line each with why it is less so than the best one; then what a discrepancy does."""
     shown = {tuple(explanation["ids"]): explanation for explanation in content["evidence"]["explanations"]}
     tied = [shown.get(tuple(ids)) for ids in content["alternatives"]]
-    best = next(iter(entries(content, "named")), None)
+    first = next(iter(entries(content, "named")), None)
     lines = [
         " ".join(
             part
             for part in (
                 f"{told(explanation, content, words) if explanation else called(ids)}.",
-                why(explanation or {}, best),
+                why(explanation or {}, first),
             )
             if part
         )
@@ -117,12 +123,12 @@ def _with_discrepancy(explanation: Part, content: Verdict, words: Vocabulary) ->
 
 def what_is_left(content: Verdict, words: Vocabulary) -> list[str]:
     """What the named explanation leaves of the recording, and what it would if its formulas were a little wrong."""
-    who, lines = "Together they leave" if len(content["mechanisms"]) > 1 else "It leaves", []
+    lines = []
     for explanation in entries(content, "named"):
-        lines.append(f"{who} {left(explanation, content, words)}.")
+        lines.append(f"{called(explanation['ids'])} leaves {left(explanation, content, words)}.")
         with_discrepancy = _with_discrepancy(explanation, content, words)
         if with_discrepancy is not None and not all_below_noise(content, words.ending):
-            lines.append(f"{ALLOWED}, {times(with_discrepancy)} times the noise is left.")
+            lines.append(f"{ALLOWED}, {called(explanation['ids'])} leaves {times(with_discrepancy)} times the noise.")
     return lines
 
 

@@ -57,7 +57,8 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
     lies += f", half of its energy {half}" if half not in (EVERYWHERE, where) else ""
     follows = listing([words.follows(driver, evidence["loaded"]) for driver in left_pattern["driver"]])
     rms = size(left_pattern[f"rms_{words.ending}"], words.unit)
-    return [f"What is left holds a pattern of {rms} rms beside the noise. It {lies}, and follows {follows}."]
+    holds = f"What {called(best['ids'])} leaves holds a pattern of {rms} rms beside the noise"
+    return [f"{holds}. It {lies}, and follows {follows}."]
 
 
 def nearest(content: Verdict, words: Vocabulary) -> list[str]:

@@ -22,9 +22,10 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
     low, high, bare = f"low_{ending}", f"high_{ending}", f"without_effects_{ending}"
     slope = np.diff(table[driver].to_numpy()) / np.diff(table["time_s"].to_numpy())
     bend = np.abs(np.diff(slope)) > BEND * max(float(np.abs(slope).max(initial=0.0)), 1e-12)
+    leaves = _leaves(table)
     places = [0, *(np.flatnonzero(bend) + 1).tolist(), len(table) - 1]
     if len(places) > CORNERS:
-        return [f"the plan turns or stops {len(places)} times, too often for a table: the file has each row"]
+        return [f"the plan turns or stops {len(places)} times, too often for a table: the file has each row", *leaves]
     out = table[OUTSIDE].to_numpy() == 1.0 if OUTSIDE in table else None
     shown = [name for name in (bare,) if name in table]
     rows = [["time_s", driver, channel, *shown, "nine of ten readings", *(["way to it"] if out is not None else [])]]
@@ -40,7 +41,15 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
         if out is not None:
             cells.append(way)
         rows.append(cells)
-    return [*aligned(rows), *([WAY] if out is not None and out.any() else [])]
+    return [*aligned(rows), *([WAY] if out is not None and out.any() else []), *leaves]
+
+
+def _leaves(table: pd.DataFrame) -> list[str]:
+    """When a plan first leaves what was recorded; nothing where it never does."""
+    if OUTSIDE not in table or not table[OUTSIDE].any():
+        return []
+    first = int(table[OUTSIDE].to_numpy().argmax())
+    return [f"the plan first leaves what was recorded at {table['time_s'].iloc[first]:.4g} s"]
 
 
 def _way(out: np.ndarray) -> str:

@@ -13,7 +13,10 @@ from .foretold_numbers import LEAST, Number, compared, error, of_explanation, pr
 
 SEEN = 2.0  # noise floors, from which a person sees a change in one stroke
 NOT = "hardly"  # what nobody would see
-AT_ONCE = "Changes are of a run that follows the recording at once. After a rest a slow effect can begin anew."
+AT_ONCE = (
+    "Changes hold for a run that follows this recording at once. After a long rest a slow effect can begin anew, and "
+    "they can be otherwise."
+)
 STAND = ("change in a hold", "change in a rest")  # rows
 INDENT = 5  # of the table on the page
 
@@ -92,7 +95,9 @@ def _table(
     shared = set.intersection(*(set(explanation["ids"]) for explanation in columns))
     heads = [_head(content, explanation["ids"], shared) for explanation in columns]
     rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
+    cut = [id_ for id_ in columns[0]["ids"] if id_ in shared and any(head.startswith("with ") for head in heads)]
     remarks = [
+        *([f"{'Both' if len(columns) == 2 else 'All'} have {listing(cut)} as well."] if cut else []),
         *([_loop(words)] if any(map(_is_loop, keys)) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
         *([_spread(keys)] if known_spread else []),
@@ -133,9 +138,9 @@ def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     hung = words.load is not None and known["load"]
     full, half, twice = (
-        f" under {quantity(share * known['load'], words.load_unit, 3)}" * bool(hung) for share in (1.0, 0.5, 2.0)
+        f" under {quantity(share * known['load'], words.load_unit)}" * bool(hung) for share in (1.0, 0.5, 2.0)
     )
-    speed = f"{number(known['speed_per_s'] / 2.0, 3)} {words.motion_unit}/s"
+    speed = f"{number(known['speed_per_s'] / 2.0)} {words.motion_unit}/s"
     rows = {
         **({} if "recorded" in known else {"loop_as_before": f"the loop of a stroke as before{full}"}),
         "loop_half_speed": f"the loop at half the speed, {speed}",
@@ -164,5 +169,6 @@ def _cell(key: str, cell: Number | None, limit: float, words: Vocabulary) -> str
 def _head(content: Verdict, ids: list[str], shared: set[str]) -> str:
     """An explanation with its probability; without what all explanations share, where something is left then."""
     share = probability(content, ids)
-    own = rivals.called([id_ for id_ in ids if id_ not in shared] or ids)
+    apart = [id_ for id_ in ids if id_ not in shared]
+    own = f"{'with ' * (0 < len(apart) < len(ids))}{rivals.called(apart or ids)}"
     return f"{own} ({percent(share)})" if share is not None and share >= LEAST else own

@@ -112,7 +112,7 @@ def of_half_speed(content: Verdict, too_slow_below: float, ending: str, motion_u
     spread = first.get("plus_minus", {}).get(key)
     loop = size(first[key], unit) if spread is None else plus_minus(first[key], spread, unit)
     return [
-        f"the verdict foretells a loop of {loop} at half the speed, {number(half, 3)} {motion_unit}/s, if the "
+        f"the verdict foretells a loop of {loop} at half the speed, {number(half)} {motion_unit}/s, if the "
         "explanation is right. Nothing that was recorded says whether it is right at that speed: hence no band there"
     ]
 

@@ -41,6 +41,23 @@ def of_other(content: Verdict) -> str:
     return other if other not in ("", NO_EFFECT) else ""
 
 
+def split(content: Verdict) -> str:
+    """Which strokes were held out, as a table's head says it."""
+    held = content["fit"]["heldout"]
+    return str(held["split"]) if held else SPLIT
+
+
+def settled_otherwise(content: Verdict) -> str:
+    """That other effects were named without the last strokes, as the end of a phrase; nothing where none were."""
+    other = of_other(content)
+    return f"without the {split(content)} the procedure names {other}" if other else ""
+
+
+def not_lasting(content: Verdict, id_: str) -> str:
+    """As `settled_otherwise`, where an effect is not among those that were named without the last strokes."""
+    return "" if id_ in of_other(content).split(" + ") else settled_otherwise(content)
+
+
 def whose(content: Verdict) -> str:
     """Of which effects the last error on those strokes is, where not of those that are named; goes after its size."""
     other = other_name(content)
@@ -62,10 +79,9 @@ def strokes(content: Verdict) -> str:
 
 def heading(content: Verdict) -> str:
     """What the error on the held-out strokes is called."""
-    held = content["fit"]["heldout"]
-    split = held["split"] if held else SPLIT
+    last = split(content)
     return {
         UNSEEN: "Error on unseen strokes",
-        SEEN: f"Error on the {split}, which the adopted effects have seen",
-        PERHAPS: f"Error on the {split}, which the adopted effects may have seen",
+        SEEN: f"Error on the {last}, which the adopted effects have seen",
+        PERHAPS: f"Error on the {last}, which the adopted effects may have seen",
     }[status(content)]

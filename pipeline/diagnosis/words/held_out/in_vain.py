@@ -68,9 +68,15 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
     named = [entry["id"] for entry in content["mechanisms"]]
     if not other or not named or unseen_errors is None or (other == holdout.NO_EFFECT and said(content, words)):
         return []
-    whose = f"{other}'s error" if other.isidentifier() else f"the error of {other}"
-    names = f"Without the last strokes the procedure names {other}, not {' + '.join(sorted(named))}"
-    return [f"{names}: the name is not settled; {size(unseen_errors[2], words.unit)} is {whose}."]
+    best, count = " + ".join(sorted(named)), 1 + len(content["alternatives"])
+    error = f"the error on the {holdout.strokes(content)} ({size(unseen_errors[2], words.unit)}) is that of"
+    without = f"Without the {holdout.split(content)} the procedure names"
+    if other == holdout.NO_EFFECT:
+        return [f"{without} no effect, so the name {best} is not settled, and {error} calibration alone."]
+    end = f"not {best}, so {error} {other}."
+    if set(other.split(" + ")) in map(set, content["alternatives"]):
+        return [f"{without} {other}, another of the {count} likely explanations, {end}"]
+    return [f"{without} {other}, {end} A longer recording can settle the name."]
 
 
 def other_choice(content: Verdict) -> list[str]:

@@ -4,6 +4,7 @@ import math
 
 from ....ground.command import program_name
 from ...document.content import Verdict
+from ..explanations import rivals
 from ..language.quantity import duration, size, times
 from ..language.vocabulary import Vocabulary
 from . import holdout
@@ -68,6 +69,14 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
     if fitted is None or holdout.status(content) == holdout.SEEN:
         return f"Something systematic is still missing: {missed}."
     both = f"{missed}, those that the fit has seen by {exact(fitted)} times"
+    other = holdout.of_other(content)
+    if other and named:
+        both = f"{other}, fitted without the unseen strokes, misses them by {exact(unseen)} times the noise"
+        both += (
+            f" ({STILL_MISSING:g} is the limit); {rivals.best(content)}, fitted to all, leaves {exact(fitted)} times"
+        )
+        changes = f"something changes from stroke to stroke that {other} does not foresee"
+        return f"Something systematic is still missing: {both}. So too few strokes were seen, or {changes}."
     if unseen <= NOTHING_NEW * fitted:
         return f"Something systematic is still missing: {both}. So it is in what the fit has seen as well."
     if named:

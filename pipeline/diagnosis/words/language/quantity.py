@@ -66,9 +66,9 @@ def span(low: float, high: float, unit: str, whole: float) -> str:
     return f"{at(low, '', whole)} to {at(high, unit, whole)}"
 
 
-def ends(low: float, high: float, unit: str) -> str:
-    """A range of a quantity, three digits each, said as one where both ends read alike: 17.4 N, 1.3 to 4.1 turns/s."""
-    least, most = number(low, 3), quantity(high, unit, 3)
+def ends(low: float, high: float, unit: str, digits: int = 3) -> str:
+    """A range of a quantity, so many digits each, said as one where both read alike: 17.4 N, 1.3 to 4.1 turns/s."""
+    least, most = number(low, digits), quantity(high, unit, digits)
     return most if most.startswith(f"{least} ") else f"{least} to {most}"
 
 

@@ -49,7 +49,7 @@ def remeasured(
         far = f"{abs(sigma):.1f} times its tolerance{f' of {known}' if known else ''} away"
         far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
         exact = exactness.cell(content, name)
-        exactly = f" ({exact})" if exact.endswith(exactness.ENOUGH_SAID) else f", to {exact}"
+        exactly = f", to {exact}"
         best = f"but {value} fits best{likely_range(content, name)}, {far}"
         if exactness.assumed(name):
             lines.append(f"Measure the {name_of(name)}{exactly}: {nominal} was {whence(content, name)}, {best}.")

@@ -11,7 +11,7 @@ from ..language.quantity import listing, quantity
 from . import tolerances
 
 TELLS = 1.0 / 3.0  # of the way that a dimension moved: a measurement so exact tells the two values apart
-ENOUGH_SAID = "is enough"
+AS_BEFORE = "as before"
 ENOUGH = 0.99  # of its tolerance: where no more is asked for, the exactness of the value in run.yaml is enough
 NEVER_SAID = ("scale", "angle_turns")  # dimensions that run.yaml has no values of
 TRADES = 0.8  # correlation of two dimensions from which on one of them alone settles little
@@ -41,10 +41,10 @@ def gross(content: Verdict, name: str) -> bool:
 
 
 def cell(content: Verdict, name: str) -> str:
-    """How exactly to measure a dimension, in a table: `0.0037 mm or better`, or `1 mm is enough`."""
+    """How exactly to measure a dimension, in a table: `0.0037 mm or better`, or `1 mm as before`."""
     if not gross(content, name):
         return f"{tells(content, name)} or better"
-    return f"{quantity(content['evidence']['tolerance'][name], unit_of(tolerances.stem(name)))} {ENOUGH_SAID}"
+    return f"{quantity(content['evidence']['tolerance'][name], unit_of(tolerances.stem(name)))} {AS_BEFORE}"
 
 
 def mistakes(content: Verdict, names: Mapping[str, str]) -> list[str]:
@@ -54,8 +54,8 @@ def mistakes(content: Verdict, names: Mapping[str, str]) -> list[str]:
     """
     off = [f"{distance(content, name)} for the {called}" for name, called in names.items() if gross(content, name)]
     return [
-        f"As exact as before is enough where this says so, but look for a gross error: what fits best is three "
-        f"tolerances away, {listing(off)}. Such an error is another spool, another place or a misread scale."
+        f"Where this says `as before`, measure as exactly as before, and look for a gross error: what fits best is "
+        f"three tolerances away, {listing(off)}. Such an error is another spool, another place or a misread scale."
     ] * bool(off)
 
 

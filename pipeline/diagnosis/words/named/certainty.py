@@ -5,15 +5,14 @@ from ...document.content import Verdict, mismatch_of
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals
-from ..held_out import in_vain
+from ..held_out import holdout, in_vain
 from ..language.quantity import duration, listing, percent, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from . import coarse
 from .missing_signs import missing
 
-SURE, PROBABLE, EVEN = 0.8, 0.5, 0.45
-ABSENT = ("more likely absent than", "about as likely absent as")  # below EVEN, and from there on
+SURE, PROBABLE = 0.8, 0.5
 MORE = 0.02  # of a probability: what a reader wonders about
 ALSO_ELSEWHERE = (
     "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
@@ -37,10 +36,17 @@ def is_likely(content: Verdict, id_: str) -> bool:
 
 
 def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
-    """Why an effect is not called sure, however likely it is among the library's: ends a phrase with `while`."""
+    """Why an effect is not called sure, however likely it is among the library's: ends a phrase with `since`."""
     lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
     not_recorded = f"no other {listing(list(lacks), 'and no other')} was recorded" if lacks else ""
-    return at_limit(content) or coarse.too_small(content, words, id_) or in_vain.doubt(content, words) or not_recorded
+    vain = in_vain.doubt(content, words)
+    return (
+        at_limit(content)
+        or coarse.too_small(content, words, id_)
+        or vain
+        or holdout.not_lasting(content, id_)
+        or not_recorded
+    )
 
 
 def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
@@ -94,7 +100,7 @@ def summary(content: Verdict, words: Vocabulary) -> list[str]:
     sure = f"Sure ({percent(SURE)} or more)"
     likely_while: dict[str, list[str]] = {sure: []}
     for id_, reason in reasons.items():
-        likely_while.setdefault(f"Probable while {reason}" if reason else sure, []).append(likely[id_])
+        likely_while.setdefault(f"Probable, since {reason}" if reason else sure, []).append(likely[id_])
     probable = [f"{id_} ({percent(share)})" for id_, share in shares.items() if PROBABLE <= share < SURE]
     doubtful = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share < PROBABLE]
     others = {id_: probability.at_work(content, id_) for ids in content["alternatives"] for id_ in ids}
@@ -141,7 +147,8 @@ def sizes(content: Verdict, words: Vocabulary) -> list[str]:
     if not poorly and all(known["high"] > known["low"] for known in sizes_of.values()):
         own = "Each effect's own size is known" if len(sizes_of) > 1 else "The effect's own size is known"
         own += f" to {percent(max(_half(known) for known in sizes_of.values()))} or better"
-    return [f"Size: {missing} rms is missing after calibration.{f' {own}, if this explanation is right.' * bool(own)}"]
+    right = f" {own}, if {rivals.best(content)} is right."
+    return [f"Size: {missing} rms is missing after calibration.{right * bool(own)}"]
 
 
 def _half(known: dict[str, float]) -> float:
@@ -181,19 +188,3 @@ def span(low: float, high: float, words: Vocabulary) -> str:
     """An interval of a size: `0 to 0.40 mm`."""
     least, most = size(low, words.unit), size(high, words.unit)
     return f"{least.removesuffix(most[most.find(' ') :])} to {most}"
-
-
-def needed(content: Verdict) -> list[str]:
-    """What to think of an effect of the best explanation that is less likely than not."""
-    best = {entry["id"] for entry in content["mechanisms"]}
-    others = [set(ids) for ids in content["alternatives"]]
-    lines = []
-    for id_, share in ((id_, share) for id_, share in known(content).items() if share < PROBABLE):
-        rest = best - {id_}
-        swapped = [ids - rest for ids in others if ids >= rest]
-        if others and len(swapped) == len(others) and all(len(swap) == 1 for swap in swapped):
-            instead = dict.fromkeys(other for swap in swapped for other in sorted(swap))
-            lines.append(f"One of {listing([id_, *instead])} is needed; which one is open.")
-        else:
-            lines.append(f"{id_} is {ABSENT[share >= EVEN]} at work ({percent(share)}).")
-    return lines

@@ -1,14 +1,14 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
 from ...document.content import Part, Verdict, mismatch_of
-from ..explanations import probability
+from ..explanations import probability, rivals
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import at, listing, percent, size
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
-from . import cancelling, certainty
-from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_size, own_with_interval
+from . import cancelling, certainty, needed
+from .own_size import HIDDEN, PARTLY, in_columns, own_part, own_size, own_with_interval
 
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
@@ -16,7 +16,14 @@ PROBABLY = "probable"
 OF_IT = "part no dimension can do"
 HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
 NO_SIZE = "–"  # of an effect that the best explanation has not
-UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of that size, however sure the effect is."
+UNSURE_SIZE = (
+    "Poorly known is the size of {}: dimensions or other effects can take over much of it, however sure the effect is."
+)
+READ = (
+    "How to read the sizes of one effect: rms is its usual size over the whole recording; after `up to` stands its "
+    "largest one{}."
+)
+READ_PART = "; the last column is the rms of that part of it which no moved dimension could make"
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
@@ -59,22 +66,25 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     larger = [HIDES] if parts and len(entries) == 1 else []
-    whose = ["Sizes are those of the best explanation."] if several else []
+    best = "" if short else f", {rivals.best(content)}"
+    whose = [f"Sizes are those of the best explanation{best}."] if several else []
     if short:
         against = cancelling.lines(content, entries, words)
         return [
             *table_lines,
-            *_in_one([*certainty.needed(content), *larger, *whose, *against]),
+            *_in_one([*needed.lines(content), *larger, *whose, *against]),
             *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
         ]
+    poorly = [entry["id"] for entry in entries if entry["id"] in certainty.poorly_known(content, words)]
     thoughts = [own_size(entry, content, words) for entry in entries]
     return [
         *table_lines,
+        READ.format(READ_PART * parts),
         *_in_all(content, entries, words),
-        *_in_one([*certainty.needed(content), *whose]),
+        *_in_one([*needed.lines(content), *whose]),
         *cancelling.lines(content, entries, words),
         *_sure_and_near_0(content, entries, words),
-        *([UNSURE_SIZE] if any(POORLY in thought for thought in thoughts) else []),
+        *([UNSURE_SIZE.format(listing(poorly))] if poorly else []),
         *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in thought for thought in thoughts) else []),
         *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in thought for thought in thoughts) else []),
     ]

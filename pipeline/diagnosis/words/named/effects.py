@@ -62,10 +62,10 @@ def loop(span: str, words: Vocabulary, opened: Part | None) -> str:
     return f"{span} from the lowest to the highest value" if span else ""
 
 
-def interval(entry: Part, words: Vocabulary, limit: str = "") -> str:
+def interval(entry: Part, words: Vocabulary, best: str, limit: str = "") -> str:
     """The 90 % interval of an effect's size, or why it has none; nothing where the size is 0.
 
-    `limit` names the dimensions that stand at their limit, while which nothing is sure.
+    `best` is the explanation that it is of. `limit` says why nothing is sure, such as dimensions at their limit.
     """
     known = entry[f"rms_{words.ending}"]
     if not known["value"]:
@@ -74,11 +74,12 @@ def interval(entry: Part, words: Vocabulary, limit: str = "") -> str:
         return "Its rms has no interval: the fit gives it one value alone."
     low, high = (size(known[end], words.unit) for end in ("low", "high"))
     unit = high.partition(" ")[2]
-    phrase = f"90 % interval of its rms, if this explanation is right: {low.removesuffix(f' {unit}')} to {high}."
+    phrase = f"90 % interval of its rms, if {best} is right: {low.removesuffix(f' {unit}')} to {high}."
     if known["low"] > 0.0 or entry.get("confidence", 0.0) < SURE:
         return phrase
-    sure = f"probable while {limit}" if limit else "sure"
-    return f"{phrase} That it is there is {sure}, its size is not: dimensions or other effects can take its place."
+    sure = f"no more than probable, since {limit}" if limit else "sure"
+    doubt = "its size is poorly known: dimensions or other effects can take its place"
+    return f"{phrase} That it is there is {sure}; {doubt}."
 
 
 def between_runs(entry: Part, words: Vocabulary) -> str:

@@ -33,8 +33,9 @@ def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, sh
         return ["none", *["–"] * parts]
     whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
     part = own_part(entry, content, words)
-    doubt = "" if part else doubt_of(entry, content, words)  # a part says by itself that the rest is hidden
-    doubt = POORLY if certainty.wide(known) or (short and doubt == HIDDEN) else "" if short else doubt
+    doubt = doubt_of(entry, content, words)
+    if part or short:  # a part says by itself that the rest is hidden
+        doubt = POORLY if doubt in (POORLY, HIDDEN) else ""
     return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
 
 

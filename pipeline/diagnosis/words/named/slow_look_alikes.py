@@ -8,8 +8,8 @@ from ..language.vocabulary import Vocabulary
 from . import certainty
 
 EXCLUDED = (
-    "Excluded means: not in the place of {}, so you may write that it alone is excluded. Beside {} it may still act, "
-    "but too little to be named."
+    "An excluded effect cannot be what is called {} here: you may write so in a paper. It may still act beside {}, but "
+    "too little to be named."
 )
 
 

@@ -125,7 +125,7 @@ def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:
     if load or not certainty.slow_alike(content, words) or not content["evidence"].get("covered"):
         return []
     base = second_load.base(content)
-    half, twice = number(second_load.HALF * base, 3), quantity(second_load.TWICE * base, words.load_unit, 3)
+    half, twice = number(second_load.HALF * base), quantity(second_load.TWICE * base, words.load_unit)
     return [OTHER_LOAD.format(half=half, twice=twice)] if base > 0.0 else []
 
 
@@ -168,6 +168,6 @@ def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
     longest_s = max(constants or [known["longest_hold_s"], known["longest_rest_s"]])
     twice = f"twice {'its longest time constant' if constants else 'the longest one here'}"
     (least, most), unit = known["load"], words.load_unit
-    load = f"{number(least, 3)} to " * content["evidence"]["loaded"] + quantity(most, unit, 3)
+    load = f"{number(least)} to " * content["evidence"]["loaded"] + quantity(most, unit)
     under = f", under {load} as recorded here" if words.load is not None and most > 0.0 else ""
     return f" ({duration(2.0 * longest_s)} or longer each, {twice}{under})" if longest_s > 0.0 else ""

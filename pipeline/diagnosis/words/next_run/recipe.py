@@ -18,7 +18,7 @@ def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
         return None
     chosen = second_load.best(content, words)
     share = chosen[0] if chosen and chosen[1] >= 1.0 else second_load.HALF
-    return float(f"{share * second_load.base(content):.3g}")
+    return float(f"{share * second_load.base(content):.2g}")
 
 
 def shows(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str] | None:
@@ -56,13 +56,11 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     count, (slow, fast) = max((last - first + 1) // runs, FEWEST), known["speed_per_s"]
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     new_load = load(content, words, ids)
-    hung = quantity(second_load.base(content) if new_load is None else new_load, words.load_unit, 3)
+    hung = quantity(second_load.base(content) if new_load is None else new_load, words.load_unit)
     under = f" under {hung}" if words.load is not None and known["load"][1] > 0.0 else ""
-    speed = ends(slow, fast, f"{words.motion_unit}/s")
+    speed = ends(slow, fast, f"{words.motion_unit}/s", 2)
     if "speed" in lacking:
-        speed = (
-            f"{number(fast, 3)} {words.motion_unit}/s, then as many at {number(fast / 2.0, 3)} {words.motion_unit}/s"
-        )
+        speed = f"{number(fast)} {words.motion_unit}/s, then as many at {number(fast / 2.0)} {words.motion_unit}/s"
     if lasting:
         stand = duration(lasting)
         still = f", and in the first one hold {stand} at {top} and rest {stand} at {bottom} after it"

@@ -17,7 +17,7 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
         return []
     (least, most), (slow, fast) = known["load"], known["speed_per_s"]
     loads = (
-        f"loads of {number(least, 3)} to {quantity(most, words.load_unit, 3)}"
+        f"loads of {number(least)} to {quantity(most, words.load_unit)}"
         if content["evidence"]["loaded"]
         else "one load"
     )
@@ -28,10 +28,10 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
         f"holds of up to {duration(known['longest_hold_s'])} and rests of up to {duration(known['longest_rest_s'])}"
     )
     more = " or more" if content["evidence"]["loaded"] else ""
-    under = f" under {quantity(least, words.load_unit, 3)}{more}" if words.load is not None and least > 0.0 else ""
+    under = f" under {quantity(least, words.load_unit)}{more}" if words.load is not None and least > 0.0 else ""
     wanted, counts = " ".join(tests), []
     if "speed" in wanted and fast > 0.0:
-        other = f"{number(fast / 2.0, 3)} or {quantity(2.0 * fast, f'{words.motion_unit}/s', 3)}"
+        other = f"{number(fast / 2.0)} or {quantity(2.0 * fast, f'{words.motion_unit}/s')}"
         two = f"It has two speeds: the fastest is {times(fast / slow)} times the slowest" if slow > 0.0 else ""
         counts.append(
             f"{two}." if two and fast >= ALIKE * slow else f"It has no second speed: {other}, half or twice, would do."

@@ -33,12 +33,12 @@ def sentence(content: Verdict, words: Vocabulary) -> str:
     """Which second load to hang beside the only one that was recorded, and whether it tells."""
     load, chosen = base(content), best(content, words)
     if chosen is None:
-        other = f"{number(HALF * load, 3)} or {quantity(TWICE * load, words.load_unit, 3)}"
+        other = f"{number(HALF * load)} or {quantity(TWICE * load, words.load_unit)}"
         return f"It has no second load: {other}, half or twice, would do if the rig bears it."
     share, ratio = chosen
     named, rival = apart(*compared(content)[:2])
-    hung, rest = quantity(share * load, words.load_unit, 3), HALF + TWICE - share
-    other = quantity(rest * load, words.load_unit, 3)
+    hung, rest = quantity(share * load, words.load_unit), HALF + TWICE - share
+    other = quantity(rest * load, words.load_unit)
     if ratio < 1.0:
         return (
             f"It has no second load, and neither {hung} nor {other} parts {named} from {rival} here by more than the "

@@ -79,8 +79,8 @@ def readings(run: NextRun, words: Vocabulary) -> str:
     names = [rivals.called(ids) for ids in run["parts"]]
     both = [quantity(known[f"{which}_{words.ending}"], words.unit, 4) for which in ("first", "second")]
     return (
-        f"In it the two predicted readings differ by up to {most}, most near {near}: {both[0]} if it is {names[0]}, "
-        f"{both[1]} if it is {names[1]}."
+        f"In it, if it follows this recording at once, the two predicted readings differ by up to {most}, most near "
+        f"{near}: {both[0]} if it is {names[0]}, {both[1]} if it is {names[1]}."
     )
 
 

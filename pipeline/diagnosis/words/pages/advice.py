@@ -5,6 +5,7 @@ from ..held_out import holdout, in_vain
 from ..language.quantity import listing
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
+from ..named import own_size
 from . import report
 
 NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
@@ -38,13 +39,19 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
         return f"Adopting gains nothing: {in_vain.said(content, words)}."
     reportable = report.own_sizes(content, words)
     sizes = (
-        f"; report no size but that of {listing(reportable)} (details.txt, TO REPORT)"
+        f"; report no size but that of {_called(reportable, content, words)} (details.txt, TO REPORT)"
         if reportable
         else "; do not report its sizes"
     )
     sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes
     other = ", though another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
     return f"{MAY} this to predict motions like the recorded ones{other}{sizes}."
+
+
+def _called(reportable: list[str], content: Verdict, words: Vocabulary) -> str:
+    """The effects whose sizes can be reported, with where these stand if they are not all of an effect."""
+    known = {entry["id"]: own_size.own_part(entry, content, words) for entry in content["mechanisms"]}
+    return listing([f"{id_}{' in the last column' if known[id_] else ''}" for id_ in reportable])
 
 
 def contrary(content: Verdict, words: Vocabulary) -> str:

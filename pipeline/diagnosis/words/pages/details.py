@@ -23,7 +23,7 @@ from ..language.sections import text
 from ..language.vocabulary import Vocabulary
 from ..measured import in_run_yaml, to_measure, tolerances
 from ..measured.dimensions import corrected, each_moved, far_moved, remeasured, suspicious
-from ..named import adopted_table, certainty, effect_table, effects, logged, slow_look_alikes
+from ..named import adopted_table, certainty, effect_table, effects, logged, needed, slow_look_alikes
 from ..next_run import commands, deciding_run, experiment, signs, worth
 from ..next_run.run_asked import no_run
 from . import adoption, error_table, report, spikes, to_do, verdict
@@ -32,6 +32,7 @@ from .spoken import whole
 
 DOUBTS, WORDS = "What to know first", "What the words mean"
 CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
+EXPLAINS, BEST = "What explains it", "The best explanation"
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
 
@@ -60,10 +61,10 @@ def details_text(
         (chances.HEADING, chances.lines(content, words, short=False)),
         ("What is missing", [*missing(content, words), *logged.temperature(content, words)]),
         (
-            "What explains it" if content["verdict"] == "explained" else "The best explanation",
+            f"{EXPLAINS if content['verdict'] == 'explained' else BEST}: {rivals.best(content)}",
             [
                 *named(content, words),
-                *certainty.needed(content),
+                *needed.lines(content),
                 *rivals.what_is_left(content, words),
                 *unexplained_pattern.remains(content, words),
             ],
@@ -114,8 +115,7 @@ def missing(content: Verdict, words: Vocabulary) -> list[str]:
 
 def follows(content: Verdict) -> str:
     """What the mismatch follows; which effect follows what is said where each is told."""
-    driver = mismatch_of(content)["driver"]
-    return f"It follows {driver}." if len(content["mechanisms"]) < 2 else f"Its parts follow {driver}."
+    return f"What is missing follows {mismatch_of(content)['driver']}."
 
 
 def named(content: Verdict, words: Vocabulary) -> list[str]:
@@ -125,7 +125,7 @@ def named(content: Verdict, words: Vocabulary) -> list[str]:
     for entry in content["mechanisms"]:
         limit = certainty.held_back(content, words, entry["id"])
         between = effects.between_runs(entry, words)
-        sentences = [effects.interval(entry, words, limit), between, hidden.get(entry["id"], "")]
+        sentences = [effects.interval(entry, words, rivals.best(content), limit), between, hidden.get(entry["id"], "")]
         lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]

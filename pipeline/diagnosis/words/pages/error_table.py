@@ -16,7 +16,9 @@ from ..measured.dimensions import LEAVES, far_moved, from_to, name_of
 HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
 WHOLE = "whole recording (seen by the fit)"
-OTHER = "* of {}, which the procedure names without these strokes"
+OTHER = "{other} is what the procedure names without these strokes; {best} was tried on no stroke unseen by it."
+NONE_NAMED = "Without these strokes the procedure names no effect: the right column has the error of calibration alone."
+OTHER_EFFECTS, NARROW = "other effects, see below", 33  # letters of a row's name: the table is no wider than a page
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
 WHOSE = {
     holdout.UNSEEN: "For the right column all was fitted anew without those strokes.",
@@ -43,13 +45,14 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     rows = [["simulator", *(head for head, _, _ in columns)]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
-    if held and holdout.other_name(content):
-        rows[-1][-1] += " *"
     if rows[-1][1:] == rows[-2][1:] and not content["mechanisms"]:  # nothing is named
         rows.pop()
     adopted = content["evidence"].get(f"adopted_{words.ending}")
     if adopted is not None:
         rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])
+    if held and content["mechanisms"] and (other := holdout.other_name(content)):
+        of_other, rows[-1][-1] = rows[-1][-1], UNKNOWN
+        rows += [] if other == holdout.NO_EFFECT else [[_row_of(other), UNKNOWN, of_other]]
     rows.append(
         [
             "noise",
@@ -60,6 +63,12 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
         ]
     )
     return rows
+
+
+def _row_of(other: str) -> str:
+    """What the row is called of other effects than those that the verdict names."""
+    name = f"{other}, see below"
+    return name if len(name) <= NARROW else OTHER_EFFECTS
 
 
 def short(content: Verdict, words: Vocabulary) -> list[str]:
@@ -83,10 +92,11 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _of_other(content: Verdict) -> list[str]:
-    """Whose error on unseen strokes the last row holds, where it is not of what the verdict names."""
+    """Whose error on unseen strokes stands in the table, where it is not of what the verdict names."""
     other = holdout.other_name(content)
-    who = "calibration alone: the procedure names no effect without these strokes"
-    return [f"* of {who}." if other == holdout.NO_EFFECT else f"{OTHER.format(other)}."] if other else []
+    if not other or not content["mechanisms"]:
+        return []
+    return [NONE_NAMED if other == holdout.NO_EFFECT else OTHER.format(best=rivals.best(content), other=other)]
 
 
 def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:

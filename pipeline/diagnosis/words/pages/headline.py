@@ -13,7 +13,7 @@ WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
-    "explained": "physics is missing, and named{sure}.",
+    "explained": "physics is missing, and named{sure}{unsettled}.",
     "ambiguous": "physics is missing; {recordings} cannot decide between {count} explanations{sure}.",
     "unknown": "the mismatch is real, and no explanation of the library is good enough{lacks}.",
 }
@@ -29,7 +29,8 @@ HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({flo
 HOLDS, NEW, LEFT = "and still hold{s}", "and something new is there", "and something without a name is left"
 MAY_HOLD, UNFIT = "and may hold", "and fit{s} no more with the dimensions of run.yaml"
 FAR = ", some by three times their tolerance: measure them again before you trust it"
-PARTLY = "physics is missing, and named in part{sure}."
+PARTLY = "physics is missing, and named in part{sure}{unsettled}."
+UNSETTLED = ", but the name is not settled: {}"
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
 
@@ -56,6 +57,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
         "sure": how_sure(content),
+        "unsettled": UNSETTLED.format(other) if (other := holdout.settled_otherwise(content)) else "",
         "lacks": lacks(content),
         "adopted": named,
         "beside": f"{named}; with {_them(adopted)} " if adopted else "",

@@ -26,6 +26,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     left = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
     missing = f"{left} rms is missing after calibration, noise taken off"
+    if not content["mismatch"][f"rms_{words.ending}"]:
+        missing = "after calibration nothing is missing beyond the noise"
     missing += _unseen(content, words)
     statements = [
         missing,
@@ -125,7 +127,8 @@ def _best(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     name, share = kept[0]
     best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
-    rest = "beyond these no other is excluded" if slow_look_alikes.excluded(content, words) else "no other is excluded"
+    rest = "every other explanation is less likely, but none is impossible"
+    rest += ", save those with an effect that is excluded above" * bool(slow_look_alikes.excluded(content, words))
     return [f"{best} recording agrees best with {name} ({percent(share)}); {rest}"]
 
 

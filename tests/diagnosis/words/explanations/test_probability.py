@@ -28,7 +28,7 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
     assert "Here the best one alone has 99 %; all others" in text
-    none = "Why less likely, where nothing else is said: with one more effect it is an explanation that leaves less."
+    none = "Why less likely, where nothing else is said: the same effects with one more leave less of the recording."
     assert " creep less than 1 % 0.060 mm (2.0) " in text and none in text
 
 

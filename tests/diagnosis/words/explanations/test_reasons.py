@@ -72,10 +72,14 @@ def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_like
 
 
 def test_a_diagnosis_keeps_the_reasons_against_each_explanation_that_was_weighed(studied) -> None:
-    shown = explanations(studied("creep")[0], "mm")
+    shown = explanations(studied("creep")[0], "mm", 0.5)
     reasons = [one["because"] for one in shown if one["ids"] and one["standing"] != "named"]
     assert reasons and any(reasons) and all(len(each or []) <= 2 for each in reasons)
     assert all(part["log_odds"] < 0.0 for each in reasons for part in each or [])
+    (alone,) = (each for each in shown if not each["ids"])
+    assert alone["left_mm"] == 0.5 != alone["approximated_mm"], (
+        "as the table has it, beside what the search took it for"
+    )
     assert json.dumps(shown) and "because" not in next(one for one in shown if one["standing"] == "named")
 
 

@@ -5,7 +5,7 @@ from made_content import content, told
 
 def test_what_all_ties_share_and_why_each_rival_was_beaten():
     text = told()
-    assert "Together they leave 0.030 mm rms (1.0 times the noise)." in text
+    assert "friction_hysteresis + creep leaves 0.030 mm rms (1.0 times the noise)." in text
     assert "Both explanations have friction_hysteresis. The other one is:" in text
     assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise)." in text
     allowed = (

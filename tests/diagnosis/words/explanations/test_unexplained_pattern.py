@@ -54,7 +54,6 @@ def test_the_pattern_that_the_best_explanation_leaves_is_told_with_place_and_dri
     box = {"motor_turns": [20.0, 26.0], "strokes": [1, 2], "phase": "winding", "share": 0.8}
     made = content(evidence__pattern={"location": box, "driver": ["time"], "rms_mm": 0.021})
     made["evidence"]["explanations"][-1]["left_mm"] = left
-    line = (
-        "What is left holds a pattern of 0.021 mm rms beside the noise. It lies mostly at 20 to 26 turns, in strokes 1 "
-    )
+    who = "What friction_hysteresis + creep leaves"
+    line = f"{who} holds a pattern of 0.021 mm rms beside the noise. It lies mostly at 20 to 26 turns, in strokes 1 "
     assert (f"{line}to 2, while winding, and follows the time." in " ".join(told(made).split())) is said

@@ -16,7 +16,7 @@ def test_no_number_goes_without_unit_sense_or_in_exponents():
         in text
     )
     assert "83 % of its energy lies at 0 to 12 turns, in strokes 2 to 9, while winding." in text
-    assert "Its parts follow the direction of motion and the load; time under load." in text
+    assert "What is missing follows the direction of motion and the load; time under load." in text
 
 
 def test_numbers_read_well():

@@ -9,14 +9,16 @@ from made_content import confident, content, told
 def test_a_sure_effect_whose_size_may_be_nothing_says_so():
     found = content()
     found["mechanisms"][0]["rms_mm"] |= {"low": 0.0}
-    sure = "That it is there is sure, its size is not: dimensions or other effects can take its place."
+    sure = "That it is there is sure; its size is poorly known: dimensions or other effects can take its place."
     for confidence, said in ((0.85, True), (0.6, False)):
         found["mechanisms"][0]["confidence"] = confidence
         assert (sure in told(copy.deepcopy(found))) is said
     found["mechanisms"][0]["confidence"], found["evidence"]["moved_sigma"] = 0.85, {"radius_mm": 3.0}
     at_its_limit = " ".join(told(found).split())
     assert sure not in at_its_limit
-    assert "That it is there is probable while the radius stands at its limit, its size is not:" in at_its_limit
+    assert (
+        "That it is there is no more than probable, since the radius stands at its limit; its size is" in at_its_limit
+    )
 
 
 AT_LIMIT = {"radius_mm": 3.0}
@@ -51,7 +53,7 @@ def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
     ("low", "high", "said"),
     [
         (0.35, 0.44, "Each effect's own size is known to 15 % or better, if"),
-        (0.0, 0.9, "Poorly known is how much creep (0 to 0.90 mm) does alone, if this explanation is right."),
+        (0.0, 0.9, "Poorly known is how much creep (0 to 0.90 mm) does alone, if friction_hysteresis + creep is"),
     ],
 )
 def test_the_first_lines_say_how_much_is_missing_and_whose_size_is_poorly_known(low, high, said):

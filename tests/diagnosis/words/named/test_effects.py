@@ -30,9 +30,9 @@ def test_each_size_comes_with_its_interval_or_with_why_it_has_none():
     text = told(copy.deepcopy(found))
     assert (
         "half the loop is 0.101 mm (0.0909 to 0.111)." in text
-        and "90 % interval of its rms, if this explanation" in text
+        and "90 % interval of its rms, if friction_hysteresis + creep" in text
     )
-    assert "if this explanation is right: 0.074 to 0.090 mm." in text
+    assert "friction_hysteresis + creep is right: 0.074 to 0.090 mm." in text
     found["mechanisms"][0]["rms_mm"] |= {"low": 0.0822, "high": 0.0822}
     assert "Its rms has no interval: the fit gives it one value alone." in told(found)
 
@@ -129,7 +129,7 @@ def test_a_calculated_temperature_is_not_told_as_a_measured_one(measured, said):
     changes = {"mismatch__driver": ["temperature"], "mismatch__rms_mm": 0.0068}
     text = told(content(verdict="explained", mechanisms=[entry], alternatives=[], next_run=None, **changes))
     assert f"The length follows {said}" in text and "The effect is smaller than the noise of one" in text
-    assert ("It follows a temperature that is calculated from how fast" in text) == (not measured)
+    assert ("What is missing follows a temperature that is calculated from how fast" in text) == (not measured)
     assert "smaller than the noise" not in told()
 
 

@@ -27,9 +27,9 @@ def test_a_mechanism_without_strength_is_not_named_adopted_or_shared_and_the_ver
     assert made["alternatives"] == [["friction_hysteresis", "creep", "wear"]] and made["verdict"] == "ambiguous"
     text = told(made)
     assert "creep was tried as well and is not named. The search's first fit" in text
-    assert "creep follows" not in text and "It follows the direction of motion and the load." in text
+    assert "creep follows" not in text and "What is missing follows the direction of motion and the load." in text
     assert "Both explanations have friction_hysteresis. The other one is:" in text
-    assert "It leaves 0.030 mm rms (1.0 times the noise)." in text
+    assert "friction_hysteresis leaves 0.030 mm rms (1.0 times the noise)." in text
 
 
 def test_an_explanation_that_is_the_best_one_without_its_idle_part_ties_no_more():

@@ -21,7 +21,7 @@ def test_what_must_be_known_first_stands_first():
     assert first_lines() == [
         "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations.",
         "  Size: 0.44 mm rms is missing after calibration. Each effect's own size is known to 10 % or better, if "
-        "this explanation is right.",
+        "friction_hysteresis + creep is right.",
         "  Calibration moved the radius by 2.9 times its tolerance; three is the most that it may. Until it is "
         "measured again (below), names, percentages and sizes are provisional.",
     ]

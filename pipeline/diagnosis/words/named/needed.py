@@ -1,0 +1,24 @@
+"""What to think of an effect of the best explanation that is less likely than not, in words."""
+
+from ...document.content import Verdict
+from ..language.quantity import listing, percent
+from . import certainty
+
+EVEN = 0.45
+ABSENT = ("more likely absent than", "about as likely absent as")  # below EVEN, and from there on
+
+
+def lines(content: Verdict) -> list[str]:
+    """What to think of an effect of the best explanation that is less likely than not."""
+    best = {entry["id"] for entry in content["mechanisms"]}
+    others = [set(ids) for ids in content["alternatives"]]
+    lines = []
+    for id_, share in ((id_, share) for id_, share in certainty.known(content).items() if share < certainty.PROBABLE):
+        rest = best - {id_}
+        swapped = [ids - rest for ids in others if ids >= rest]
+        if others and len(swapped) == len(others) and all(len(swap) == 1 for swap in swapped):
+            instead = dict.fromkeys(other for swap in swapped for other in sorted(swap))
+            lines.append(f"One of {listing([id_, *instead])} is needed; which one is open.")
+        else:
+            lines.append(f"{id_} is {ABSENT[share >= EVEN]} at work ({percent(share)}).")
+    return lines

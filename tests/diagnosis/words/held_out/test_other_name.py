@@ -1,0 +1,45 @@
+"""Where other effects are named without the last strokes: one statement of it, in every place."""
+
+from made_content import confident, content, page, told
+
+ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
+
+
+def test_the_first_line_says_with_the_probability_that_the_name_is_not_settled() -> None:
+    settled = confident(0.93, 0.96, **ALONE)
+    assert "not settled" not in page(settled)
+    other = confident(0.93, 0.96, **ALONE, evidence__chosen_without_them=["creep"])
+    first = " ".join(page(other).split("\n\n")[0].split())
+    assert first.endswith(
+        "the explanation has a probability of 52 %, but the name is not settled: without the last 30 % of strokes the "
+        "procedure names creep."
+    )
+
+
+def test_an_effect_that_is_not_named_without_the_last_strokes_is_called_probable_and_the_other_one_sure() -> None:
+    known = confident(0.93, 0.96, **ALONE, evidence__chosen_without_them=["creep"], evidence__moved_sigma={})
+    text = told(known)
+    assert "Sure (80 % or more): creep (96 %)." in text
+    assert (
+        "Probable, since without the last 30 % of strokes the procedure names creep: friction_hysteresis (93 %)."
+        in text
+    )
+
+
+def test_of_a_tie_what_is_named_without_the_last_strokes_is_said_to_be_one_of_the_likely_explanations() -> None:
+    text = told(content(evidence__chosen_without_them=["friction_hysteresis", "thermal"]))
+    assert "the procedure names friction_hysteresis + thermal, another of the 2 likely explanations, not creep" in text
+    assert "not settled" not in text
+
+
+def test_two_errors_in_one_sentence_are_each_of_the_effects_that_they_are_of() -> None:
+    text = told(content(fit__heldout__explained_mm=0.3, evidence__chosen_without_them=["creep"]))
+    assert "creep, fitted without the unseen strokes, misses them by 9.6 times the noise (1.3 is the limit); " in text
+    assert "friction_hysteresis + creep, fitted to all, leaves 1.00 times. So too few strokes were seen, or" in text
+    assert "those that the fit has seen" not in text
+
+
+def test_the_row_of_other_effects_is_no_wider_than_the_page() -> None:
+    many = content(evidence__chosen_without_them=["friction_hysteresis", "shaft_windup", "sensor_drift"])
+    row = next(line for line in page(many).splitlines() if line.strip().startswith("other effects, see below"))
+    assert len(row) <= 112 and "friction_hysteresis + sensor_drift + shaft_windup is what the procedure" in told(many)
