@@ -54,8 +54,8 @@ class Jump:
     @property
     def sentence(self) -> str:
         """What is seen, in words."""
-        more = f"{abs(self.jump_mm):.2g} mm {'more' if self.jump_mm > 0 else 'less'}"
-        floors = f"{abs(self.jump_mm) / self.floor_mm:.0f} times the noise ({self.floor_mm:.2g} mm)"
+        more = f"{_two_digits(abs(self.jump_mm))} mm {'more' if self.jump_mm > 0 else 'less'}"
+        floors = f"{_two_digits(abs(self.jump_mm) / self.floor_mm)} times the noise ({self.floor_mm:.2g} mm)"
         were = "was" if self.unrecorded == 1 else "were"
         between = f"{counted(self.unrecorded, 'stroke')} that {were} not recorded" if self.unrecorded else "no stroke"
         return (
@@ -75,6 +75,11 @@ class Jump:
             f"{self.sentence} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
             f"{self.run}: it is then tared on its own rest, from where {self.before} ended."
         )
+
+
+def _two_digits(value: float) -> str:
+    """A number with two digits and no exponent: 150, 5100, 0.28."""
+    return f"{float(f'{value:.2g}'):,.10g}"
 
 
 def jumps_among(runs: list[Rests]) -> list[Jump]:

@@ -22,12 +22,12 @@ from ..words.pages import advice
 from ..words.pages.headline import unfit
 from . import driver_panels, panels
 from .mismatch_map import map_of, map_signs, mismatch_map
-from .panels import AFTER, SHADES
+from .overview import overview
+from .panels import AFTER
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
 MOST, WIDEST = 6, 130  # panels of drivers, and letters in a line of the mark
-THIN = {"lw": 0.8}  # of the simulators over time, whose colours are the same in every panel
 WIDE = 100  # characters of a line of the title
 
 
@@ -102,17 +102,11 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     figure.suptitle(title(content), fontsize=11)
     vocabulary = Vocabulary.of(problem.system)
     warned = "\n".join(filter(None, (textwrap.fill(mark, WIDEST), warning(content, vocabulary))))
-    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.4, 2.8, 3.6, 3.0]))
+    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.6 + 0.6 * drivers.loaded, 2.7, 3.6, 2.9]))
     top, maps, middle, bottom = rows
-    over, under = top.subplots(2, 1, sharex=True, height_ratios=[2, 1])
     if warned:
         top.suptitle(warned, fontsize=8.5, color=AFTER)
-    lines = {"recording": (problem.measured, {"color": "0.1", "lw": 2.4})}
-    lines |= {name: (values, {"color": SHADES[name], **THIN}) for name, values in simulations.items()}
-    panels.over_time(over, drivers, lines, f"{problem.system.channel.rpartition('_')[0]} ({unit})")
-    left = {name: (values, {"color": SHADES[name], "lw": 0.6}) for name, values in residuals.items()}
-    panels.over_time(under, drivers, left, f"residual ({unit})")
-    under.set_xlabel("time (s)")
+    overview(top, drivers, problem.measured, simulations, problem.system.channel.rpartition("_")[0])
     for axes, (name, residual) in zip(maps.subplots(1, 2, sharey=True), residuals.items(), strict=True):
         limit = max(float(np.nanpercentile(np.abs(map_of(drivers, residual)[0]), 98)), 2.0 * floor)
         image = mismatch_map(axes, drivers, residual, f"recording − simulation, {name} (own scale)", limit)

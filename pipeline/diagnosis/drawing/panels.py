@@ -35,7 +35,7 @@ STANDINGS = {
 }  # of an explanation: its colour, and what that means
 MORE_ALONE = "takes away too little to be named"  # where nothing is
 NOT_NAMED = "leaves least, and is not named"  # where none has to be
-WITH_DISCREPANCY = "left if its formulas may be a little wrong"
+WITH_DISCREPANCY = "left if each effect may differ from its formula by 10 %"
 NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
 MOTION = {"turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion"}  # by unit
 
@@ -133,7 +133,7 @@ def held_out(
     values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
     names = list(SHADES)[skip : 2 if values[2] == values[1] else 3]  # what is the same is drawn once
     values, places = values[skip : skip + len(names)], range(len(names))
-    colours = [SHADES[name] for name in names]
+    colours = [TIED if without and name == NAMED else SHADES[name] for name in names]
     axes.vlines(places, floor, values, colors=colours, lw=2.5)
     axes.scatter(places, values, c=colours, s=55, zorder=2.5)
     for place, value in enumerate(values):

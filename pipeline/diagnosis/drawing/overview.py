@@ -1,0 +1,85 @@
+"""The panels over time: the recording with what can be told from it, what each simulator leaves, and the load."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import SubFigure
+
+from ...ground.kinematics import Array
+from ..choice.outcome import rms
+from ..recording.drivers import Drivers
+from ..words.language.quantity import listing, size
+from .panels import SHADES, over_time
+
+SEEN = 0.02  # of the recording's range: a simulator that never leaves it by more would lie on it, and is not drawn
+APART = 0.2  # of the range of a run: zeros of runs that differ by more would squash the strokes
+WIDE = 4.0  # times the largest other residual: a wider one would squash the others, and is told as a number
+LEAST, MOST = 1.0, 99.0  # percentiles: of the readings of a run, for its lowest; of what a simulator leaves
+
+
+def overview(part: SubFigure, drivers: Drivers, measured: Array, simulations: dict[str, Array], reading: str) -> None:
+    """Draw the panels; the last two of `simulations` are those whose residuals the other panels show.
+
+    Each array has the shape (samples,), in the reading's unit; `reading` is what the reading is called.
+    """
+    loaded, unit = drivers.loaded, drivers.units.reading
+    heights = [2.0, 1.4, 0.6] if loaded else [2.0, 1.2]
+    over, under, *rest = part.subplots(len(heights), 1, sharex=True, height_ratios=heights)
+    zeros, whence = own_zeros(drivers, measured)
+    shown = seen(measured, simulations)
+    lines: dict[str, tuple[Array, dict[str, Any]]] = {"recording": (measured - zeros, {"color": "0.1", "lw": 2.4})}
+    lines |= {name: (simulations[name] - zeros, {"color": SHADES[name], "lw": 0.8}) for name in shown}
+    over_time(over, drivers, lines, f"{reading} ({unit}){whence}")
+    hidden = [name for name in simulations if name not in shown]
+    if hidden:
+        they = "they" if len(hidden) > 1 else "it"
+        over.set_title(f"not drawn, for {they} would lie on these lines: {listing(hidden)}", fontsize=7, loc="left")
+    residuals = {name: measured - values for name, values in simulations.items()}
+    _residuals(under, drivers, residuals, unit)
+    for axes in rest:
+        load = drivers.load * drivers.units.load_size
+        over_time(axes, drivers, {"load": (load, {"color": "0.1", "lw": 0.8})}, f"load ({drivers.units.load})")
+        axes.get_legend().remove()
+    (rest or [under])[-1].set_xlabel("time (s)")
+
+
+def own_zeros(drivers: Drivers, measured: Array) -> tuple[Array, str]:
+    """What is taken off each run's readings, and what the axis says of it; nothing where the runs' zeros are near.
+
+    Of shape (samples,), in the reading's unit, as `measured` is.
+    """
+    parts = drivers.run_parts()
+    lowest = [float(np.percentile(measured[part], LEAST)) for part in parts]
+    most = max(float(np.ptp(measured[part])) for part in parts)
+    zeros = np.zeros(len(measured))
+    if max(lowest) - min(lowest) <= APART * most:
+        return zeros, ""
+    for part, low in zip(parts, lowest, strict=True):
+        zeros[part] = low
+    return zeros, ",\neach run from its lowest"
+
+
+def seen(measured: Array, simulations: dict[str, Array]) -> list[str]:
+    """The simulators that leave the recording by so much that a line shows it, and the last one in any case.
+
+    Each of shape (samples,), in the reading's unit.
+    """
+    least = SEEN * float(np.ptp(measured))
+    *_, last = simulations
+    most = {name: float(np.percentile(np.abs(measured - values), MOST)) for name, values in simulations.items()}
+    return [name for name in simulations if name == last or most[name] > least]
+
+
+def _residuals(axes: Axes, drivers: Drivers, residuals: dict[str, Array], unit: str) -> None:
+    """What each simulator leaves; of one that leaves far more than the others its size alone, in the legend."""
+    *_, other, _ = [rms(values) for values in residuals.values()]
+    lines: dict[str, tuple[Array, dict[str, Any]]] = {}
+    for name, values in residuals.items():
+        style: dict[str, Any] = {"color": SHADES[name], "lw": 0.6}
+        if rms(values) > WIDE * other:
+            label = f"{name}: {size(rms(values), unit)} rms, not drawn"
+            lines[label] = np.full(len(values), np.nan), style
+        else:
+            lines[name] = values, style
+    over_time(axes, drivers, lines, f"residual ({unit})")
