@@ -21,12 +21,6 @@ def called(ids: list[str]) -> str:
     return " + ".join(ids) or "calibration alone"
 
 
-def best(content: Verdict) -> str:
-    """The name of the best explanation."""
-    named = next(iter(entries(content, "named")), {"ids": [entry["id"] for entry in content["mechanisms"]]})
-    return called(named["ids"])
-
-
 def entries(content: Verdict, *standings: str) -> list[Part]:
     """Explanations of some standing, the best first."""
     return [

@@ -41,6 +41,12 @@ def of_other(content: Verdict) -> str:
     return other if other not in ("", NO_EFFECT) else ""
 
 
+def named(content: Verdict) -> str:
+    """The best explanation, as its effects are listed everywhere."""
+    best = [shown["ids"] for shown in content["evidence"]["explanations"] if shown["standing"] == "named"]
+    return " + ".join([*best, [entry["id"] for entry in content["mechanisms"]]][0])
+
+
 def split(content: Verdict) -> str:
     """Which strokes were held out, as a table's head says it."""
     held = content["fit"]["heldout"]

@@ -65,13 +65,13 @@ def tried(content: Verdict) -> str:
 def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
     """That the error on the last strokes is of other effects than are named; nothing where it is of these."""
     other, unseen_errors = holdout.other_name(content), errors(content, words)
-    named = [entry["id"] for entry in content["mechanisms"]]
-    if not other or not named or unseen_errors is None or (other == holdout.NO_EFFECT and said(content, words)):
+    none = other == holdout.NO_EFFECT
+    if not other or not content["mechanisms"] or unseen_errors is None or (none and said(content, words)):
         return []
-    best, count = " + ".join(sorted(named)), 1 + len(content["alternatives"])
+    best, count = holdout.named(content), 1 + len(content["alternatives"])
     error = f"the error on the {holdout.strokes(content)} ({size(unseen_errors[2], words.unit)}) is that of"
     without = f"Without the {holdout.split(content)} the procedure names"
-    if other == holdout.NO_EFFECT:
+    if none:
         return [f"{without} no effect, so the name {best} is not settled, and {error} calibration alone."]
     end = f"not {best}, so {error} {other}."
     if set(other.split(" + ")) in map(set, content["alternatives"]):

@@ -4,7 +4,6 @@ import math
 
 from ....ground.command import program_name
 from ...document.content import Verdict
-from ..explanations import rivals
 from ..language.quantity import duration, size, times
 from ..language.vocabulary import Vocabulary
 from . import holdout
@@ -73,7 +72,7 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
     if other and named:
         both = f"{other}, fitted without the unseen strokes, misses them by {exact(unseen)} times the noise"
         both += (
-            f" ({STILL_MISSING:g} is the limit); {rivals.best(content)}, fitted to all, leaves {exact(fitted)} times"
+            f" ({STILL_MISSING:g} is the limit); {holdout.named(content)}, fitted to all, leaves {exact(fitted)} times"
         )
         changes = f"something changes from stroke to stroke that {other} does not foresee"
         return f"Something systematic is still missing: {both}. So too few strokes were seen, or {changes}."

@@ -147,7 +147,7 @@ def sizes(content: Verdict, words: Vocabulary) -> list[str]:
     if not poorly and all(known["high"] > known["low"] for known in sizes_of.values()):
         own = "Each effect's own size is known" if len(sizes_of) > 1 else "The effect's own size is known"
         own += f" to {percent(max(_half(known) for known in sizes_of.values()))} or better"
-    right = f" {own}, if {rivals.best(content)} is right."
+    right = f" {own}, if {holdout.named(content)} is right."
     return [f"Size: {missing} rms is missing after calibration.{right * bool(own)}"]
 
 

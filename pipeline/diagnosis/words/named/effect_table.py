@@ -1,7 +1,8 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
 from ...document.content import Part, Verdict, mismatch_of
-from ..explanations import probability, rivals
+from ..explanations import probability
+from ..held_out import holdout
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import at, listing, percent, size
 from ..language.table import aligned
@@ -66,7 +67,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     larger = [HIDES] if parts and len(entries) == 1 else []
-    best = "" if short else f", {rivals.best(content)}"
+    best = "" if short else f", {holdout.named(content)}"
     whose = [f"Sizes are those of the best explanation{best}."] if several else []
     if short:
         against = cancelling.lines(content, entries, words)

@@ -61,7 +61,7 @@ def details_text(
         (chances.HEADING, chances.lines(content, words, short=False)),
         ("What is missing", [*missing(content, words), *logged.temperature(content, words)]),
         (
-            f"{EXPLAINS if content['verdict'] == 'explained' else BEST}: {rivals.best(content)}",
+            f"{EXPLAINS if content['verdict'] == 'explained' else BEST}: {holdout.named(content)}",
             [
                 *named(content, words),
                 *needed.lines(content),
@@ -125,7 +125,8 @@ def named(content: Verdict, words: Vocabulary) -> list[str]:
     for entry in content["mechanisms"]:
         limit = certainty.held_back(content, words, entry["id"])
         between = effects.between_runs(entry, words)
-        sentences = [effects.interval(entry, words, rivals.best(content), limit), between, hidden.get(entry["id"], "")]
+        interval = effects.interval(entry, words, holdout.named(content), limit)
+        sentences = [interval, between, hidden.get(entry["id"], "")]
         lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
     idle = content["evidence"].get("idle", [])
     lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]

@@ -96,7 +96,7 @@ def _of_other(content: Verdict) -> list[str]:
     other = holdout.other_name(content)
     if not other or not content["mechanisms"]:
         return []
-    return [NONE_NAMED if other == holdout.NO_EFFECT else OTHER.format(best=rivals.best(content), other=other)]
+    return [NONE_NAMED if other == holdout.NO_EFFECT else OTHER.format(best=holdout.named(content), other=other)]
 
 
 def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:

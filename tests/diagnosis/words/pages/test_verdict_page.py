@@ -357,7 +357,7 @@ def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_i
     assert f"{worse} So the recording is too short to choose" in other
     assert "1. Adopt nothing: on the unseen strokes slack makes" in other
     assert "the explanation makes" not in other and "explanation improves" not in other
-    assert "the procedure names slack, not creep + friction_hysteresis" in other
+    assert "the procedure names slack, not friction_hysteresis + creep" in other
     made["fit"]["worse_than_nominal"] = ["explained"]
     first = " ".join(page(made).split("\n\n")[0].split())
     assert (
@@ -389,7 +389,7 @@ def test_a_good_error_of_other_effects_is_said_to_be_of_these():
     assert "not settled" not in page(made) and "see below" not in page(made)
     made["evidence"]["chosen_without_them"] = ["thermal"]
     shown = " ".join(page(made).split())
-    without = "Without the last 30 % of strokes the procedure names thermal, not creep + friction_hysteresis"
+    without = "Without the last 30 % of strokes the procedure names thermal, not friction_hysteresis + creep"
     error = re.search(
         rf"{re.escape(without)}, so the error on the unseen strokes \((.+?)\) is that of thermal\.", shown
     )
