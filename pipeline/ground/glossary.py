@@ -26,7 +26,7 @@ TERMS: dict[str, dict[str, str]] = {
         "diagnosed simulator": "the equations with the physics that the diagnosis found missing.",
         "RMSE": "root of the mean square error.",
         "held out": "kept away from the model while it learns; all errors here are on such points.",
-        "within strokes": "blocks inside every stroke are held out, one in four.",
+        "within strokes": "each stroke is cut into short blocks, at most 80 a winding; one block in four is held out.",
         "later strokes": "the last quarter of the strokes is held out, whole.",
         "floor": "what the best smooth curve through the held-out answers themselves still misses; noise, mostly.",
         "× floor": "a model's error divided by the floor for what it knows; knowing no more, none gets far below 1.",

@@ -20,8 +20,9 @@ from .titles import titles_of
 UNKNOWN = MadeBy()
 FAR = 1.5  # times the floor: an INN that errs so much is not what these data allow
 NOTES = """\
-Errors are on held-out points only. `within` holds out blocks inside strokes (one in four), `later` the last quarter of
-the strokes, whole. Values are medians over the seeds, with the lowest and the highest in brackets where they differ.
+Errors are on held-out points only. `within` cuts each stroke into short blocks, at most 80 a winding, and holds out one
+block in four; `later` holds out the last quarter of the strokes, whole. Values are medians over the seeds, with the
+lowest and the highest in brackets where they differ.
 The displacement is tared once a string, on the rest before its first stroke, to the model's value at that twist.
 Where the contraction is negative eq. 5 has no real root. The number under the root is then taken as 0, so the
 traditional model answers one and the same twist there. The paper has numbers of two of these models: the INN and the

@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 
 from .comparison import line
-from .usual_model import ALONE, chosen_of, errors_in, errors_of, uses
+from .usual_model import ALONE, chosen_of, errors_in, errors_of, uses, why
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 SPLITS = {"within": "within strokes", "later": "later strokes"}
@@ -44,13 +44,15 @@ def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[
     """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there."""
     files = [path for path in made if path.suffix == ".model" and path.parent.parent.name == material]
     saved = [path.parent.name for path in files if path.name == "within-0.model"]
-    chosen = chosen_of(saved, errors_in(models_csv))
+    errors_mm = errors_in(models_csv)
+    chosen = chosen_of(saved, errors_mm)
     if not chosen:
         return []
     export, ask = uses(material, chosen)
     others = ", ".join(sorted({path.parent.name for path in files} - {chosen, ALONE}))
     more = [f"fitted too: {others}"] if others else []
-    return [f"to a controller: {export}", f"to ask it: {ask}", QUESTIONS, *more]
+    reason = why(chosen, saved, errors_mm)
+    return [*([reason] if reason else []), f"to a controller: {export}", f"to ask it: {ask}", QUESTIONS, *more]
 
 
 def times_floor(ratio: float) -> str:

@@ -27,12 +27,12 @@ PARTS = {"leak_rmse": ("^", COLOURS[1], "leak alone"), "residual_rmse": ("s", CO
 READING = (
     "An INN turns the twist θ into the contraction x, and x back into θ. The string's constants and the stroke's number"
     " pass through it, and should come out unchanged.",
-    "Leak: they do not. The way back is given the true ones, so it answers a wrong θ. Rest: the error of θ that comes"
+    "Leak: the error of θ from their change, as the way back is given the true ones. Rest: the error of θ that comes"
     " from the error of x. Mended: the leak is smaller than the rest.",
     "Between its blocks an INN shuffles its values. In A and B chance draws the shuffles, so that θ may end up where a"
     " constant should.",
-    "A mark is one training, on points that it has not seen. Floor: no model can err less that is not told whether the"
-    " motor winds or unwinds.",
+    "A mark is one training, on points that it has not seen. Floor: the least error of a model that is not told"
+    " whether the motor winds or unwinds.",
 )
 CANCELS = "Leak and rest can cancel in part: {} is larger than the whole error in {} of {} trainings."
 BENEATH = -0.13  # of a panel's height: a legend's place

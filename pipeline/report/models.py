@@ -34,10 +34,11 @@ COLUMNS: list[Column] = [
 ]  # fmt: skip
 NOTES = """\
 RMSE on held-out points, winding and unwinding together unless a column says otherwise: the median over the seeds, with
-the lowest and the highest in brackets where they differ. `within` holds out blocks inside strokes (one in four),
-`later` the last quarter of the strokes, whole. (A diagnosis of one run leaves out the last 30 % of its strokes: the
-errors in its verdict and in the table of runs are other numbers.) n is the number of the stroke. The last four columns
-are quarters of the material's range of twist, the lowest first. **Bold**: the least of a column.
+the lowest and the highest in brackets where they differ. `within` cuts each stroke into short blocks, at most 80 a
+winding, and holds out one block in four; `later` holds out the last quarter of the strokes, whole. (A diagnosis of one
+run leaves out the last 30 % of its strokes: the errors in its verdict and in the table of runs are other numbers.) n
+is the number of the stroke. The last four columns are quarters of the material's range of twist, the lowest first.
+**Bold**: the least of a column.
 
 A floor is the least error that these data allow. It is no model: it is what the best smooth curve through the held-out
 points of each stroke misses. The floor with direction has one curve for winding and one for unwinding: what it misses

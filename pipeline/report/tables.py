@@ -67,7 +67,8 @@ def of_what(metrics: pd.DataFrame, number: int, titles: dict[str, str], runs: Se
     made_of = f"; made of run{'s' * (len(runs) > 1)} {named}" if runs else ""
     return (
         f"{OF_WHAT} {metrics['material'].iloc[0]}: {paper.MAPS[number]} errors on held-out points of the split within "
-        f"(one block in four inside strokes), winding, median over the seeds{rest}{made_of}."
+        "(each stroke is cut into short blocks, and one block in four is held out), winding, median over the seeds"
+        f"{rest}{made_of}."
     )
 
 

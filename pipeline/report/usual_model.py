@@ -63,6 +63,28 @@ def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
     return f"{sentence} Take the {titles[best]} if only strokes like the recorded ones will come."
 
 
+def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
+    """Why a model is the one to take, in a line for a terminal; empty where no errors are known.
+
+    Where another model errs less on the points that the tables show, the line says so.
+    """
+    known = sorted(set(models) - {ALONE})
+    split = next((split for split in ("later", "within") if (chosen, split) in errors_mm), "")
+    if not split:
+        return ""
+    where = {"later": "on later strokes", "within": "on held-out points inside strokes"}
+    least_mm = min(errors_mm[model, split] for model in known if (model, split) in errors_mm)
+    own_mm = errors_mm[chosen, split]
+    rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
+    line = f"model to take: {chosen}. Its forward error {where[split]} is {rank}: {own_mm:.3f} mm."
+    inside = [model for model in known if (model, "within") in errors_mm]
+    best = min(inside, key=lambda model: errors_mm[model, "within"], default=chosen)
+    if split == "within" or best == chosen or (chosen, "within") not in errors_mm:
+        return line
+    less = f"{errors_mm[best, 'within']:.3f} mm against {errors_mm[chosen, 'within']:.3f} mm"
+    return f"{line} Inside strokes, which the tables show, {best} errs less: {less}."
+
+
 def uses(material: str, model: str) -> tuple[str, str]:
     """The commands that export a model and that ask it, of the split `within`."""
     file = f"processed/{material}/{model}/within-0.model"

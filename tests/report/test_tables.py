@@ -249,8 +249,9 @@ def test_every_form_says_what_its_numbers_are_of(tmp_path):
     runs = ["m-01", "m-02", "m-03", "m-04", "m-05"]
     write(metrics, 2, TITLES, SMALL, tmp_path, dataset=made_points(runs))
     words = (
-        "Material m: inverse errors on held-out points of the split within (one block in four inside strokes), "
-        "winding, median over the seeds (5 of INN model; the others one fit); made of runs m-01, m-02, m-03 and 2 more."
+        "Material m: inverse errors on held-out points of the split within (each stroke is cut into short blocks, "
+        "and one block in four is held out), winding, median over the seeds (5 of INN model; the others one fit); "
+        "made of runs m-01, m-02, m-03 and 2 more."
     )
     markdown, latex = ((tmp_path / f"table_2.{suffix}").read_text() for suffix in ("md", "tex"))
     assert words in markdown.split("\n\n")[2] and words in latex and words not in markdown.split("\n\n")[1]

@@ -203,6 +203,10 @@ def test_few_samples_are_drawn_without_teeth_and_the_page_says_what_cannot_be_se
     for branch in (slice(0, top), slice(top, None)):
         off = np.array(loop["displacement_mm"])[branch] - 0.02 * np.array(loop["motor_turns"])[branch] ** 2
         assert np.abs(off).max() < 0.002, "each reading stands over its own twist"
-    assert "is thinner than the line" in before and "and twice the noise about it" not in before
+    assert (
+        "is thinner than the line" in before
+        and "the band, ±" not in before
+        and "twice the noise of one reading, ± " in before
+    )
     assert "before a diagnosis it may be some mm off" in before and "before a diagnosis" not in after
     assert links == [f"reports/diagnosis/run-1/{name}" for name in ("diagnosis.pdf", "verdict.txt")]

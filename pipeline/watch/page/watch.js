@@ -66,7 +66,7 @@ function drawLoops(loops, d) {
     if (d.noise_mm) strip(plot, one.simulated_turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
     line(plot, one.simulated_turns, one.simulated_mm, "#d6604d", 0.8 * shade);
   });
-  const noise = !d.noise_mm ? "" : isSeen(plot, BAND * d.noise_mm) ? ", and twice the noise about it" : `; twice the noise, ± ${round(BAND * d.noise_mm, 2)} mm, is thinner than the line`;
+  const noise = !d.noise_mm ? "" : isSeen(plot, BAND * d.noise_mm) ? `; the band, ± ${round(BAND * d.noise_mm, 2)} mm, is twice the noise of one reading` : `; twice the noise of one reading, ± ${round(BAND * d.noise_mm, 2)} mm, is thinner than the line`;
   show("nominal", noise + (d.verdict ? "" : "; before a diagnosis it may be some mm off"));
 }
 
