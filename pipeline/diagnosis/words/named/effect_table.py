@@ -5,6 +5,7 @@ from ..explanations import probability
 from ..held_out import holdout
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import at, listing, percent, size
+from ..language.sections import WIDE
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
@@ -14,7 +15,8 @@ from .own_size import HIDDEN, PARTLY, in_columns, own_part, own_size, own_with_i
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
-OF_IT = "part no dimension can do"
+OF_IT, OF_IT_SHORT = "part no dimension can do", "no dimension can"  # the latter where the page is too narrow
+INDENT = 2  # of a section's lines
 HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
 NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = (
@@ -60,6 +62,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     elsewhere = only_elsewhere(content)
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
     head, *table = aligned([columns, *rows])
+    head = head if len(head) <= WIDE - INDENT else head.replace(OF_IT, OF_IT_SHORT)
     does = {} if short else {entry["id"]: entry["sentence"] for entry in entries}
     table_lines = [head]
     for (id_, *_), row in zip(rows, table, strict=True):

@@ -1,6 +1,6 @@
 """The sizes of one effect, told apart."""
 
-from made_content import content, page, told
+from made_content import confident, content, page, told
 
 
 def test_the_details_say_how_to_read_the_sizes_of_one_effect() -> None:
@@ -16,3 +16,12 @@ def test_every_size_says_of_which_explanation_it_is() -> None:
     assert "The best explanation: friction_hysteresis + creep\n" in text
     assert "Sizes are those of the best explanation, friction_hysteresis + creep." in text
     assert "this explanation" not in text.partition("What the words mean")[0]
+
+
+def test_a_wide_table_of_effects_breaks_no_line() -> None:
+    own = {"evidence__beyond_dimensions_mm": {"friction_hysteresis": 0.01, "creep": 0.01}, "evidence__moved_sigma": {}}
+    made = confident(0.997, 0.996, verdict="explained", alternatives=[], next_run=None, **own)
+    made["mechanisms"][0]["rms_mm"] = {"value": 0.082, "low": 0.0123, "high": 0.123}
+    head = next(line for line in page(made).splitlines() if line.startswith("  effect "))
+    assert head.endswith("  no dimension can") and len(head) <= 112
+    assert "part no dimension can do" in page(confident(0.9, 0.9, **own))
