@@ -1,13 +1,23 @@
-"""A ripple once per turn: the motor's axis, or the sensor wheel's, is off centre."""
+"""A ripple once per turn: the motor's axis, the sensor wheel's, or a screw's is off centre, or a motor cogs."""
 
 import numpy as np
+from scipy.ndimage import median_filter
 
+from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 
 WAVES = {"sine": np.sin, "cosine": np.cos}
 HARMONICS = (2, 3)  # of the motor's turn; those of a wheel that turns a few times would copy any curve
 LEAST_WHEEL_MM = 8.0  # circumference: no sensor has a smaller wheel
+FEWEST, MOST = 4.0, 250.0  # periods in the range of a motion without turns: fewer are any curve, more are not sought
+SAMPLES = 3.0  # of the fastest motion in a period at least: of a finer one the samples show another
+APART = 0.25  # of a wave number: the spectrum over the place has four bins a period in the range
+SMOOTH = 6  # degree of the curve along the range that is no ripple
+AROUND = 61  # bins that make the background of a line
+LINE = 25.0  # times the background: by chance once in some 10^8 bins
+NEAR = np.linspace(-0.4, 0.4, 5)  # bins beside a line at which its pitch is tried
+MOVES = 0.05  # of the highest rate: what is slower dwells on one place
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -21,8 +31,56 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     ]  # fmt: skip
 
 
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+    """Pitches at the strongest line of a residual's spectrum over the place, where nothing is known to turn.
+
+    It has the shape (samples,), in the reading's unit.
+    """
+    if drivers.turn is not None or drivers.levered:
+        return []
+    count = len(residual)
+    place, rate = drivers.motion[:count] / drivers.span, np.abs(drivers.rate[:count])
+    fastest = float(np.percentile(rate, 99))
+    finest = min(MOST, drivers.span / (SAMPLES * fastest * drivers.step_s))
+    if finest < 2.0 * FEWEST:
+        return []
+    moves = rate > MOVES * fastest
+    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
+    ways = np.sign(drivers.rate[:count][moves])
+    numbers, height = lines(place[moves], ways, np.clip(residual, -6.0 * spread, 6.0 * spread)[moves], finest)
+    peak = int(np.argmax(height))
+    if height[peak] < LINE:
+        return []
+    return [{"pitch_turns": float(f"{drivers.span / (numbers[peak] + APART * step):.7g}")} for step in NEAR]
+
+
+def lines(place: Array, ways: Array, signal: Array, finest: float) -> tuple[Array, Array]:
+    """Wave numbers (periods in the range) up to the finest, and a signal's power over its background at each of them.
+
+    What changes slowly along the range is taken off, of each way by itself. All given have the shape (samples,): the
+    place as a share of the range, the ways as 1 or -1. Both answers have the shape (bins,).
+    """
+    numbers = np.arange(FEWEST, finest, APART)
+    smooth = np.polynomial.chebyshev.chebvander(2.0 * place - 1.0, SMOOTH)
+    smooth = np.hstack([smooth, ways[:, None] * smooth])
+    quick = signal - smooth @ np.linalg.lstsq(smooth, signal, rcond=None)[0]
+    step = np.exp(-2j * np.pi * APART * place)
+    wave, power = quick * np.exp(-2j * np.pi * FEWEST * place), np.empty(len(numbers))
+    for number in range(len(numbers)):
+        power[number] = np.square(np.abs(wave.sum()))
+        wave = wave * step
+    return numbers, power / (median_filter(power, AROUND, mode="nearest") / np.log(2.0) + 1e-300)
+
+
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Sine and cosine of the turn and its harmonics: on the reading, and on the twist, unless a gear is constant."""
+    if "pitch_turns" in nonlinear:
+        turn = 2.0 * np.pi * drivers.motion / nonlinear["pitch_turns"]
+        return [
+            Term(f"{name}{'' if harmonic == 1 else f'_{harmonic}'}_mm", "sensor", wave(harmonic * turn), "mm", -np.inf)
+            for harmonic in (1, 2)
+            for name, wave in WAVES.items()
+        ]
     angle = (
         drivers.contraction / nonlinear["wheel_mm"] if nonlinear["wheel_mm"] else drivers.motion / (drivers.turn or 1.0)
     )
@@ -47,8 +105,9 @@ MECHANISM = Mechanism(
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",
     meaning="a ripple once a turn.",
     sentence="The {reading} ripples once per turn, {size}.",
-    details=("the turn is that of a sensor wheel of {wheel_mm} circumference",),
+    details=("the turn is that of a sensor wheel of {wheel_mm} circumference", "once in every {pitch_turns}"),
     candidates=candidates,
-    units={"wheel_mm": "mm"},
+    units={"wheel_mm": "mm", "pitch_turns": "turns"},
     terms=terms,
+    suggest=suggest,
 )

@@ -6,12 +6,14 @@ from ...ground.kinematics import Array
 from ..numerics.recursions import play
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
+from .plain_drag import drag, drag_along, leaves
 from .shared_laws import grid
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
 STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop
 ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: a drive's loop has two stops, out of these
 WIDTHS = {"sharp": "half_turns", "round": "wide_half_turns"}
+ALONG = 0.7  # of the mean square that the same friction everywhere leaves: friction that changes along the travel
 SLOW = (0.02, 0.1)  # of the highest rate: below it a string's dry friction closes its loop
 SLACK_LOAD = 0.5  # load units: a cable that hangs loose yields more to the same friction
 TOTALS = {
@@ -29,8 +31,8 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     fastest = float(np.percentile(np.abs(drivers.rate), 99))
     loaded = float(drivers.loaded)
     if not drivers.levered:
-        travel = _travel(drivers)
-        dry = [{"slow_turns_per_s": float(f"{share * fastest:.6g}"), "loaded": loaded, **travel} for share in DRY]
+        travel = _travel(drivers) if drivers.velocity is None else {}
+        dry = [{**kind, "loaded": loaded, **travel} for kind in _dry(drivers)]
         pairs = [(float(f"{a * drivers.span:.6g}"), float(f"{b * drivers.span:.6g}")) for a, b in ROUNDINGS]
         return [*({"half_turns": a, "wide_half_turns": b, "loaded": loaded, **travel} for a, b in pairs), *dry]
     stretch = [
@@ -48,10 +50,27 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     return [*stretch, *plays]
 
 
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+    """Dry friction that changes along the travel, where the reading follows derivatives and such friction shows.
+
+    The residual has the shape (samples,), in the reading's unit.
+    """
+    if drivers.velocity is None:
+        return []
+    known = [*drag(drivers), np.ones_like(drivers.motion)]
+    if leaves(residual, [*known, *drag_along(drivers)]) > ALONG * leaves(residual, known):
+        return []
+    return [{**kind, "loaded": float(drivers.loaded), **_travel(drivers)} for kind in _dry(drivers)]
+
+
+def _dry(drivers: Drivers) -> list[Nonlinear]:
+    """Shares of the highest rate below which dry friction closes its loop, as rates."""
+    fastest = float(np.percentile(np.abs(drivers.rate), 99))
+    return [{"slow_turns_per_s": float(f"{share * fastest:.6g}")} for share in DRY]
+
+
 def _travel(drivers: Drivers) -> Nonlinear:
-    """Where the motion begins and how far it goes, where a loop may be wider at one place than at another."""
-    if drivers.velocity is not None:
-        return {}
+    """Where the motion begins and how far it goes: a loop may be wider at one place than at another."""
     begin = float(np.percentile(drivers.motion, 0.1))
     return {"from_turns": float(f"{begin:.6g}"), "span_turns": float(f"{drivers.span:.6g}")}
 
@@ -158,4 +177,5 @@ MECHANISM = Mechanism(
     candidates=candidates,
     remembers_turns=True,
     terms=terms,
+    suggest=suggest,
 )

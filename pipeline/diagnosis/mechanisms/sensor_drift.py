@@ -2,23 +2,51 @@
 
 import numpy as np
 
+from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
+from .plain_drag import drag, drag_along, leaves
 from .shared_laws import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
 SETTLING = 0.1  # of the recording: time constant of a drift that settles
+WARMINGS = (0.25, 0.5, 1.0, 4.0)  # of the recording: time constants with which a true zero is left as it begins
+CLEARLY = 0.8  # of the mean square that an offset leaves
 MEANS = {"straight_mm": 1.0 / 2.0, "bent_mm": 1.0 / 3.0, "settling_mm": 1.0 - SETTLING}  # of each over the recording
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """A law, or one about which the zero wanders by so many `half_waves`; `whole_s` is the recording's length."""
+    """A law, or one about which the zero wanders by so many `half_waves`; `whole_s` is the recording's length.
+
+    Where the zero is a true one, the law is one about its mean, for an offset is another name.
+    """
     law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
     return [law, {**law, "half_waves": WAVES}] if drivers.free_zero and drivers.levered else [law]
 
 
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+    """A true zero that the reading leaves as the recording begins, where that is clearly more likely than an offset.
+
+    The residual has the shape (samples,), in the reading's unit.
+    """
+    if drivers.free_zero:
+        return []
+    whole_s = float(f"{drivers.elapsed_s[-1]:.6g}")
+    laws = [{"whole_s": whole_s, "warming_s": float(f"{share * whole_s:.6g}")} for share in WARMINGS]
+    known = [*drag(drivers), *drag_along(drivers)]
+    drifting = min(leaves(residual, [*known, warming(drivers, law)]) for law in laws)
+    return laws if drifting <= CLEARLY * leaves(residual, [*known, np.ones_like(drivers.motion)]) else []
+
+
+def warming(drivers: Drivers, nonlinear: Nonlinear) -> Array:
+    """From 0 at the first sample towards 1. Shape (samples,), without a unit."""
+    return np.asarray(1.0 - np.exp(-drivers.elapsed_s / nonlinear["warming_s"]))
+
+
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Straight, bent, settling and wandering drift, of either sign; about its mean where the zero is a true one."""
+    if "warming_s" in nonlinear:
+        return [Term("warming_mm", "sensor", warming(drivers, nonlinear), "mm", -np.inf)]
     share = drivers.elapsed_s / nonlinear["whole_s"]
     signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
     means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
@@ -43,5 +71,7 @@ MECHANISM = Mechanism(
         "The sensor's zero drifts with time, {span} in all ({size}), at work and at rest, and {lowers} the {reading}."
     ),
     candidates=candidates,
+    units={"warming_s": "s"},
     terms=terms,
+    suggest=suggest,
 )

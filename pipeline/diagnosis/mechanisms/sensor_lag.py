@@ -1,4 +1,4 @@
-"""The displacement arrives late: it follows the displacement rate."""
+"""The displacement arrives late: it follows the displacement rate. On a moving mass the motion does: the jerk."""
 
 import numpy as np
 
@@ -6,20 +6,47 @@ from ...ground.kinematics import Array
 from ..numerics.recursions import lowpass
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
+from .plain_drag import drag, drag_along, leaves, scaled
 
 TIMES_S = (0.03, 0.1, 0.3, 1.0)  # time constants of a first-order lag
 DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)  # of a reading that is late as a whole
 DRIVES_DELAYS_S = (0.05, 0.2)  # of a drive without a string
+LEAST_SHARE = 0.2  # of what plain friction leaves, that must follow the jerk
+LEAST_WORTH = 0.06  # of the whole mismatch, rms: any controller is late by a sample or two
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """One candidate: filters and delays add up. None where it would quiet the noise of derivatives."""
+    """One candidate: filters and delays add up. None where derivatives of the motion must suggest one."""
     return [{}] if drivers.velocity is None else []
 
 
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+    """One where the reading follows derivatives, and what friction and a wrong mass leave follows the jerk.
+
+    The residual has the shape (samples,), in the reading's unit.
+    """
+    if drivers.velocity is None:
+        return []
+    known = [*drag(drivers), *drag_along(drivers), np.ones_like(drivers.motion)]
+    without = leaves(residual, known)
+    worth = without - leaves(residual, [*known, scaled(_jerk(drivers))])
+    return [{}] if worth >= max(LEAST_SHARE * without, LEAST_WORTH**2 * float(np.mean(residual**2))) else []
+
+
+def _jerk(drivers: Drivers) -> Array:
+    """Slope of the acceleration between both neighbours: it leaves the noise of an acceleration alone."""
+    return np.gradient(drivers.acceleration, drivers.time_s)
+
+
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
-    """First-order filters, dead times, and a clock that runs away."""
+    """First-order filters, dead times, and a clock that runs away.
+
+    Where the reading follows derivatives of the motion, a motion that is read late, or early: the jerk. A filter would
+    quiet the noise of these derivatives, which the jerk leaves alone.
+    """
     time_s = drivers.time_s
+    if drivers.velocity is not None:
+        return [Term("late_mm_s3_per_turn", "sensor", _jerk(drivers), "mm s^3/turn", -np.inf)]
 
     def filtered(tau_s: float) -> Term:
         def operator(reading: Array) -> Array:
@@ -53,8 +80,10 @@ MECHANISM = Mechanism(
     ),
     confused_with="viscous_loss, backlash, friction_hysteresis",
     told_apart_by="two speeds; a rigid bar in place of the string",
-    meaning="the displacement is read late.",
-    sentence="The {reading} is read late, which is worth {size} at these speeds.",
+    meaning="the displacement is read late, or the twist.",
+    sentence="The {reading} and the {motion} are read at different moments, which is worth {size} at these speeds.",
+    details=("the moving mass times the delay of the {motion} is {late_mm_s3_per_turn}",),
     candidates=candidates,
     terms=terms,
+    suggest=suggest,
 )
