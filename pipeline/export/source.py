@@ -16,7 +16,7 @@ from ..models.interface import names as models_there
 from ..models.parts.box import Box
 from ..models.parts.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
-from ..models.parts.saved_files import in_words
+from ..models.parts.saved_files import dataset_beside, in_words
 from ..stages.train import SPLITS, divided
 from .facts import zeroed_runs
 from .held_out import errors_of
@@ -128,7 +128,7 @@ def _deaf(source: Source) -> tuple[str, ...]:
 
 def dataset_of(file: Path, beside: Beside) -> Path:
     """The dataset that a model was fitted to: the one that is named, or where the pipeline puts it."""
-    return beside.dataset or file.resolve().parent.parent / "dataset.parquet"
+    return beside.dataset or dataset_beside(file)
 
 
 def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tuple[Box, float]:

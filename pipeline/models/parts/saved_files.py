@@ -49,9 +49,14 @@ def datasets() -> list[Path]:
     return [path for folder in _materials() if (path := folder / "dataset.parquet").is_file()]
 
 
+def dataset_beside(file: Path, name: str = "dataset.parquet") -> Path:
+    """Where the dataset lies that a model was fitted to: the pipeline puts each model in a folder beside it."""
+    return file.resolve().parent.parent / name
+
+
 def check_own(file: Path, dataset: Path) -> None:
     """Raise BadInput where a fitted model lies beside another dataset than this: it was fitted to that one's points."""
-    own = file.parent.parent / dataset.name
+    own = dataset_beside(file, dataset.name)
     if own.is_file() and dataset.is_file() and not own.samefile(dataset):
         raise BadInput("--saved", str(file), f"was fitted to {own}, and {dataset} is another", f"ask with {own}")
 
