@@ -19,7 +19,8 @@ from pydantic import Field, field_validator
 
 from ..diagnosis import faint
 from ..diagnosis.choice import cross_validation, kept, outcome
-from ..diagnosis.choice.search import LARGEST, TRIED, apart
+from ..diagnosis.choice.candidates import apart
+from ..diagnosis.choice.search import LARGEST, TRIED
 from ..diagnosis.fit import calibrate
 from ..diagnosis.fit.problem import State
 from ..diagnosis.mechanisms import library

@@ -76,6 +76,13 @@ def test_what_only_a_residual_of_the_moving_mass_suggests_is_named_and_nothing_b
     assert (found.verdict, [explanation.ids for explanation in found.sets]) == ("explained", [(hidden,)])
 
 
+@pytest.mark.parametrize("seed", [311, 312])
+def test_four_effects_at_once_are_named_on_a_moving_mass(tmp_path, seed):
+    found, truth = studied(tmp_path, "mass-three-lag", seed)
+    hidden = {effect["mechanism"] for effect in truth["effects"].values()}
+    assert len(hidden) == 4 and hidden in [set(explanation.ids) for explanation in found.sets]
+
+
 def test_what_the_library_lacks_is_not_named_as_the_librarys(tmp_path):
     found, _ = studied(tmp_path, "mass-push", seed=311)
     assert found.verdict == "unknown"

@@ -55,3 +55,8 @@ def with_refined(
             if act not in problem.included:
                 near[act.id] += [nonlinear for nonlinear in act.nonlinear if nonlinear not in near[act.id]]
     return near
+
+
+def apart(ids: tuple[str, ...]) -> bool:
+    """Whether all of a set listen to different drivers: two laws of one driver bend into anything, and name nothing."""
+    return len({mechanisms()[id_].driver for id_ in ids}) == len(ids)

@@ -11,13 +11,16 @@ import numpy as np
 from ..fit.linear import Fit, Key, Linear
 from ..mechanisms.library import mechanisms
 from ..mechanisms.shared_laws import varied
+from .candidates import apart
 
 LEAST_GAIN, EXPLAINED = 10.0, 0.9  # the latter of the mismatch's energy: less is no explanation
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
 LEAST_MORE = 100.0  # gain of a further mechanism, over whatever a discrepancy of the others' formulas can do
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 INEXACT = 0.035  # of the whole mismatch: what no formula of a real rig gets right, however low the noise
-LARGEST, PARTNERS = 3, 8  # mechanisms of an explanation; of the best ones, how many may have a partner
+LARGEST = 3  # mechanisms of an explanation
+LARGEST_OF_A_DRIVE = 4  # the same without a string: there drag alone is two or three
+PARTNERS = 8  # of the best mechanisms: how many may have a partner
 TRIED = 4  # of the best larger explanations
 SIGNS_TRIED = 24  # of the best further events, until one goes the same way as those before it
 
@@ -33,16 +36,12 @@ class Explanation:
     energy: float
 
 
-def apart(ids: tuple[str, ...]) -> bool:
-    """Whether all of a set listen to different drivers: two laws of one driver bend into anything, and name nothing."""
-    return len({mechanisms()[id_].driver for id_ in ids}) == len(ids)
-
-
 class Search:
     """Explanations on one linearisation, remembered."""
 
     def __init__(self, linear: Linear, least: float = 0.0) -> None:
         self.linear, self.least = linear, least  # rms that a mechanism must take away at least
+        self.largest = LARGEST if linear.problem.drivers.levered else LARGEST_OF_A_DRIVE
         self.penalty = float(np.log(linear.rows))
         self.free = {id_: varied(options) for id_, options in linear.catalogue.items()}
         self.fits: dict[tuple[str, ...], tuple[tuple[Key, ...], Fit]] = {}
@@ -177,10 +176,10 @@ class Search:
         """What calibration alone leaves, noise taken off, rms."""
         return float(np.sqrt(max(self.nothing.energy - floor**2, 0.0)))
 
-    def forward(self, floor: float, largest: int = LARGEST) -> Explanation:
+    def forward(self, floor: float, largest: int | None = None) -> Explanation:
         """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""
         chosen = self.nothing
-        for size in range(1, largest + 1):
+        for size in range(1, (largest or self.largest) + 1):
             larger = self.all_of(size)
             if not larger:
                 break
@@ -190,7 +189,7 @@ class Search:
             chosen = best
         return chosen
 
-    def select(self, floor: float, largest: int = LARGEST) -> Explanation:
+    def select(self, floor: float, largest: int | None = None) -> Explanation:
         """What going forward chooses, without the mechanism that going backward does not miss."""
         chosen = self.forward(floor, largest)
         for id_ in chosen.ids if len(chosen.ids) > 1 else ():

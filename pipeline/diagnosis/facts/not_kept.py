@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..choice.candidates import apart
 from ..choice.outcome import Study
-from ..choice.search import Explanation, apart
+from ..choice.search import Explanation
 from ..mechanisms.interface import physics
 from ..recording.working_samples import PHASES
 from .evidence import fitted

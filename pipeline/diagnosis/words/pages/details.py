@@ -143,7 +143,8 @@ def tied(content: Verdict, words: Vocabulary) -> list[str]:
 def weighed(content: Verdict, words: Vocabulary) -> list[str]:
     """Why the others were beaten, or what comes closest where nothing explains."""
     if content["verdict"] == "unknown":
-        more = "At most three effects at once are tried: where more are at work, the verdict is unknown too."
+        most = "three" if words.string == "string" else "four"
+        more = f"At most {most} effects at once are tried: where more are at work, the verdict is unknown too."
         return [
             *rejected_explanations.insufficient(content, words),
             *level.to_reach(content, words),
