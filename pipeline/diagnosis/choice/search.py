@@ -19,7 +19,7 @@ LEAST_MORE = 100.0  # gain of a further mechanism, over whatever a discrepancy o
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 INEXACT = 0.035  # of the whole mismatch: what no formula of a real rig gets right, however low the noise
 LARGEST = 3  # mechanisms of an explanation
-LARGEST_OF_A_DRIVE = 4  # the same without a string: there drag alone is two or three
+LARGEST_BESIDE_DRAG = 4  # where the reading is a force that moves a mass: drag alone is two or three
 PARTNERS = 8  # of the best mechanisms: how many may have a partner
 TRIED = 4  # of the best larger explanations
 SIGNS_TRIED = 24  # of the best further events, until one goes the same way as those before it
@@ -41,7 +41,7 @@ class Search:
 
     def __init__(self, linear: Linear, least: float = 0.0) -> None:
         self.linear, self.least = linear, least  # rms that a mechanism must take away at least
-        self.largest = LARGEST if linear.problem.drivers.levered else LARGEST_OF_A_DRIVE
+        self.largest = LARGEST if linear.problem.drivers.velocity is None else LARGEST_BESIDE_DRAG
         self.penalty = float(np.log(linear.rows))
         self.free = {id_: varied(options) for id_, options in linear.catalogue.items()}
         self.fits: dict[tuple[str, ...], tuple[tuple[Key, ...], Fit]] = {}

@@ -143,8 +143,10 @@ def tied(content: Verdict, words: Vocabulary) -> list[str]:
 def weighed(content: Verdict, words: Vocabulary) -> list[str]:
     """Why the others were beaten, or what comes closest where nothing explains."""
     if content["verdict"] == "unknown":
-        most = "three" if words.string == "string" else "four"
-        more = f"At most {most} effects at once are tried: where more are at work, the verdict is unknown too."
+        more = (
+            "At most three effects at once are tried (of a moving mass four): where more are at work, the verdict is "
+            "unknown too."
+        )
         return [
             *rejected_explanations.insufficient(content, words),
             *level.to_reach(content, words),

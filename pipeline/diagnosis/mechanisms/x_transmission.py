@@ -1,0 +1,77 @@
+"""A drive's transmission errs by place, whichever way the motion comes: pulleys off centre, cables around a wrist."""
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ..recording.drivers import Drivers
+from .interface import Mechanism, Nonlinear, Term
+from .plain_drag import leaves
+
+KNOTS = 12  # of the curve along the travel
+STOPS = (0.01, 0.05, 0.2)  # of the range: half-widths of the plain friction that is taken off first
+LEAST_SHARE = 0.57  # of what plain effects leave: less is as well a stretch by a load that follows the place
+
+
+def candidates(drivers: Drivers) -> list[Nonlinear]:
+    """None before a recording suggests one."""
+    return []
+
+
+def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+    """A curve over the travel, where a motor drives through a gear and much of the residual follows the place alone.
+
+    It has the shape (samples,), in the reading's unit.
+    """
+    if drivers.levered or drivers.velocity is not None or drivers.turn is None or not drivers.free_zero:
+        return []
+    begin = float(np.percentile(drivers.motion, 0.1))
+    travel = {"from_turns": float(f"{begin:.6g}"), "span_turns": float(f"{drivers.span:.6g}")}
+    known = plain(drivers)
+    without, beside = leaves(residual, known), leaves(residual, [*known, *curve(drivers, travel)])
+    return [travel] if without - beside >= LEAST_SHARE * without else []
+
+
+def plain(drivers: Drivers) -> list[Array]:
+    """Plain columns of friction that grows with the load and along the travel, of stretch, drift and loss by the rate.
+
+    Each of shape (samples,), in the unit of what drives it.
+    """
+    place, load = (drivers.motion - drivers.motion.min()) / drivers.span, drivers.load
+    sides = [drivers.directed(share * drivers.span) for share in STOPS]
+    loops = [side * size for side in sides for size in (np.ones_like(place), np.abs(load), place, np.square(place))]
+    slow = [np.ones_like(place), place, drivers.elapsed_s, np.square(drivers.elapsed_s), drivers.rate]
+    return [*loops, *slow, *([load, np.square(load), load * place] if drivers.loaded else [])]
+
+
+def curve(drivers: Drivers, nonlinear: Nonlinear) -> list[Array]:
+    """Piecewise linear bumps inside the travel, each less a straight line, which is the gear's and the zero's own.
+
+    Each of shape (samples,), without a unit.
+    """
+    knots = np.linspace(0.0, 1.0, KNOTS)
+    share = np.clip((drivers.motion - nonlinear["from_turns"]) / nonlinear["span_turns"], 0.0, 1.0)
+    bent = np.eye(KNOTS) - np.array([np.polyval(np.polyfit(knots, bump, 1), knots) for bump in np.eye(KNOTS)])
+    return [np.interp(share, knots, heights) for heights in bent[1:-1]]
+
+
+def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
+    """The curve, of any shape."""
+    bumps = enumerate(curve(drivers, nonlinear), start=1)
+    return [Term(f"knot_{knot}_mm", "sensor", bump, "mm", -np.inf) for knot, bump in bumps]
+
+
+MECHANISM = Mechanism(
+    id="x_transmission",
+    driver="place",
+    equation="x_m = x + e(theta), e: any piecewise linear curve",
+    source="Smith, Gear Noise and Vibration, 2003 (transmission error)",
+    confused_with="eccentricity, end_stop, slack (which act at one end, or once a turn)",
+    told_apart_by="one slow stroke to and fro over all of the travel: the error is the same at one place both ways",
+    meaning="an error that follows the place, the same both ways; a stand-in, no physics of the library.",
+    sentence="The transmission errs by the place, the same on the way {up} and {down}: {span} in all ({size}).",
+    candidates=candidates,
+    helper=True,
+    units={"from_turns": "turns", "span_turns": "turns"},
+    terms=terms,
+    suggest=suggest,
+)
