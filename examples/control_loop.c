@@ -25,36 +25,6 @@ static tsa_real target_mm(int tick, tsa_real low)
     return low + span * share * TSA_R(1.1);
 }
 
-/* The middle of an input's range, which the header defines for every input that the model has. */
-#define MIDDLE(name) ((TSA_##name##_MIN + TSA_##name##_MAX) / 2)
-
-/* Every input that this model has: what the task knows or measures belongs here instead of the middles. */
-static tsa_state first_state(void)
-{
-    tsa_state state = {0}; /* a material's number is 0, the first */
-    state.stroke = TSA_STROKE_MIN;
-    state.direction = TSA_DIRECTION_MAX;
-#ifdef TSA_LOAD_N_MIN
-    state.load_n = MIDDLE(LOAD_N);
-#endif
-#ifdef TSA_SEPARATOR_MM_MIN
-    state.separator_mm = MIDDLE(SEPARATOR_MM);
-#endif
-#ifdef TSA_LENGTH_MM_MIN
-    state.length_mm = MIDDLE(LENGTH_MM);
-#endif
-#ifdef TSA_RADIUS_MM_MIN
-    state.radius_mm = MIDDLE(RADIUS_MM);
-#endif
-#ifdef TSA_TORSION_ZONE_MM_MIN
-    state.torsion_zone_mm = MIDDLE(TORSION_ZONE_MM);
-#endif
-#ifdef TSA_STIFFNESS_N_PER_MM_MIN
-    state.stiffness_n_per_mm = MIDDLE(STIFFNESS_N_PER_MM);
-#endif
-    return state;
-}
-
 /* A refusal's name in the header: it says which input is out of its range, or NaN. */
 static const char *refusal(int code)
 {
@@ -85,6 +55,27 @@ static int recorded(const tsa_state *state, tsa_real turns)
 #endif
 }
 
+/* What was not recorded, what was, and the mend. */
+static void say_unrecorded(const tsa_state *state, tsa_real turns, int tick)
+{
+    const char *field = "the state";
+#if defined(TSA_HAS_RECORDED) && defined(TSA_LOAD_N_MIN)
+    field = "state.load_n";
+    if (tsa_stroke_recorded(state) != TSA_OK) {
+        printf("%4d ms: stroke %d was not recorded under %.3g N", tick, state->stroke, (double)state->load_n);
+    } else {
+        printf("%4d ms: %.4g turns were not recorded under %.3g N", tick, (double)turns, (double)state->load_n);
+    }
+#else
+    (void)state;
+    printf("%4d ms: %.4g turns were not recorded in this state", tick, (double)turns);
+#endif
+#ifdef TSA_RECORDED
+    printf(" (recorded: %s)", TSA_RECORDED);
+#endif
+    printf(": set %s. The motor stays where it is\n", field);
+}
+
 static void command_motor(tsa_real turns, int tick)
 {
     if (tick % 500 == 0) {
@@ -98,7 +89,7 @@ static void wait_for_next_millisecond(void)
 
 int main(void)
 {
-    tsa_state state = first_state();
+    tsa_state state = tsa_start(); /* was recorded; set here what the task knows: state.load_n = ... */
     tsa_real turns = least_turns(), low_mm = TSA_DISPLACEMENT_MM_MIN, last_mm;
     int refused = 0, past = 0, unrecorded = 0, tick;
     (void)tsa_forward(&state, turns, &low_mm); /* refused, it writes nothing, and each target is refused below */
@@ -122,7 +113,7 @@ int main(void)
             }
         } else if (!recorded(&state, answer)) {
             if (unrecorded++ == 0) {
-                printf("%4d ms: %.3f turns were never recorded so: the motor stays where it is\n", tick, (double)answer);
+                say_unrecorded(&state, answer, tick);
             }
         } else {
             turns = answer;

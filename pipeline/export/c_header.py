@@ -10,6 +10,7 @@ from .facts import facts
 from .inputs import MEANING, Field, Inputs
 from .interface import Source, exporter
 from .recorded import WHO_SAYS
+from .start_state import start_state, usage
 
 LINE = 110  # characters of a line of the first comment
 CODES = (*COLUMNS, "material")  # the same numbers in every header, whichever fields it has
@@ -74,6 +75,7 @@ def header(source: Source, name: str) -> str:
         made.code,
         _bytes(made),
         CHECKED,
+        start_state(source),
         checked_pairs(source),
         made.further,
     ]
@@ -101,7 +103,7 @@ def _comment(source: Source, made: Body) -> str:
         "C99 (and C++), no dependency but <math.h>, no allocation, no state. Numbers are float; -DTSA_REAL=double.",
         "Every name begins with tsa_: of two exports in one C program give one another beginning, by --name.",
         "",
-        "    tsa_state state = {...};  the fields below, all of them",
+        "    tsa_state state = tsa_start();  then set the fields below",
         "    tsa_forward(&state, motor_turns, &displacement_mm)",
         "    tsa_inverse(&state, displacement_mm, &motor_turns)",
         "",
@@ -109,6 +111,7 @@ def _comment(source: Source, made: Body) -> str:
         "tsa_inverse returns TSA_HELD where the contraction lies beyond what the range of twist gives in this state;",
         "the answer is then that end of the range.",
         *(USAGE if source.pairs is not None else ()),
+        usage(source),
         *made.usage,
         "",
         *_wrapped(known.get("trained", "")),

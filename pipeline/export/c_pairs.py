@@ -15,7 +15,8 @@ CALL = "tsa_recorded(&state, motor_turns)"
 USAGE = (
     f"{CALL} returns TSA_UNRECORDED where nothing was recorded around that twist",
     "together with the state's other numbers; 0 where there was, and TSA_BAD_... as above. The two functions above",
-    "answer all the same: give it the twist that you asked with, or that you got.",
+    "answer all the same: give it the twist that you asked with, or that you got. tsa_stroke_recorded(&state) asks",
+    "the same of the stroke and the load alone.",
 )
 
 
@@ -37,9 +38,13 @@ def checked_pairs(source: Source) -> str:
             lines += _refused_beyond(paired, "motor_turns")
     if source.under and source.under.name in source.inputs.names:
         last = real(source.under.last)
-        lines += [f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"]
-        lines += _refused_beyond(source.under, "stroke")
-    has = "#define TSA_HAS_RECORDED 1 /* tsa_recorded is there */\n\n"
+        under = [f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"]
+        under += _refused_beyond(source.under, "stroke")
+        lines += ["if (tsa_stroke_recorded(at) != TSA_OK) {", "    return TSA_UNRECORDED;", "}"]
+    else:
+        under = ["(void)at;"]
+    has = "#define TSA_HAS_RECORDED 1 /* tsa_recorded and tsa_stroke_recorded are there */\n\n"
+    has += function("int", "tsa_stroke_recorded(const tsa_state *at)", *under, "return TSA_OK;")
     return has + function("int", "tsa_recorded(const tsa_state *at, tsa_real motor_turns)", *lines, "return TSA_OK;")
 
 

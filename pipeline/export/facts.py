@@ -19,10 +19,8 @@ from .interface import Source
 from .recorded import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
-SAME = (
-    "A small configuration, such as ci.yaml, makes the same file from the same recordings: its tables "
-    "are marked as no results for the sake of other models, and of fewer seeds."
-)
+NETWORKS = ("cinn", "inn", "mlp")  # which ci.yaml fits smaller
+SAME = "The quick job (ci.yaml) fits this model in full too: of what it exports only network models are smaller."
 MOST_STRINGS = 3  # whose zero is named
 
 
@@ -80,14 +78,14 @@ def _strokes(source: Source) -> str:
 
 def fit(name: str, model: Any) -> str:
     """Whether a fitted model's own settings are the usual ones, and where they are not, whether it is a small fit."""
-    settings = settings_of(name)
+    settings, same = settings_of(name), "" if name in NETWORKS else f" {SAME}"
     if settings is None:
-        return f"This model has no settings. {SAME}"
+        return f"This model has no settings.{same}"
     mine, usual = values(model.settings), values(settings())
     apart = [setting for setting in usual if mine[setting] != usual[setting]]
     words = ", ".join(f"{setting} {mine[setting]} instead of {usual[setting]}" for setting in apart)
     if not apart:
-        return f"Made with the usual settings of this model. {SAME}"
+        return f"Made with the usual settings of this model.{same}"
     small = any(setting in AMOUNTS and _less(mine[setting], usual[setting]) for setting in apart)
     return f"{'Small fit, not a result' if small else 'Settings of your own'}: {words}."
 

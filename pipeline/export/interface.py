@@ -24,7 +24,7 @@ class Source:
     recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
     errors are measured. `pairs` are the twists that were recorded around each condition, `under` the strokes around
     each load, and `trained` says which recordings these are; `on_unseen` tells, when asked, what the model errs on
-    points that it has not seen. Of what is in `deaf` no answer depends.
+    points that it has not seen. `start` is a recorded state, by field. Of what is in `deaf` no answer depends.
     """
 
     name: str
@@ -38,6 +38,7 @@ class Source:
     pairs: tuple[Paired, ...] | None = None
     under: Under | None = None
     trained: str = ""
+    start: dict[str, float] = field(default_factory=dict)
     on_unseen: Callable[[], str] = str
 
     @property

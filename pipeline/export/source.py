@@ -23,6 +23,7 @@ from .held_out import errors_of
 from .inputs import Inputs
 from .interface import Source, exporter, names
 from .recorded import pairs_recorded, strokes_foreseen, twists_recorded, values_recorded
+from .start_state import start_values
 from .trained_on import trained_on
 
 TRIED = 20  # queries that a model must answer before it is exported
@@ -99,6 +100,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         pairs=pairs,
         under=Under.of(points, foreseen[1]) if foreseen else None,
         trained=trained,
+        start=start_values(dataset, inputs),
         on_unseen=errors,
     )
 

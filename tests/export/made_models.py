@@ -50,7 +50,15 @@ def short_wound() -> pd.DataFrame:
     return points[whole].reset_index(drop=True)
 
 
+def switched() -> pd.DataFrame:
+    """One string of whose strokes 1 to 4 are under 20 N and stroke 5 is under 30 N, as the quick job's."""
+    points = made_dataset(60, 5)
+    load_n = np.where(points["stroke"] > 4, 30.0, 20.0)
+    return points.assign(load_n=load_n + np.random.default_rng(4).normal(0.0, 0.05, len(points)))
+
+
 DATASETS = {
+    "switched": switched,
     "short": short_wound,
     "one": lambda: made_dataset(60, 6),
     "used": lambda: made_dataset(60, 6).assign(stroke=lambda points: points["stroke"] + np.int32(50)),

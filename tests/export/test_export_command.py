@@ -17,13 +17,13 @@ import pandas as pd
 import programs
 import pytest
 import yaml
-from compiled import ROOT, need
+from compiled import C99, ROOT, built, need
 from made_models import saved
 from models.made_dataset import STRING, made_dataset, pair_dataset
 
 from pipeline.export.__main__ import arguments, main
 from pipeline.export.c_header import header
-from pipeline.export.facts import SAME, fit
+from pipeline.export.facts import NETWORKS, SAME, fit
 from pipeline.export.interface import names
 from pipeline.export.source import Beside, opened
 from pipeline.ground import schemas
@@ -249,7 +249,7 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
     said = {name: " ".join(text.replace("\n *", " ").split()) for name, text in texts.items()}
     small = "Small fit, not a result: blocks 4 instead of 5, width 20 instead of 32, epochs 12 instead of 60"
     assert small in said["cinn"] and small in done["cinn"].stdout
-    assert "Fit: Made with the usual settings of this model. A small configuration, such as ci.yaml" in said["spline"]
+    assert "Fit: Made with the usual settings of this model. The quick job (ci.yaml) fits this model" in said["spline"]
     assert "no small fit" not in said["spline"], "beside tables that are marked as small fits it read as its opposite"
     zero_mm = made_dataset(2, 1).iloc[:1].assign(motor_turns=0.0).pipe(point_contraction_mm)[0]
     for text in said.values():
@@ -372,6 +372,8 @@ def test_what_the_small_configuration_makes_is_marked_or_is_the_very_file_that_a
                 model.save(file)
             assert files[0].read_bytes() == files[1].read_bytes() and said.endswith(SAME), name
     assert "spline" not in small
+    assert {name for name in names() if small.get(name, {}).get("settings")} == set(NETWORKS)
+    assert fit("mlp", make_model("mlp")) == "Made with the usual settings of this model."
 
 
 def test_a_load_that_a_model_does_not_read_is_not_called_constant(tmp_path: Path) -> None:
@@ -485,3 +487,23 @@ def test_who_names_no_fitted_model_is_told_which_there_are(
         arguments(["--help"])
     ending = capsys.readouterr().out.splitlines()[-2:]
     assert ending == ["fitted models here:", "  processed/nylon/spline/within-0.model, and of calibrated"]
+
+
+def test_the_example_begins_in_a_recorded_state_and_names_what_was_not_recorded(tmp_path: Path) -> None:
+    """Of stroke 1 under 20 N and stroke 5 under 30 N it began under 25 N, and never moved the motor."""
+    need("gcc")
+    done = export(saved("spline", "switched", tmp_path), "--format", "c", "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    example, begin = (ROOT / "examples" / "control_loop.c").read_text(), "tsa_start();"
+
+    def said(text: str) -> str:
+        (tmp_path / "loop.c").write_text(text)
+        built(*C99, "-I", tmp_path / "out", tmp_path / "loop.c", "-o", tmp_path / "loop", "-lm")
+        return subprocess.run([tmp_path / "loop"], capture_output=True, text=True, check=True).stdout
+
+    lines = said(example)
+    assert max(float(turns) for turns in re.findall(r"ms: (\S+) turns$", lines, re.MULTILINE)) > 15.0
+    assert "not recorded under" not in lines and lines.splitlines()[-2].startswith("0 of 3000 targets"), lines
+    lines = said(example.replace(begin, f"{begin} state.load_n = 25;"))
+    assert "   0 ms: stroke 1 was not recorded under 25 N (recorded: load_n 19." in lines
+    assert "strokes 1 to 4) and 29." in lines and "): set state.load_n. The motor stays where it is" in lines

@@ -208,6 +208,11 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
         built(*C99, "-O1", "-I", tmp_path, tmp_path / "loop.c", "-o", tmp_path / "loop", "-lm")
         return subprocess.run([tmp_path / "loop"], capture_output=True, text=True, check=True).stdout
 
+    def with_load(load: str) -> str:
+        begin = "tsa_state state = tsa_start();"
+        assert begin in example
+        return example.replace(begin, f"{begin} state.load_n = {load};")
+
     for name, kind in (("spline", "one"), ("cinn", "one"), ("spline", "campaign")):
         lines = said(name, kind, example)
         assert "turns" in lines and "nan" not in lines.lower()
@@ -217,10 +222,10 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
         sent = [float(turns) for turns in re.findall(r"ms: (\S+) turns$", lines, re.MULTILINE)]
         assert len(sent) == 6 and min(sent) >= 0.0, "it was sent to -0.2 turns: wound backwards"
     assert "load_n" in source("spline", "campaign").inputs.names
-    lines = said("spline", "campaign", example.replace("MIDDLE(LOAD_N)", "TSA_LOAD_N_MAX"))
+    lines = said("spline", "campaign", with_load("TSA_LOAD_N_MAX"))
     words = lines.splitlines()[-2].split()  # "2677 of 3000 targets ask for a twist that was not recorded ..."
-    assert "turns were never recorded so: the motor stays where it is" in lines and 0 < int(words[0]) < 3000, lines
-    lines = said("spline", "campaign", example.replace("MIDDLE(LOAD_N)", "0"))
+    assert "stroke 1 was not recorded under 32.9 N (recorded: load_n 19." in lines and 0 < int(words[0]) < 3000, lines
+    lines = said("spline", "campaign", with_load("0"))
     assert "   0 ms: refused, TSA_BAD_LOAD_N:" in lines and "3000 of 3000 targets refused, " in lines
 
 
