@@ -68,7 +68,10 @@ def test_an_explanation_that_is_likelier_than_the_best_one_is_named_with_the_rul
     assert "less likely" not in text.partition("How probable each")[2].partition("What is missing")[0]
     details = told(left_out())
     assert f"It is left out: {SAID}" in details
-    assert "But one of them is left out (40 %), so fewer than 80 % are kept. These 2 have 50 %" in details
+    assert (
+        "Kept: 2 explanations, 50 % together. One likely explanation is left out (40 %), so less than 80 % is"
+        in details
+    )
 
 
 @pytest.mark.parametrize("because", BECAUSE)

@@ -284,10 +284,7 @@ def test_a_slow_effect_is_sure_only_with_a_second_load():
     assert re.search(r"creep +sure, 90 %", table[True]) and re.search(r"creep +probable, 90 %", table[False])
     alone = " ".join(table[False].split())
     assert "That something slow acts is sure; its name is not sure." in alone
-    assert (
-        "In a paper call creep probable, not sure: from 80 % on the word is sure, but no other load was recorded."
-        in alone
-    )
+    assert "Probable, since a second load was not recorded: creep (90 %)." in alone
 
 
 def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
@@ -299,10 +296,7 @@ def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
     two = {"evidence__loaded": True, "evidence__covered": COVERED | {"speed_per_s": [1.0, 2.0]}}
     assert missing(content(**two), WORDS, "friction_hysteresis") == []
     text = " ".join(full(confident(0.95, 0.46, **alone)).split())
-    assert (
-        "call friction_hysteresis probable, not sure: from 80 % on the word is sure, but no other load and no other"
-        in text
-    )
+    assert "Probable, since a second load and a second speed were not recorded: friction_hysteresis (95 %)." in text
 
 
 def test_after_adopting_the_page_says_which_sign_of_a_name_is_still_open():

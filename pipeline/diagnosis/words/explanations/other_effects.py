@@ -18,10 +18,8 @@ SEVERAL = 3  # effects that add nothing: from so many on it is said once
 NOTHING_ADDED = "added to the best one takes away nothing"
 NOTHING_MORE = " Where a line does not say more, the effect takes away nothing when it is added."
 STANDS = {"hold": "in a hold", "rest": "in a rest"}
-HEAD = (
-    "Each effect was tried instead of the best explanation ({best}, which leaves {left}), and added to it. In "
-    "brackets: how likely the effect is at work."
-)
+HEAD = "Each effect was tried instead of the best explanation ({best}, which leaves {left}), and added to it."
+BRACKETS = " In brackets after its name: how likely the effect is at work."
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
@@ -33,11 +31,12 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     left = size(first[f"left_{words.ending}"], words.unit)
     why = {_name(entry): _why(entry, first, content, words) for entry in _nearest_first(others, words)}
     often = sum(reason.endswith(NOTHING_ADDED) for reason in why.values()) >= SEVERAL
+    likely = any(entry["likely"] >= WORTH for entry in others)
     alike: dict[str, list[str]] = {}
     for name, reason in why.items():
         alike.setdefault(reason.removesuffix(f"; {NOTHING_ADDED}") if often else reason, []).append(name)
     return [
-        f"{HEAD.format(best=best, left=left)}{NOTHING_MORE * often}",
+        f"{HEAD.format(best=best, left=left)}{BRACKETS * likely}{NOTHING_MORE * often}",
         *_standing(content, first, others, words),
         *(f"{listing(names)}: {'each ' * _several(names, reason)}{reason}." for reason, names in alike.items()),
     ]

@@ -54,14 +54,14 @@ def rule(content: Verdict) -> list[str]:
     none = content["evidence"].get("probability_of_none") or 0.0
     of_library = sum(each.get("probability") or 0.0 for each in kept_ones if physics(tuple(each["ids"])))
     several = content["verdict"] == "ambiguous"
-    kept = f"These {1 + len(content['alternatives'])} have" if several else "Here the best one alone has"
+    count = f"{1 + len(content['alternatives'])} explanations" if several else "1 explanation"
+    kept = f"Kept: {count}, {percent(together)}{' together' * several}."
+    which = f"The likeliest explanations are kept, until they have {percent(HELD)} of what the library's have together."
     rest = max(1.0 - none - of_library, 0.0)
     lacks = f"physics that the library lacks{stand_ins([each['ids'] for each in kept_ones])} {percent(none)}"
-    others = f"; all others of the library {percent(rest)}; {lacks}"
+    others = f"All others of the library have {percent(rest)} together, {lacks}. None of these is impossible."
     return [
-        f"The explanations of the library have {percent(1.0 - none)} together. Kept are the likeliest, until they "
-        f"reach {percent(HELD)} of that, so {percent(HELD * (1.0 - none))}. "
-        f"{_left_out(content)}{kept} {percent(together)}{others}. None of these is impossible.",
+        f"{f'{which} ' * several}{kept} {_left_out(content)}{others}",
         *([OF_NONE] if none >= WORTH else []),
     ]
 
@@ -75,9 +75,9 @@ def stand_ins(kept: list[list[str]]) -> str:
 def _left_out(content: Verdict) -> str:
     """How much of what was reached together is left out; nothing where nothing is."""
     out = content["evidence"].get("left_out", [])
-    which = "one of them is" if len(out) == 1 else f"{len(out)} of them are"
+    which = "One likely explanation is" if len(out) == 1 else f"{len(out)} likely explanations are"
     share = left_out.together(content)
-    return f"But {which} left out ({percent(share)}), so fewer than {percent(HELD)} are kept. " if share else ""
+    return f"{which} left out ({percent(share)}), so less than {percent(HELD)} is kept. " if share else ""
 
 
 def of_none(content: Verdict) -> list[str]:

@@ -38,7 +38,8 @@ def is_likely(content: Verdict, id_: str) -> bool:
 def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
     """Why an effect is not called sure, however likely it is among the library's: ends a phrase with `since`."""
     lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
-    not_recorded = f"no other {listing(list(lacks), 'and no other')} was recorded" if lacks else ""
+    were = "were" if len(lacks) > 1 else "was"
+    not_recorded = f"a second {listing(list(lacks), 'and a second')} {were} not recorded" if lacks else ""
     vain = in_vain.doubt(content, words)
     return (
         at_limit(content)
@@ -111,21 +112,23 @@ def summary(content: Verdict, words: Vocabulary) -> list[str]:
         "Open": [*doubtful, *beside],
     }
     sentences = [f"{word}: {listing(ids)}." for word, ids in groups.items() if ids]
-    also = [*to_write(content, words), *_than_the_explanation(content), limits(content)]
+    also = [*_than_the_explanation(content), limits(content)]
     return [" ".join(sentences), *also] if shares else []
 
 
 def to_write(content: Verdict, words: Vocabulary) -> list[str]:
-    """Which word a paper should use, and why, of each effect whose percentage alone would make it sure."""
+    """Why an effect is only probable, of each whose percentage alone would make it sure."""
+    shares = known(content)
     reasons: dict[str, list[str]] = {}
-    for id_ in known(content):
+    for id_ in shares:
         reason = held_back(content, words, id_)
         if reason and is_likely(content, id_):
-            reasons.setdefault(reason, []).append(id_)
-    return [
-        f"In a paper call {listing(ids)} probable, not sure: from {percent(SURE)} on the word is sure, but {reason}."
-        for reason, ids in reasons.items()
-    ]
+            reasons.setdefault(reason, []).append(f"{id_} has {percent(shares[id_])}")
+    return [f"{listing(each)}, but {_only(len(each))}probable: {reason}." for reason, each in reasons.items()]
+
+
+def _only(count: int) -> str:
+    return "is only " if count == 1 else "both are only " if count == 2 else "all are only "
 
 
 def _than_the_explanation(content: Verdict) -> list[str]:

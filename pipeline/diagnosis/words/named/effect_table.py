@@ -22,10 +22,8 @@ NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = (
     "Poorly known is the size of {}: dimensions or other effects can take over much of it, however sure the effect is."
 )
-READ = (
-    "How to read the sizes of one effect: rms is its usual size over the whole recording; after `up to` stands its "
-    "largest one{}."
-)
+READ = "How to read the sizes of one effect: rms is its usual size over the whole recording{}{}."
+UP_TO = "; after `up to` stands its largest one"
 READ_PART = "; the last column is the rms of that part of it which no moved dimension could make"
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
@@ -83,7 +81,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     thoughts = [own_size(entry, content, words) for entry in entries]
     return [
         *table_lines,
-        READ.format(READ_PART * parts),
+        READ.format(UP_TO * any("up to" in entry["sentence"] for entry in entries), READ_PART * parts),
         *_in_all(content, entries, words),
         *_in_one([*needed.lines(content), *whose]),
         *cancelling.lines(content, entries, words),

@@ -27,12 +27,13 @@ NEEDED = "Make sure of the name before you adopt or report it, for {vain}: {reco
 RECORD = "record what tells the effect from others:"
 ALL_HERE = "record again what tells the effect from others, which this recording has:"
 BEFORE = f"If you have adopted it already, first take it out of each run ({program_name('adopt')} --remove)."
-WHERE = "Its tests, the numbers to expect of it and the commands: {}."
+WHERE = "{}: {}."
 ANEW = (
     "What is adopted is not weighed again, and --like copies it. So record the run, then take it out of each run, and "
     "diagnose all together:"
 )
 DETAILS = "details.txt"
+NUMBERS, SO_FAR = "the numbers to expect of it", "what was recorded so far"
 BEYOND_DOUBT = 0.99  # of the probability of each effect: a name that is so sure needs no further run
 RUN = "The run to make next"  # the heading of its steps and commands in the details
 LEAVE = "Leave what is still missing, unless it is too much for your use."
@@ -103,10 +104,18 @@ def of_names(
     load = recipe.to_type(content, words, ids)
     other = _other_load(content, words, load)
     if short and run:
-        return [[_head(content, words, f"record {run.removeprefix(recipe.SO)}"), *other, WHERE.format(DETAILS)]]
+        return [
+            [
+                _head(content, words, f"record {run.removeprefix(recipe.SO)}"),
+                *other,
+                _where(["its tests", NUMBERS * bool(numbers), "the commands"]),
+            ]
+        ]
     head = _head(content, words, ALL_HERE if has == set(ids) else RECORD)
     if short:
-        return [[head, *tests, WHERE.format(DETAILS)]]
+        known = recorded_so_far.lines(content, words, tests)
+        more = [SO_FAR * bool(known), NUMBERS * bool(numbers), "the commands" * bool(numbers)]
+        return [[head, *tests, *([_where(more)] if any(more) else [])]]
     again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
     made = [*([run] if run else []), *other, *again, BEFORE] if numbers or run else []
     return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *made]]
@@ -118,6 +127,12 @@ def _head(content: Verdict, words: Vocabulary, record: str) -> str:
     if doubt:
         return NEEDED.format(vain=doubt, record=record)
     return OPTIONAL.format(after=", after step 1" if far_moved(content) else "", record=record)
+
+
+def _where(parts: list[str]) -> str:
+    """Where the parts of a step that are not empty stand, as a sentence."""
+    kept = [part for part in parts if part]
+    return WHERE.format(listing([kept[0][0].upper() + kept[0][1:], *kept[1:]]), DETAILS)
 
 
 def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:

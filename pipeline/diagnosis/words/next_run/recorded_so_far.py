@@ -24,9 +24,7 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
     speeds = f"speeds of {number(slow)} to {quantity(fast, f'{words.motion_unit}/s')}"
     if fast < ALIKE * slow:
         speeds = f"one speed, {quantity(fast, f'{words.motion_unit}/s')}"
-    stands = (
-        f"holds of up to {duration(known['longest_hold_s'])} and rests of up to {duration(known['longest_rest_s'])}"
-    )
+    stands = f"{_stands('holds', known['longest_hold_s'])} and {_stands('rests', known['longest_rest_s'])}"
     more = " or more" if content["evidence"]["loaded"] else ""
     under = f" under {quantity(least, words.load_unit)}{more}" if words.load is not None and least > 0.0 else ""
     wanted, counts = " ".join(tests), []
@@ -41,3 +39,9 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
             "It has more than one load." if content["evidence"]["loaded"] else second_load.sentence(content, words)
         )
     return [" ".join([f"Recorded so far: {loads}, {speeds}, {stands}{under}.", *counts])]
+
+
+def _stands(called: str, longest_s: float) -> str:
+    """How long the motor stood at most, in holds or in rests."""
+    longest = duration(longest_s)
+    return f"no {called}" if longest == duration(0.0) else f"{called} of up to {longest}"

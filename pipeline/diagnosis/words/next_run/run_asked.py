@@ -10,14 +10,16 @@ NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
     "would show more.",
     "parameters": "None is needed: the dimensions alone explain this recording. To make sure, measure them again.",
-    "explained": "None is needed: no other explanation of the library is as likely. What makes sure of a name stands "
-    "above, under What to do.",
+    "explained": "None is needed: no other explanation of the library is as likely.",
 }
 PROVISIONAL = (
     "None is needed before dimensions are measured again: no other explanation of the library is as likely, but names "
-    "are provisional while a dimension stands at its limit. What comes first, and what then makes sure of a name, "
-    "stands above, under What to do."
+    "are provisional while a dimension stands at its limit."
 )
+MAKES_SURE = " What makes sure of a name stands above, under What to do."
+BY_THE_RUN = ": by the run that stands above, under What to do"
+COMES_FIRST = " What comes first stands above, under What to do."
+BOTH = " What comes first, and what then makes sure of a name, stands above, under What to do."
 NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
 NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
@@ -25,13 +27,15 @@ NONE_PROPOSED = (
 )
 MORE_STROKES = "Record the rig once more, with more strokes, and diagnose all runs together."
 TO_MAKE_SURE = (
-    "No other explanation of the library is as likely, but make sure of the name before you adopt or report it: by the "
-    "run that stands above, under What to do."
+    "No other explanation of the library is as likely, but make sure of the name before you adopt or report it{}."
 )
 
 
-def no_run(content: Verdict, words: Vocabulary) -> list[str]:
-    """The run that the page asks for, where none is proposed step by step; else why none is."""
+def no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> list[str]:
+    """The run that the page asks for, where none is proposed step by step; else why none is.
+
+    `sure`: its steps say what makes sure of a name; `first`: they say something.
+    """
     verdict = content["verdict"]
     if in_vain.harmful(content, words):
         return [MORE_STROKES]
@@ -42,7 +46,8 @@ def no_run(content: Verdict, words: Vocabulary) -> list[str]:
     if verdict == "parameters" and moved_in_vain(content, words):
         verdict = "consistent"
     if verdict == "explained" and at_bound(content["evidence"]["moved_sigma"]):
-        return [PROVISIONAL]
+        return [PROVISIONAL + (BOTH if sure else COMES_FIRST * first)]
     if verdict == "explained" and in_vain.doubt(content, words):
-        return [TO_MAKE_SURE]
-    return [NONE_NEEDED[verdict]] if verdict in NONE_NEEDED else []
+        return [TO_MAKE_SURE.format(BY_THE_RUN * sure)]
+    above = MAKES_SURE * (sure and verdict == "explained")
+    return [NONE_NEEDED[verdict] + above] if verdict in NONE_NEEDED else []

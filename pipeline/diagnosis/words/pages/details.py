@@ -24,7 +24,7 @@ from ..language.vocabulary import Vocabulary
 from ..measured import in_run_yaml, to_measure, tolerances
 from ..measured.dimensions import corrected, each_moved, far_moved, remeasured, suspicious
 from ..named import adopted_table, certainty, effect_table, effects, logged, needed, slow_look_alikes
-from ..next_run import commands, deciding_run, experiment, signs, worth
+from ..next_run import commands, deciding_run, experiment, make_sure, signs, worth
 from ..next_run.run_asked import no_run
 from . import adoption, error_table, report, spikes, to_do, verdict
 from .headline import headline
@@ -176,7 +176,9 @@ def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Pat
     """The protocol, line by line, what it is worth, and the commands from its folder to its diagnosis."""
     run = content["next_run"]
     if not run:
-        return deciding_run.lines(content, words, folders, out) or no_run(content, words)
+        sure = bool(make_sure.of_names(content, words, folders, out, False))
+        steps = bool(to_do.lines(content, words, folders, out, short=False))
+        return deciding_run.lines(content, words, folders, out) or no_run(content, words, sure, steps)
     if worth.first(run):
         return experiment.brief(content, words)
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]

@@ -19,15 +19,13 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     assert "wear, added to friction_hysteresis + creep (probability 2 %): takes away" in text
     beaten = text[text.index("Why no other") :]
     assert beaten.index("+ sensor_drift 6 %") < beaten.index(" creep less than 1 % 0.060 mm (2.0)")
-    rule = "Kept are the likeliest, until they reach 80 % of that, so 77 %."
-    kept = (
-        "These 2 have 83 %; all others of the library 13 %; physics that the library lacks 4 %. None of these is impos"
-    )
-    assert f"{rule} {kept}sible." in text
+    rule = "The likeliest explanations are kept, until they have 80 % of what the library's have together."
+    kept = "Kept: 2 explanations, 83 % together. All others of the library have 13 % together, physics that the"
+    assert f"{rule} {kept} library lacks 4 %. None of these is impossible." in text
     assert "ruled out" not in text and "What is likely beside it Both explanations" in text
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
-    assert "Here the best one alone has 99 %; all others" in text
+    assert "Kept: 1 explanation, 99 %. All others" in text and "The likeliest explanations are kept" not in text
     none = "Why less likely, where nothing else is said: the same effects with one more leave less of the recording."
     assert " creep less than 1 % 0.060 mm (2.0) " in text and none in text
 

@@ -12,7 +12,7 @@ def test_a_stand_in_is_part_of_the_share_of_physics_that_the_library_lacks() -> 
     assert "physics that the library lacks (x_swelling included)" in table
     shares = {line.split("   ")[0].strip(): float(re.findall(r"(\d+) %", line)[0]) for line in table.splitlines()[:4]}
     assert shares.pop("x_swelling") == 18.0 and sum(shares.values()) == 100.0
-    assert "all others of the library 7 %; physics that the library lacks (x_swelling included) 22 %" in told(made)
+    assert "have 7 % together, physics that the library lacks (x_swelling included) 22 %." in told(made)
 
 
 def test_the_table_of_what_is_less_likely_has_the_likeliest_of_all_kinds() -> None:

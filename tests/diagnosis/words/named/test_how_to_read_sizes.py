@@ -4,7 +4,11 @@ from made_content import confident, content, page, told
 
 
 def test_the_details_say_how_to_read_the_sizes_of_one_effect() -> None:
-    read = "How to read the sizes of one effect: rms is its usual size over the whole recording; after `up to` stands"
+    read = "How to read the sizes of one effect: rms is its usual size over the whole recording"
+    largest = f"{read}; after `up to` stands its largest one"
+    none = content()
+    none["mechanisms"], none["alternatives"] = none["mechanisms"][:1], []
+    assert largest in told() and read in told(none) and "up to`" not in told(none), "it has no `up to`"
     assert read in told() and "the last column is" not in told() and read not in page()
     assert "the last column is the rms of that part of it" in told(
         content(evidence__beyond_dimensions_mm={"creep": 0.1})

@@ -673,13 +673,12 @@ def test_no_effect_is_called_sure_while_a_dimension_stands_at_its_limit():
     text = " ".join(full(at_limit()).split())
     limit = "the radius, the torsion zone and the gain of the displacement sensor stand at their limit"
     assert "friction_hysteresis probable, 93 %" in text and "sure, 9" not in text
-    write = (
-        f"In a paper call friction_hysteresis and creep probable, not sure: from 80 % on the word is sure, but {limit}."
-    )
-    assert write in text and "- at work: friction_hysteresis (probable, 93 %) and creep (probable, 96 %);" in text
+    assert f"Probable, since {limit}: friction_hysteresis (93 %) and creep (96 %)." in text
+    write = f"friction_hysteresis has 93 % and creep has 96 %, but both are only probable: {limit}."
+    assert write not in " ".join(page(at_limit()).split()), "a dimension to measure again is said first"
+    assert "- at work: friction_hysteresis (probable, 93 %) and creep (probable, 96 %);" in text
     details = told(at_limit())
-    assert f"Probable, since {limit}: " in details and write in " ".join(details.split())
-    assert "In a paper" not in full(confident(0.93, 0.96)), "the words say it themselves"
+    assert f"Probable, since {limit}: " in details and write not in " ".join(details.split()), "it is said once"
     assert "None is needed before dimensions are measured again" in details
     near = told(confident(0.93, 0.96, **ALONE, evidence__moved_sigma=NEAR))
     assert "None is needed: no other explanation" in near and "Sure (80 % or more): " in near
@@ -972,9 +971,7 @@ def test_an_effect_that_is_far_smaller_than_the_steps_of_the_sensor_is_not_calle
     text, why = " ".join(page(made).split()), "0.0012 mm is too small for a sensor that reads in steps of 0.010 mm"
     assert ("creep sure, 96 %" in text) == sure == (why not in details(copy.deepcopy(made))), text
     assert "friction_hysteresis sure, 97 %" in text, "0.08 mm is no part of a step"
-    assert sure or f"In a paper call creep probable, not sure: from 80 % on the word is sure, but {why}." in details(
-        made
-    )
+    assert sure or f"creep has 96 %, but is only probable: {why}." in text
     assert sure or f"Probable, since {why}: creep" in details(made)
 
 
