@@ -102,9 +102,9 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
     predicted, inside, ending = plan.predicted, plan.inside(), channel.rpartition("_")[2]
     if plan.outside and plan.outside.asks:
         when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())
-        asks = f"it asks for {'; '.join(plan.outside.asks)}. Nothing says how well the simulator does there, {when}. "
-        asks += f"Mend: {listing(plan.outside.mends)}, or record a stroke that does as the plan, diagnose both "
-        asks += "recordings together, and predict with that"
+        asks = f"it asks for {'. It asks for '.join(plan.outside.asks)}. Nothing says how well the simulator does "
+        asks += f"there, {when}. Mend: {listing(plan.outside.mends)}, or record a stroke that does as the plan, "
+        asks += "diagnose both recordings together, and predict with that"
         print(f"warning: {arguments.motion}: {asks}", file=sys.stderr)
     columns = {OUTSIDE: (~inside).astype(float)} if plan.outside else {}
     columns[f"without_effects_{ending}"] = plan.without_effects
@@ -171,14 +171,14 @@ def main() -> None:
     fitted = "that fit with them, in" if content["parameters"] and not arguments.simulation else "of"
     print(f"{run.run}: {counted(len(samples), 'sample')} simulated with {acting} and the dimensions {fitted} {source}")
     print(f"{arguments.out} holds {listing(list(columns))}")
-    for sentence in words:
-        print(sentence)
     if plan and plan.drawn:
         print("\n".join(corners(table, problem.system.driver, problem.system.channel)))
     if plan:
         begins = acting if plan.recorded and not plan.after else None
         for line in loop_table.printed(table, Vocabulary.of(problem.system), problem.system.channel, begins):
             print(line)
+    for sentence in words:
+        print(sentence)
     if plan and problem.system.free_zero:
         as_there = plan.after or has_zero(content, problem.system, run.run, problem.runs)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"

@@ -14,7 +14,7 @@ from .made_by import MadeBy
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
-from .strokes_there import missing_of, shown_of, tabled, there_of
+from .strokes_there import shown_of, tabled, there_of
 from .titles import titles_of
 
 UNKNOWN = MadeBy()
@@ -111,7 +111,7 @@ def comparison(
     whole = metrics[metrics["angle_band"] == "all"]
     strokes_there = there_of(whole.loc[whole["split"] == "within", "stroke"])
     strokes = [str(stroke) for stroke in tabled(strokes_there, paper.STROKES)]
-    which = [shown_of(strokes_there, paper.STROKES, material), missing_of(strokes_there, paper.STROKES)]
+    which = [shown_of(strokes_there, paper.STROKES, material)]
     missing, apart = " ".join(filter(None, [*which, otherwise(dataset)])), later_apart(dataset)
     is_other_rig = material == SYNTHETIC and bool(mark.rig)
     why_off = another_rig(mark) if is_other_rig else why_apart(whole, material)

@@ -82,9 +82,16 @@ def sizes(content: Content | None) -> list[str]:
     numbers += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
     numbers.append(content["fit"][f"noise_floor_{unit}"])
     cells = ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in numbers]
-    if verdict_of(content) == "unknown":  # nothing is named that could have an error
+    if verdict_of(content) == "unknown" or _of_others(content):  # nothing is named that could have an error there
         cells[SIZES.index(DIAGNOSED)] = NO_NUMBER
     return cells
+
+
+def _of_others(content: Content) -> bool:
+    """Whether the error on unseen strokes is of other effects, named without them, as `verdict.txt` takes it."""
+    chosen = (content.get("evidence") or {}).get("chosen_without_them")
+    named = {entry["id"] for entry in content["mechanisms"]}
+    return bool(named) and chosen is not None and set(chosen) != named
 
 
 def words_of(folder: Path) -> str:

@@ -8,7 +8,7 @@ from markupsafe import Markup
 from . import paper
 from .strings_together import TOGETHER
 from .stroke_conditions import OTHERWISE
-from .strokes_there import NOT_SHOWN, SHOWN
+from .strokes_there import SHOWN
 from .table_forms import OF_WHAT, from_markdown
 from .web.page import Text, link, paragraph, picture, together
 from .web.table import table
@@ -40,7 +40,7 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
         for suffix in ("csv", "tex", "md")
     )
     words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
-    below = " ".join(line for line in notes if line.startswith((OF_WHAT, SHOWN, TOGETHER, OTHERWISE, NOT_SHOWN)))
+    below = " ".join(line for line in notes if line.startswith((OF_WHAT, SHOWN, TOGETHER, OTHERWISE)))
     files_line = Markup('\n<p class="soft">n is the number of the stroke. {} The same as {}.</p>').format(below, files)
     return table(head, rows, words, (0, 1)) + files_line
 

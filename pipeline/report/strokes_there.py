@@ -2,8 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-NOT_SHOWN = "Not shown"
-SHOWN = "Shown are"
+SHOWN = "The paper shows"
 
 
 def there_of(strokes: Iterable[str | int]) -> list[int]:
@@ -34,15 +33,13 @@ def ranges(strokes: Sequence[int]) -> str:
             runs[-1].append(stroke)
         else:
             runs.append([stroke])
-    spans = [f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs]
-    return ", ".join(spans[:-1]) + (" and " if len(spans) > 1 else "") + spans[-1] if spans else "none"
+    return listed([f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs])
 
 
-def missing_of(strokes: Sequence[int], wanted: Sequence[int]) -> str:
-    """A sentence on the wanted strokes that the material does not have; empty where it has all of them."""
-    missing = ", ".join(f"n={stroke}" for stroke in wanted if stroke not in strokes)
-    known = f"stroke{'s' * (len(strokes) > 1)} {ranges(strokes)}"
-    return f"{NOT_SHOWN}: {missing}. The material has {known}." if missing else ""
+def listed(names: Sequence[str | int]) -> str:
+    """Names in a sentence: "1", "1 and 5", "1, 5 and 9"; "none" of nothing."""
+    *first, last = map(str, names or ["none"])
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 def rows_of(material: str) -> str:
@@ -51,17 +48,23 @@ def rows_of(material: str) -> str:
 
 
 def shown_of(strokes: Sequence[int], wanted: Sequence[int], material: str) -> str:
-    """A sentence on which of a material's strokes a table shows, why these, and where all are; empty if it shows all.
+    """A sentence on which strokes the paper shows, the material has and a table shows, and where all are.
 
-    The file that it names is the one that the table was made of, so it is there wherever the table is.
+    Empty where the table shows all strokes, the paper's among them. The file that it names is the one that the table
+    was made of, so it is there wherever the table is.
     """
-    tabled_strokes = tabled(strokes, wanted)
-    if len(tabled_strokes) >= len(strokes):
+    rows = tabled(strokes, wanted)
+    if not strokes or (len(rows) >= len(strokes) and set(wanted) <= set(strokes)):
         return ""
-    named = ", ".join(f"n={stroke}" for stroke in tabled_strokes)
-    reason = "the paper's rows" if set(tabled_strokes) <= set(wanted) else "spread over them, as none of the paper's is"
-    whole = f"{len(strokes)} strokes, {ranges(strokes)}"
-    return f"{SHOWN} {named} of the {whole}: {reason}. All strokes are rows of {rows_of(material)}, column stroke."
+    known = f"{SHOWN} {_strokes(wanted)}. This material has {_strokes(strokes)}"
+    if len(rows) >= len(strokes):
+        return f"{known}."
+    are_shown = f"{listed(rows)} {'are' if len(rows) > 1 else 'is'} shown"
+    return f"{known}, so {are_shown}. All strokes are rows of {rows_of(material)}, column stroke."
+
+
+def _strokes(strokes: Sequence[int]) -> str:
+    return f"stroke{'s' * (len(strokes) > 1)} {ranges(strokes)}"
 
 
 def in_figure(strokes: Sequence[int], shown: Sequence[int], wanted: Sequence[int]) -> str:

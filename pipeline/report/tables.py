@@ -19,7 +19,7 @@ from .plain_markdown import note, plain
 from .sidecar import Column, describe
 from .strings_together import together
 from .stroke_conditions import add_dataset, dataset_from, otherwise
-from .strokes_there import missing_of, rows_of, shown_of, tabled, there_of
+from .strokes_there import rows_of, shown_of, tabled, there_of
 from .table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
 from .titles import titles_of
 
@@ -102,7 +102,7 @@ def write(
     what = of_what(metrics, number, titles, [] if dataset is None else sorted(dataset["run"].unique()))
     apart = otherwise(dataset, tabled(strokes, paper.STROKES))
     mixed = together(dataset, tabled(strokes, paper.STROKES))
-    strokes_told = shown_of(strokes, paper.STROKES, material), mixed, apart, missing_of(strokes, paper.STROKES)
+    strokes_told = shown_of(strokes, paper.STROKES, material), mixed, apart
     which = [words for words in strokes_told if words]
     write_text(stem.with_suffix(".csv"), to_csv(number, rows(metrics, number, titles)))
     notes = (plain(what), *which, *left_out.beneath("md", gone), *jumps.beneath("md", jumped), note(mark))

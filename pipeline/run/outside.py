@@ -96,8 +96,9 @@ def _slower(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
     )  # fmt: skip
     speed, unit = float(np.median(planned.speed[rows])) if rows.any() else 0.0, unit_of(recorded.driver)
     share = "four fifths" if _other(recorded, paced) else "half"
-    why = f"{share} of {_recorded_speed('slowest', slowest, recorded)} less {SOME}{_since(recorded, paced)}"
-    asks = f"{recorded.driver} that change by only {speed:.3g} a second (inside from {from_on(least)} on: {why})"
+    limit = f"Inside from {from_on(least)} on: {share} of it, less {SOME}"
+    why = f"{_recorded_speed('slowest', slowest, recorded)}. {limit}{_since(recorded, paced)}"
+    asks = f"{recorded.driver} that change by only {speed:.3g} a second. {why}"
     return rows, asks if rows.any() else "", f"move at {from_on(least)} {unit}/s or faster"
 
 
@@ -114,8 +115,8 @@ def _quicker(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
     rows &= planned.speed <= (1.0 + ROOM) * recorded.fastest  # what is faster is named already
     speed = float(np.median(planned.speed[rows])) if rows.any() else 0.0
     fastest = _recorded_speed("fastest", max(recorded.speeds), recorded)
-    why = f"five quarters of {fastest} and {SOME}{_since(recorded, paced)}"
-    asks = f"strokes whose {recorded.driver} change by {speed:.3g} a second (inside up to {up_to(limit)}: {why})"
+    why = f"Inside up to {up_to(limit)}: five quarters of it, and {SOME}{_since(recorded, paced)}"
+    asks = f"strokes whose {recorded.driver} change by {speed:.3g} a second. {fastest}. {why}"
     return rows, asks if rows.any() else "", _move_slower(recorded, paced)
 
 
@@ -136,15 +137,17 @@ def _move_slower(recorded: Recorded, paced: Sequence[str]) -> str:
 
 
 def _recorded_speed(which: str, speed: float, recorded: Recorded) -> str:
-    """What a limit of speed is a share of, in words."""
-    return f"the {'one speed' if recorded.one_speed else f'{which} stroke'} that was recorded, {speed:.3g},"
+    """What a limit of speed is a share of: a sentence without its full stop."""
+    if recorded.one_speed:
+        return f"Recorded was one speed, {speed:.3g}"
+    return f"The {which} stroke that was recorded had {speed:.3g}"
 
 
 def _since(recorded: Recorded, paced: Sequence[str]) -> str:
-    """Why a speed counts as another one so soon, in words; nothing where it does not."""
+    """Why a speed counts as another one so soon: a sentence after a full stop; nothing where it does not."""
     if paced:
-        return f", since {' and '.join(paced)} {'follow' if len(paced) > 1 else 'follows'} speed or time"
-    return ", since nothing in it says what another does" if recorded.one_speed else ""
+        return f". So near, since {' and '.join(paced)} {'follow' if len(paced) > 1 else 'follows'} speed or time"
+    return ". Nothing that was recorded says what another speed does" if recorded.one_speed else ""
 
 
 def _going_on(planned: Course, recorded: Recorded, before: Sequence[Mask], rows: Mask) -> Mask:

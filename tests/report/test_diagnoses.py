@@ -83,6 +83,14 @@ def test_an_unknown_verdict_has_no_error_of_what_it_names():
     assert sizes({**TIED, "verdict": "unknown"})[1:4] == ["1.9 mm", "0.81 mm", "–"]
 
 
+def test_the_error_of_other_effects_is_not_that_of_what_the_verdict_names(tmp_path):
+    """2.3 mm stood beside creep and friction; they were tried on no unseen stroke, and verdict.txt has a dash there."""
+    others = {**TIED, "evidence": {"chosen_without_them": ["plastic_elongation", "shaft_windup"]}}
+    assert sizes(others)[1:4] == ["1.9 mm", "0.81 mm", "–"]
+    for chosen in (["backlash", "creep"], None):
+        assert sizes({**TIED, "evidence": {"chosen_without_them": chosen}})[3] == "0.034 mm"
+
+
 def test_a_row_says_adopt_nothing_and_which_recording_its_verdict_asks_for(tmp_path):
     bad = made(tmp_path, "a", NOTHING, **TIED)
     good = made(tmp_path, "b", NOTHING.replace("What to do", "What was done"), **TIED)

@@ -1,6 +1,6 @@
 import pytest
 
-from pipeline.report.strokes_there import drawn, missing_of, ranges, shown_of, tabled, there_of
+from pipeline.report.strokes_there import drawn, ranges, shown_of, tabled, there_of
 
 
 @pytest.mark.parametrize(
@@ -23,17 +23,16 @@ def test_tables_drop_a_stroke_that_is_not_there():
     assert tabled(range(21, 30), (1, 5, 9)) == [21, 25, 29]
 
 
-def test_what_is_not_shown_is_said():
-    assert missing_of(range(1, 10), (1, 5, 9)) == ""
-    assert missing_of(range(1, 9), (1, 5, 9)) == "Not shown: n=9. The material has strokes 1 to 8."
-    assert missing_of([2], (1, 5)) == "Not shown: n=1, n=5. The material has stroke 2."
+def test_which_strokes_there_are_is_said_as_ranges():
     assert ranges([1, 2, 3, 7, 9, 10]) == "1 to 3, 7 and 9 to 10" and there_of(["all", "10", "9"]) == [9, 10]
 
 
 def test_which_strokes_are_shown_and_why_is_said():
     """Tables of 42 strokes had three rows a model, without a word why."""
-    where = "All strokes are rows of processed/nylon/metrics.parquet, column stroke."
-    rows = "Shown are n=1, n=5, n=9 of the 42 strokes, 1 to 42: the paper's rows. "
-    assert shown_of(range(1, 43), (1, 5, 9), "nylon") == rows + where
-    assert "21 to 29: spread over them, as none of the paper's is" in shown_of(range(21, 30), (1, 5, 9), "nylon")
-    assert shown_of([1, 5, 9], (1, 5, 9), "m") == shown_of([2, 3], (1, 5, 9), "m") == ""
+    where = " All strokes are rows of processed/nylon/metrics.parquet, column stroke."
+    paper = "The paper shows strokes 1, 5 and 9. This material has stroke"
+    assert shown_of(range(1, 43), (1, 5, 9), "nylon") == f"{paper}s 1 to 42, so 1, 5 and 9 are shown.{where}"
+    assert shown_of(range(1, 6), (1, 5, 9), "nylon") == f"{paper}s 1 to 5, so 1 and 5 are shown.{where}"
+    assert f"{paper}s 21 to 29, so 21, 25 and 29 are shown." in shown_of(range(21, 30), (1, 5, 9), "nylon")
+    assert shown_of([2], (1, 5, 9), "m") == f"{paper} 2." and shown_of([2, 3], (1, 5, 9), "m") == f"{paper}s 2 to 3."
+    assert shown_of([1, 5, 9], (1, 5, 9), "m") == ""

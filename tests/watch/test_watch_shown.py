@@ -191,13 +191,20 @@ def test_few_samples_are_drawn_without_teeth_and_the_page_says_what_cannot_be_se
         page.until("document.getElementById('samples')?.textContent === '655'")
         before = page.text("loop-key")
         page.picture(tmp_path / "few.png")
-        verdicts.mkdir(parents=True)
+        other = verdicts.parent / "run-2"
+        other.mkdir(parents=True)
+        (other / "verdict.txt").write_text("run-2: unknown.\n")
+        verdicts.mkdir()
         for name, words in (("verdict.txt", "run-1: explained: friction.\n"), ("diagnosis.pdf", "%PDF")):
             (verdicts / name).write_text(words)
         (verdicts / "diagnosis.json").write_text(json.dumps({"run": "run-1"}))
         page.until("document.getElementById('verdict-page').textContent")
         links = page.run("[...document.querySelectorAll('#verdict-page a')].map((one) => one.textContent)")
         after = page.text("loop-key")
+        page.until("!document.getElementById('others').hidden")
+        assert page.text("others") == "Other runs" and page.text("verdicts").startswith("run-2"), (
+            "its own stood there too"
+        )
         (loop,) = told(port)["loops"]
     top = int(np.argmax(loop["motor_turns"]))
     for branch in (slice(0, top), slice(top, None)):
@@ -205,8 +212,8 @@ def test_few_samples_are_drawn_without_teeth_and_the_page_says_what_cannot_be_se
         assert np.abs(off).max() < 0.002, "each reading stands over its own twist"
     assert (
         "is thinner than the line" in before
-        and "the band, ±" not in before
-        and "twice the noise of one reading, ± " in before
+        and "The band, ±" not in before
+        and "Twice the noise of one reading, ± " in before
     )
-    assert "before a diagnosis it may be some mm off" in before and "before a diagnosis" not in after
+    assert ": before a diagnosis the simulator may be some mm off" in before and "before a diagnosis" not in after
     assert links == [f"reports/diagnosis/run-1/{name}" for name in ("diagnosis.pdf", "verdict.txt")]

@@ -66,8 +66,9 @@ function drawLoops(loops, d) {
     if (d.noise_mm) strip(plot, one.simulated_turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
     line(plot, one.simulated_turns, one.simulated_mm, "#d6604d", 0.8 * shade);
   });
-  const noise = !d.noise_mm ? "" : isSeen(plot, BAND * d.noise_mm) ? `; the band, ± ${round(BAND * d.noise_mm, 2)} mm, is twice the noise of one reading` : `; twice the noise of one reading, ± ${round(BAND * d.noise_mm, 2)} mm, is thinner than the line`;
-  show("nominal", noise + (d.verdict ? "" : "; before a diagnosis it may be some mm off"));
+  const twice = d.noise_mm && `± ${round(BAND * d.noise_mm, 2)} mm`;
+  show("noise", !twice ? "" : isSeen(plot, BAND * d.noise_mm) ? `The band, ${twice}, is twice the noise of one reading.` : `Twice the noise of one reading, ${twice}, is thinner than the line.`);
+  show("nominal", d.verdict ? "" : ": before a diagnosis the simulator may be some mm off");
 }
 
 let listed = "";
@@ -80,7 +81,9 @@ function verdicts(d) {
   at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page), ...(d.verdict_text && d.verdict_text !== d.verdict_page ? [", as text in ", link(`reports/${d.verdict_text}`, d.verdict_text)] : []), d.verdict_of ? `: ${d.verdict_of}` : ""] : []));
   at("left-file").replaceChildren(...(d.left ? ["The strokes left stand in ", link(`reports/${d.left.file}`, d.left.file), ".", d.left.until && ` Counted until ${d.left.until}.`, d.left.rests && ` From ${d.left.rests}.`, ...d.left.beside.map((other) => ` Also: ${other}.`)] : []));
   at("index").replaceChildren(...(d.index ? [link("All reports", "index.html")] : []));
-  at("verdicts").replaceChildren(...d.verdicts.map((one) => {
+  const others = d.verdicts.filter((one) => one.run !== d.run);
+  at("others").hidden = !others.length;
+  at("verdicts").replaceChildren(...others.map((one) => {
     const row = document.createElement("tr"), run = document.createElement("td"), said = document.createElement("td");
     run.append(link(one.run, one.page)); said.textContent = one.verdict; row.append(run, said);
     return row;

@@ -244,7 +244,7 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
     assert [row[-1] for row in cells[1:]] == ["inside", "63 % outside", "outside"]
     bare = 0.9 * (-1.0 - 112.5 * np.e)
     assert cells[1][3] == f"{bare:.2f}" and cells[1][4].count(".") == 2, "a band of ±0.12 mm has two decimals"
-    assert cells[3][3] == "-0.9" and cells[3][-2] == "outside", "no band"
+    assert cells[3][3] == "-0.90" and cells[3][-2] == "outside", "no band, and the decimals of its column"
     out[20] = True  # the corner itself, since the next leg is outside
     *_, leaving, _, _, _, _ = corners(table.assign(outside=out, low_mm=np.nan), "motor_turns", "displacement_mm")
     assert re.split(r" {3,}", leaving)[-2:] == ["outside from here on", "inside"]

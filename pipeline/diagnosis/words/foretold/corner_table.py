@@ -29,15 +29,15 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
     out = table[OUTSIDE].to_numpy() == 1.0 if OUTSIDE in table else None
     shown = [name for name in (bare,) if name in table]
     rows = [["time_s", driver, channel, *shown, "nine of ten readings", *(["way to it"] if out is not None else [])]]
+    whole = 0.5 * float((table[high] - table[low]).max()) if low in table else np.nan  # the widest band gives decimals
     for before, place in zip([0, *places], places, strict=False):
         row = table.iloc[place]
         within = low in table and bool(np.isfinite(row[[low, high]].to_numpy(float)).all())
         way = _way(out[before : place + 1]) if out is not None and place else ""
         none = "no band" if out is None or not out[place] else f"{OUTSIDE} from here on" if way == INSIDE else OUTSIDE
-        half = 0.5 * float(row[high] - row[low]) if within else 0.0
         cells = [f"{row['time_s']:.4g}", f"{row[driver]:.4g}"]
-        cells += [to_the_band(float(row[name]), half) for name in (channel, *shown)]
-        cells.append(f"{to_the_band(row[low], half)} to {to_the_band(row[high], half)}" if within else none)
+        cells += [to_the_band(float(row[name]), whole) for name in (channel, *shown)]
+        cells.append(f"{to_the_band(row[low], whole)} to {to_the_band(row[high], whole)}" if within else none)
         if out is not None:
             cells.append(way)
         rows.append(cells)

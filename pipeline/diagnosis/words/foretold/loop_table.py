@@ -6,8 +6,9 @@ import numpy as np
 import pandas as pd
 
 from ....ground.kinematics import Array
+from ....run.course import Mask
 from ....run.turning import turning_points
-from ..language.quantity import listing, number, said_unit, to_the_band
+from ..language.quantity import listing, number, percent, said_unit, to_the_band
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from .prediction import AFTER_RECORDING, OUTSIDE
@@ -28,7 +29,7 @@ class _Stroke:
     motion: Array  # in the driver's unit
     up: Array  # the reading on each way, in its unit
     down: Array
-    out: bool  # whether a row of it is outside what was recorded
+    out: str  # how much of it is outside what was recorded, in words; empty for nothing
     half: float  # of the band, the least of its rows, in the reading's unit; 0 without one
 
     def like(self, other: "_Stroke", least: float) -> bool:
@@ -54,7 +55,7 @@ def _strokes(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[_Stro
         up = np.interp(motion, np.maximum.accumulate(way[start : top + 1]), reading[start : top + 1])
         back, of_back = way[top : end + 1][::-1], reading[top : end + 1][::-1]
         down = np.interp(motion, np.maximum.accumulate(back), of_back)
-        far, known = bool(out[start : end + 1].any()), half[start : end + 1][half[start : end + 1] > 0.0]
+        far, known = _outside(out[start : end + 1]), half[start : end + 1][half[start : end + 1] > 0.0]
         least = 0.0 if far else float(known.min(initial=np.inf))
         strokes.append(_Stroke(int(start), int(end), motion, up, down, far, least if np.isfinite(least) else 0.0))
     return strokes
@@ -83,19 +84,35 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
             kinds.append((stroke, [str(count)]))
     if not kinds:
         return []
-    up, down = words.ways
+    (up, down), places = words.ways, _decimals([stroke for stroke, _ in kinds[:MOST]])
     rows = [["stroke", words.driver, f"{channel}, {up}", down, "difference"]]
     for stroke, numbers in kinds[:MOST]:
         for share, motion, rising, falling in zip(SHARES, stroke.motion, stroke.up, stroke.down, strict=True):
-            name = f"{_called(numbers)}{f' ({OUTSIDE})' if stroke.out else ''}" if share == SHARES[0] else ""
-            digits = FAR_DIGITS if stroke.out else DIGITS
-            ends = [to_the_band(value, stroke.half, digits) for value in (rising, falling)]
+            name = f"{_called(numbers)}{f' ({stroke.out})' if stroke.out else ''}" if share == SHARES[0] else ""
+            ends = [f"{value:.{places}f}" for value in (rising, falling)]
             rows.append([name, f"{motion:.4g}", *ends, _gap(falling - rising, stroke.half, words.unit)])
     more = len(kinds) - MOST
     kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
     left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
     head = f"on the way, where a loop shows (like strokes stand together; difference: {down} less {up}):"
     return [head, *aligned(rows), *left]
+
+
+def _outside(out: Mask) -> str:
+    """How much of a stroke's rows is outside what was recorded, in words; `out` is of shape (samples,)."""
+    if not out.any():
+        return ""
+    return OUTSIDE if out.all() else f"{percent(float(out.mean()))} {OUTSIDE}"
+
+
+def _decimals(strokes: list[_Stroke]) -> int:
+    """The decimals of all readings in a table: the fewest that a band, or the digits of a reading, lets one have."""
+    texts = [
+        to_the_band(float(value), stroke.half, FAR_DIGITS if stroke.out else DIGITS)
+        for stroke in strokes
+        for value in (np.abs([stroke.up, stroke.down]).max(),)
+    ]
+    return min(len(text.partition(".")[2]) for text in texts)
 
 
 def _gap(gap: float, half: float, unit: str) -> str:

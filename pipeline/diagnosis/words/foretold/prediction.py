@@ -16,20 +16,17 @@ OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the ans
 STRETCHES = 3  # of time, that are said; the others are counted
 MOSTLY = 0.8  # of the rms: a mean so far from 0 tells the way
 COVERS = (
-    "nine of ten readings lie between them, if the explanation is right. They cover how well its numbers are known, "
-    "and {missed}. They cover no wrong explanation, no other string, and no motion beyond what was recorded"
-)
-
-WHICH = (
-    "which to take: to state one error of the whole plan, the line `to report`; to judge a single reading, {low} and "
-    "{high}; to compare with an rms error, the expected error. An if_ column is no error, but another reading"
+    "{low} and {high}: nine of ten single readings lie between them, if the explanation is right. They cover how well "
+    "its numbers are known, and {missed}. They cover no wrong explanation, no other string, and no motion beyond what "
+    "was recorded"
 )
 
 
 def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) -> list[str]:
-    """The expected error with its two parts, and what the columns `low` and `high` hold; `unit`: of the reading.
+    """Which rows have no error, what the columns `low` and `high` hold, and the error to set beside an rms one.
 
-    `inside` are the rows within what was recorded, of shape (samples,): of others nothing is expected.
+    `unit` is the reading's. `inside` are the rows within what was recorded, of shape (samples,): of others nothing is
+    expected.
     """
     out = int((~inside).sum())
     beyond = (
@@ -40,17 +37,13 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) ->
         return [f"no expected error: {beyond}"]
     sigma = rms(foretold.sigma[inside])
     missed = "what strokes that no fit had seen were missed by" if foretold.held_out else "the noise of the readings"
-    expected = f"{size(foretold.expected(inside), unit)} rms"
     parts = f"{size(foretold.missed, unit)} is {missed}, {size(sigma, unit)} what the numbers of the fit leave open"
-    first = [f"expected error: {expected}, of which {parts}"]
-    if out:
-        first = [
-            f"expected error: {expected} where the motion is within what was recorded; {beyond}",
-            f"of the expected error {parts}",
-        ]
+    first = [beyond] if out else []
     if (inside & np.logical_or.accumulate(~inside)).any():
         first.append(f"rows after one that is {OUTSIDE} are inside again, though what is slow may still remember it")
-    return [*first, f"{low} and {high}: {COVERS.format(missed=missed)}", WHICH.format(low=low, high=high)]
+    expected = f"{size(foretold.expected(inside), unit)} rms. Of it {parts}"
+    rms_error = f"expected error, only to compare with another rms error: {expected}"
+    return [*first, COVERS.format(low=low, high=high, missed=missed), rms_error]
 
 
 def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int, channel: str, unit: str) -> list[str]:
@@ -145,10 +138,11 @@ def of_rivals(predicted: Array, curves: dict[str, Array], inside: Mask, channel:
         near, far = (size(float(gap[rows].max()), unit) for rows in (inside, ~inside))
         return f"{near} from {channel} within what was recorded and {far} outside"
 
-    return [
+    rivals = [
         f"{column_of(ids, channel)}: the reading if {listing(ids.split(' + '))} acted instead, at most {most(curve)}"
         for ids, curve in curves.items()
     ]
+    return [*rivals, *(["an if_ column is no error, but another reading"] if rivals else [])]
 
 
 def column_of(ids: str, channel: str) -> str:

@@ -19,6 +19,7 @@ HEAD = (
     "for this recording, all else held. Equations and sources: docs/physics.md."
 )
 UNSEEN = 0.01  # of the rms of an effect: a difference between two motions that is less is none
+OF_NAME = "that share"  # a factor that is said once, above the table: the share is in the name
 BRANCH = re.compile(r"(?:^|_)([0-9.]+)_s_")
 DOES = {
     "twist": "acts on the {motion}",
@@ -38,13 +39,13 @@ class Size:
     ends: tuple[float, float]
 
 
-def factors(words: dict[str, str], name: str) -> list[str]:
+def factors(words: dict[str, str], name: str) -> dict[str, str]:
     """What the coefficient `name` multiplies, by the `words` in names; of two words at one place the longer one."""
-    left, what = f"_{name}_", []
+    left, what = f"_{name}_", {}
     for word, factor in sorted(words.items(), key=lambda item: -len(item[0])):
         pattern = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
         if pattern.search(left):
-            what.append(factor)
+            what[word] = factor
             left = pattern.sub("_", left)
     return what
 
@@ -61,17 +62,19 @@ def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary, sizes: Seque
 def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size]) -> list[str]:
     mechanism, (whole, *each) = mechanisms()[act.id], sizes
     coefficients, moved = iter(act.coefficients), iter(each)
-    rows, described = [], []
+    rows, described, names = [], [], list[str]()
     for nonlinear in act.nonlinear:
         for term in mechanism.terms(drivers, nonlinear):
             value = next(coefficients)
             if not value:
                 continue
             name, unit = drivers.units.name(term.name), said_unit(drivers.units.unit(term.unit))
+            names.append(name)
             rows.append([f"{name} = {number(value, 3)} {unit or '(a share)'}", *_cells(next(moved), words, whole.rms)])
             described.append(_what(mechanism, name, DOES[term.port].format(motion=words.motion, string=words.string)))
-    head, *table = aligned([["number", "moves the reading, rms", _between(whole, words)], *rows])
-    written = [f"  {act.id}: {on_rig(meaning(act.id), words)} In all it {_moves(whole, words)}.", f"    {head}"]
+    head, *table = aligned([["number", "reading moved, rms", _between(whole, words)], *rows])
+    written = [f"  {act.id}: {on_rig(meaning(act.id), words)} In all it {_moves(whole, words)}."]
+    written += [*_shares(mechanism, names), f"    {head}"]
     before = None
     for row, what in zip(table, described, strict=True):
         written += [f"    {row}", *([f"      {what}"] if what != before else [])]
@@ -83,12 +86,28 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size])
     return [*written, f"    Its formula: {mechanism.equation}"]
 
 
+def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
+    """What each factor is that has a share in the names of coefficients, and where it stands there; a line each."""
+    shares = {}
+    for name in names:
+        for word, factor in factors(mechanism.names, name).items():
+            pattern = re.escape(word).replace(r"\*", "([0-9.]+)")
+            share = re.search(pattern if "*" in word else f"{pattern}_([0-9.]+)", name)
+            if OF_NAME in factor and share and word not in shares:
+                meant = factor.replace(OF_NAME, "a share")
+                shares[word] = f"    {word}: {meant}. In {name} the share is {share[1]}."
+    return list(shares.values())
+
+
 def _what(mechanism: Mechanism, name: str, does: str) -> str:
     """What a coefficient does, what it multiplies, and its time constant."""
     branch = BRANCH.search(name)
     parts = [
         does,
-        *(f"it multiplies {factor}" for factor in factors(mechanism.names, name)),
+        *(
+            f"it multiplies {word if OF_NAME in factor else factor}"
+            for word, factor in factors(mechanism.names, name).items()
+        ),
         *([f"it acts with a time constant of {branch[1]} s"] if branch else []),
     ]
     return "; ".join(parts)
@@ -97,7 +116,7 @@ def _what(mechanism: Mechanism, name: str, does: str) -> str:
 def _between(moved: Size, words: Vocabulary) -> str:
     """Between which motions the reading is compared."""
     low, high = moved.ends
-    top, bottom = (at(place, words.motion_unit, high - low) for place in (high, low))
+    top, bottom = at(high, "", high - low), at(low, words.motion_unit, high - low)
     return f"at {top} against {bottom}"
 
 

@@ -23,12 +23,12 @@ NAMES = {"twist": "a", "steep_twist": "b", "load": "c", "dry_*_twist": "d"}
 
 
 def test_of_two_words_at_one_place_the_longer_one_is_meant() -> None:
-    assert factors(NAMES, "steep_twist_60_s_mm_per_10_n") == ["b"]
-    assert factors(NAMES, "twist_60_s_mm") == ["a"] and factors(NAMES, "load_4_s_mm") == ["c"]
+    assert factors(NAMES, "steep_twist_60_s_mm_per_10_n") == {"steep_twist": "b"}
+    assert factors(NAMES, "twist_60_s_mm") == {"twist": "a"} and factors(NAMES, "load_4_s_mm") == {"load": "c"}
 
 
 def test_a_share_within_a_name_is_any_number() -> None:
-    assert factors(NAMES, "dry_0.02_twist_mm_per_10_n") == ["d"]
+    assert factors(NAMES, "dry_0.02_twist_mm_per_10_n") == {"dry_*_twist": "d"}
 
 
 def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist(problem) -> None:
@@ -46,11 +46,23 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
         state.acts, problem.drivers, words, own
     )
     assert first.startswith("  jam: ") and "In all it moves the reading by " in first and " rms, and by -" in first
-    assert head.startswith("    number ") and "moves the reading, rms   at " in head and " against " in head
+    assert head.startswith("    number ") and "reading moved, rms   at " in head and " against " in head
     assert number.startswith("    share = 0.4 (a share)   ") and does == "      acts on the twist"
     assert number.split()[5:] == first.split("by ")[1].split()[:2] + first.split("by ")[2].split()[:2]
     assert critical.endswith(" turns: the twist from which on it acts.") and softness.startswith("    softness_turns")
     assert formula == f"    Its formula: {mechanisms()['jam'].equation}"
+
+
+def test_a_factor_with_a_share_in_the_names_is_said_once_above_the_table(problem) -> None:
+    """Eight rows said "the state of a stop, from -1 to 1, as wide as that share of the range", and not which share."""
+    names = ["stop_0.08_load_mm_per_10_n", "stop_0.2_load_mm_per_10_n", "dry_0.1_twist_mm_per_10_n"]
+    stop, dry = coefficients._shares(mechanisms()["friction_hysteresis"], names)
+    assert stop.startswith(
+        "    stop: the state of a stop, from -1 to 1, as wide as a share of the range. In stop_0.08_"
+    )
+    assert stop.endswith(" the share is 0.08.") and dry.endswith(" In dry_0.1_twist_mm_per_10_n the share is 0.1.")
+    what = coefficients._what(mechanisms()["friction_hysteresis"], names[0], "is lost")
+    assert what == "is lost; it multiplies stop; it multiplies the load"
 
 
 def candidates(mechanism, problem) -> list[dict[str, float]]:
