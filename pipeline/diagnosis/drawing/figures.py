@@ -12,14 +12,14 @@ from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..prediction.simulation import at_its_best_zero
-from ..words.held_out.holdout import heading, included, other_name
+from ..words.held_out.holdout import heading, included, other_name, settled_otherwise
 from ..words.held_out.unseen import noises
 from ..words.language.quantity import listing
 from ..words.language.vocabulary import Vocabulary
 from ..words.measured.dimensions import name_of
 from ..words.measured.to_measure import to_measure
 from ..words.pages import advice
-from ..words.pages.headline import unfit
+from ..words.pages.headline import NOT_SETTLED, unfit
 from . import driver_panels, panels
 from .mismatch_map import map_of, map_signs, mismatch_map
 from .overview import overview
@@ -37,7 +37,8 @@ def title(content: Verdict) -> str:
     name = " + ".join(runs)
     if len(name) > WIDE // 2:
         name = runs[0] if len(runs) == 1 else f"{runs[0]} and {len(runs) - 1} more"
-    head, held = f"{name}: {content['verdict']}", included(content)
+    unsettled = content["verdict"] == "explained" and settled_otherwise(content)
+    head, held = f"{name}: {NOT_SETTLED if unsettled else content['verdict']}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
     if not ids:
         subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"

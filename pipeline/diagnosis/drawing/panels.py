@@ -50,7 +50,8 @@ def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[s
     time_s = np.insert(drivers.elapsed_s[show], breaks, np.nan)
     for name, (values, style) in lines.items():
         axes.plot(time_s, np.insert(values[show], breaks, np.nan), label=name, **style)
-    axes.set(ylabel=label, xlim=(0.0, drivers.elapsed_s[-1]))
+    axes.set(xlim=(0.0, drivers.elapsed_s[-1]))
+    axes.set_ylabel(label, fontsize=8)  # panels are low: larger ones would touch
     axes.legend(fontsize=7, ncols=len(lines), loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False)
 
 
@@ -139,7 +140,8 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    other = {NAMED: fill(f"{without}, named without these strokes", NAME_WIDE)} if without else {}
+    below = fill(f"{without}, named without these strokes", NAME_WIDE)  # it is wide: a line below its neighbour
+    other = {NAMED: f"\n{below}"} if without else {}
     axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     low, high = 0.5 * min(*values, floor), max(*values, floor)

@@ -349,3 +349,12 @@ def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_th
     )
     assert above == ["recording", "as adopted"] and below == ["calibrated", "as adopted"]
     assert figures.as_adopted(studied, {**verdict, "adopted": []}) is None
+
+
+def test_a_long_name_below_the_error_on_unseen_strokes_stands_a_line_below_its_neighbour() -> None:
+    _, axes = plt.subplots()
+    held = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.3}
+    panels.held_out(axes, held, 0.031, "mm", "mm", without="plastic_elongation + shaft_windup")
+    first, second, other = (label.get_text().splitlines() for label in axes.get_xticklabels())
+    assert first == ["nominal"] and second == ["calibrated"] and other[:2] == ["", "plastic_elongation +"]
+    plt.close("all")

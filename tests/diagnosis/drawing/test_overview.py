@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pipeline.diagnosis.drawing import overview, panels
+import itertools
 
 
 def drawn(drivers, measured, simulations):
@@ -65,3 +66,20 @@ def test_the_error_of_other_effects_does_not_have_the_colour_of_the_diagnosis() 
     colours = axes.collections[1].get_facecolors()[:, :3]
     assert not np.allclose(colours[2], plt.matplotlib.colors.to_rgb(panels.AFTER))
     plt.close("all")
+
+
+def test_the_labels_of_the_panels_over_time_do_not_touch(studied) -> None:
+    problem = studied("creep")[0].problem
+    figure = Figure(figsize=(9.6, 4.2), layout="constrained")
+    part = figure.subfigures(1, 1)
+    drivers = replace(problem.drivers, loaded=True)
+    overview.overview(
+        part,
+        drivers,
+        problem.measured,
+        {"calibrated": problem.measured + 1.0, "as diagnosed": problem.measured},
+        "displacement",
+    )
+    figure.draw_without_rendering()
+    boxes = [axes.yaxis.label.get_window_extent() for axes in part.axes]
+    assert len(boxes) == 3 and all(above.y0 > below.y1 for above, below in itertools.pairwise(boxes))

@@ -31,3 +31,12 @@ def test_a_title_has_two_lines_at_most_and_breaks_nowhere_else(others, said):
     assert title(adopted_).replace("\N{NO-BREAK SPACE}", " ") == said
     many = title(made | {"run": [f"nylon-20261122-{n:02}" for n in range(9)]})
     assert many.startswith("nylon-20261122-00 and 8 more: ambiguous\n") and many.count("\n") == 1
+
+
+def test_a_title_says_that_a_name_is_not_settled_as_the_page_does():
+    made = {
+        "run": "a-1", "verdict": "explained", "mechanisms": [{"id": "creep"}], "alternatives": [],
+        "evidence": {"chosen_without_them": ["wear"]}, "fit": {"heldout": None},
+    }  # fmt: skip
+    assert title(made) == "a-1: explained, but not settled\ncreep"
+    assert title(made | {"evidence": {"chosen_without_them": ["creep"]}}) == "a-1: explained\ncreep"

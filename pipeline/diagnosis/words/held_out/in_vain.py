@@ -4,11 +4,11 @@ import math
 
 from ...document.content import Verdict
 from ...study.heldout import WORSE
-from ..language.quantity import size
+from ..language.quantity import first_upper, size
 from ..language.vocabulary import Vocabulary
 from . import holdout
 from .level import NO_BETTER
-from .unseen import errors
+from .unseen import errors, other_fails
 
 SMALL = ", and is too small to show there"
 
@@ -73,6 +73,9 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
     without = f"Without the {holdout.split(content)} the procedure names"
     if none:
         return [f"{without} no effect, so the name {best} is not settled, and {error} calibration alone."]
+    if other_fails(content, words):
+        so = f"{first_upper(error)} {other}, not of {best}: that was tried on no stroke unseen by it."
+        return [f"{so} A longer recording can settle the name."]
     end = f"not {best}, so {error} {other}."
     if set(other.split(" + ")) in map(set, content["alternatives"]):
         return [f"{without} {other}, another of the {count} likely explanations, {end}"]

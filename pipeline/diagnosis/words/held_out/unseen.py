@@ -42,10 +42,22 @@ def worse(content: Verdict, words: Vocabulary) -> str:
         named = "with what is named" if not holdout.other_name(content) else holdout.simulator(content)
         with_it = f"the simulator {named} errs by {size(unseen_errors[2], words.unit)}"
         return (
-            f" On the {holdout.strokes(content)} {with_it}, as measured by {size(nominal, words.unit)}; calibrated "
-            f"alone it is worse than that ({size(error, words.unit)})."
+            f" On the {holdout.strokes(content)} {with_it}. The simulator of run.yaml as it stands (nominal) errs "
+            f"by {size(nominal, words.unit)}, and calibrated alone by more: {size(error, words.unit)}."
         )
+    if content["verdict"] == "explained" and holdout.of_other(content):
+        return f" On the {holdout.strokes(content)} that is worse than the nominal simulator ({sizes})."
     return f" But on the {holdout.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
+
+
+def fails_first(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the first line says that what was tried on those strokes is worse there than the nominal simulator."""
+    return "explained" in content["fit"].get("worse_than_nominal", []) and bool(worse(content, words))
+
+
+def other_fails(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the first line says so, and of other effects than the one explanation's."""
+    return content["verdict"] == "explained" and bool(holdout.of_other(content)) and fails_first(content, words)
 
 
 def partly(content: Verdict, words: Vocabulary) -> bool:

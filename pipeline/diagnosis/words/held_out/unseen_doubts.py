@@ -17,7 +17,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
     named_helps = named and explained < nominal  # then the first line says it
     if calibrated > WORSE * nominal and not named_helps:
-        sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)} as measured"
+        sizes = f"{size(calibrated, words.unit)} against {size(nominal, words.unit)}"
         sentences.append(
             f"On the {strokes} the calibrated simulator is worse than the nominal one: {sizes}."
             " What calibration alone learnt does not hold later: do not adopt its dimensions."
@@ -27,8 +27,9 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
         sentences += beyond(content, words)
     if in_vain.harmful(content, words):
         end = "adopt nothing" if holdout.other_name(content) else "do not adopt it"
-        sentences.append(f"On the {strokes} {in_vain.tried(content)} makes the calibrated simulator worse: {end}.")
-        sentences += in_vain.other_choice(content)
+        worse = f"On the {strokes} {in_vain.tried(content)} makes the calibrated simulator worse: {end}."
+        sentences += [] if unseen.fails_first(content, words) else [worse]
+        sentences += [] if unseen.other_fails(content, words) else in_vain.other_choice(content)
     elif in_vain.improves_nothing(content, words):
         means = (
             "so they say nothing of it" if in_vain.too_small(content, words) else "it may be no more than a good fit"

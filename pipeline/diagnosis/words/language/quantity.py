@@ -101,6 +101,11 @@ def percent(share: float) -> str:
     return "more than 99 %" if 0.99 < share < 1.0 else f"{100.0 * share:.0f} %"
 
 
+def first_upper(phrase: str) -> str:
+    """A phrase as a sentence begins."""
+    return f"{phrase[:1].upper()}{phrase[1:]}"
+
+
 def listing(words: Sequence[str], last: str = "and") -> str:
     """Words as a list: a; a and b; a, b and c."""
     if len(words) < 2:

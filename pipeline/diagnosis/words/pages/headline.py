@@ -6,14 +6,14 @@ from ...document.content import Verdict
 from ..explanations import left_out, rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
-from ..language.quantity import listing, percent, size, times
+from ..language.quantity import first_upper, listing, percent, size, times
 from ..language.vocabulary import Vocabulary
 
 WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml that errs by more
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
-    "explained": "physics is missing, and named{sure}{unsettled}.",
+    "explained": "physics is missing, and named{sure}.",
     "ambiguous": "physics is missing; {recordings} cannot decide between {count} explanations{sure}.",
     "unknown": "the mismatch is real, and no explanation of the library is good enough{lacks}.",
 }
@@ -29,8 +29,9 @@ HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({flo
 HOLDS, NEW, LEFT = "and still hold{s}", "and something new is there", "and something without a name is left"
 MAY_HOLD, UNFIT = "and may hold", "and fit{s} no more with the dimensions of run.yaml"
 FAR = ", some by three times their tolerance: measure them again before you trust it"
-PARTLY = "physics is missing, and named in part{sure}{unsettled}."
-UNSETTLED = ", but the name is not settled: {}"
+PARTLY = "physics is missing, and named in part{sure}."
+NOT_SETTLED = "explained, but not settled"
+UNSETTLED = "physics is missing, and named{in_part}. {probability}{otherwise}."
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
 
@@ -47,6 +48,9 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         sentence = PARTLY
     elif verdict == "parameters" and moved_in_vain(content, words):
         sentence = HARDLY_MOVED
+    otherwise = holdout.settled_otherwise(content) if verdict == "explained" else ""
+    if otherwise:
+        sentence = UNSETTLED
     evidence, named = content["evidence"], NOTHING_FURTHER if adopted else NOTHING_NAMED
     likely = max((len(adoption["tied"]) for adoption in content.get("adopted", [])), default=0)
     if adopted and likely:
@@ -57,7 +61,9 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
         "count": 1 + len(content["alternatives"]),
         "sure": how_sure(content),
-        "unsettled": UNSETTLED.format(other) if (other := holdout.settled_otherwise(content)) else "",
+        "in_part": " in part" * unseen.partly(content, words),
+        "probability": f"{first_upper(how_sure(content)[2:])}. " if how_sure(content) else "",
+        "otherwise": first_upper(otherwise),
         "lacks": lacks(content),
         "adopted": named,
         "beside": f"{named}; with {_them(adopted)} " if adopted else "",
@@ -72,9 +78,10 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     warning = unfit(content, words)
     state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
     state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
-    about, sentence = f"{run}: {_lead(verdict, adopted, UNFIT if warning else state)}", sentence.format(**fields)
+    lead = _lead(NOT_SETTLED if otherwise else verdict, adopted, UNFIT if warning else state)
+    about, sentence = f"{run}: {lead}", sentence.format(**fields)
     if warning:
-        return f"{about}: {warning}. {sentence[0].upper()}{sentence[1:]}{unseen.worse(content, words)}"
+        return f"{about}: {warning}. {first_upper(sentence)}{unseen.worse(content, words)}"
     return f"{about}: {sentence}{as_it_stands(content, words)}{unseen.worse(content, words)}"
 
 

@@ -17,6 +17,7 @@ from . import advice, to_use
 from .adoption import dimensions_came, predictions
 
 HEADING = "What to do, in this order"
+ADOPT_NOTHING = "Adopt nothing."
 NAMED = ("explained", "ambiguous")
 
 
@@ -42,7 +43,7 @@ def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path |
     """The steps where something is named."""
     if in_vain.harmful(content, words):
         return [
-            [f"{advice.worse(content)} {MORE_STROKES}"],
+            [f"{ADOPT_NOTHING if unseen.fails_first(content, words) else advice.worse(content)} {MORE_STROKES}"],
             *_measure(content, words, short, "leave it, and take this verdict as provisional"),
             *to_decide.step(content, words, folders, short),
         ]

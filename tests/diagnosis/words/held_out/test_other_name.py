@@ -10,10 +10,23 @@ def test_the_first_line_says_with_the_probability_that_the_name_is_not_settled()
     assert "not settled" not in page(settled)
     other = confident(0.93, 0.96, **ALONE, evidence__chosen_without_them=["creep"])
     first = " ".join(page(other).split("\n\n")[0].split())
-    assert first.endswith(
-        "the explanation has a probability of 52 %, but the name is not settled: without the last 30 % of strokes the "
-        "procedure names creep."
+    assert first == (
+        "nylon-3: explained, but not settled: physics is missing, and named. The explanation has a probability of "
+        "52 %. Without the last 30 % of strokes the procedure names creep."
     )
+
+
+def test_the_first_sentence_says_the_outcome_and_the_page_says_once_that_the_other_effects_fail() -> None:
+    failing = {"evidence__chosen_without_them": ["slack"], "fit__heldout__explained_mm": 4.3}
+    made = confident(0.93, 0.96, **ALONE, **failing, fit__worse_than_nominal=["explained"])
+    text = page(made)
+    first = " ".join(text.split("\n\n")[0].split())
+    outcome = "nylon-3: explained, but not settled: physics is missing, and named in part."
+    assert first.startswith(outcome) and len(outcome) <= 100
+    assert first.endswith("On the unseen strokes that is worse than the nominal simulator (4.3 mm against 1.9 mm).")
+    assert "makes the calibrated simulator worse" not in text and "too short to choose" not in text
+    assert "is that of slack, not of friction_hysteresis + creep: that was tried" in " ".join(text.split())
+    assert "1. Adopt nothing. Record the rig once more" in text
 
 
 def test_an_effect_that_is_not_named_without_the_last_strokes_is_called_probable_and_the_other_one_sure() -> None:
