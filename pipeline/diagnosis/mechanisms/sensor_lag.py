@@ -82,7 +82,10 @@ MECHANISM = Mechanism(
     told_apart_by="two speeds; a rigid bar in place of the string",
     meaning="the displacement is read late, or the twist.",
     sentence="The {reading} and the {motion} are read at different moments, which is worth {size} at these speeds.",
-    details=("the moving mass times the delay of the {motion} is {late_mm_s3_per_turn}",),
+    details=(
+        "the moving mass times the delay of the {motion} is {late_mm_s3_per_turn}; divided by "
+        "the mass that is the delay in seconds",
+    ),
     candidates=candidates,
     terms=terms,
     suggest=suggest,

@@ -1,5 +1,6 @@
 """The panels over time: what can be told apart is drawn, and what cannot is said."""
 
+import itertools
 from dataclasses import replace
 
 import matplotlib.pyplot as plt
@@ -7,7 +8,6 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pipeline.diagnosis.drawing import overview, panels
-import itertools
 
 
 def drawn(drivers, measured, simulations):

@@ -3,16 +3,20 @@
 import re
 
 from ....ground.glossary import MEANING
-from ...document.content import Verdict
+from ...document.content import Part, Verdict
 from ...mechanisms.library import mechanisms
-from .vocabulary import Vocabulary
+from .quantity import quantity
+from .vocabulary import ANGLES, Vocabulary
 
 USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
+NAMED = re.compile(r"^\w+ {2,}named\b", re.M)  # how sure an effect is, in the table of them
+TURN, DRIVEN = "once a turn", "once in every turn of what drives it (a screw, a motor)"
 
 
 def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
     """The verdict's word, those of errors, then each mechanism that `text`, the verdict so far, names."""
     used = [word for word in USUAL if re.search(rf"\b{word}\b", text)]
+    used += ["named"] if NAMED.search(text) else []
     named = [id_ for id_, mechanism in mechanisms().items() if re.search(rf"\b{id_}\b", text)]
     return [f"{word}: {on_rig(meaning(word), words)}" for word in [content["verdict"], *used, *named]]
 
@@ -20,6 +24,14 @@ def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
 def meaning(word: str) -> str:
     """What a word means; of a mechanism of a user's own, what it follows."""
     return MEANING.get(word) or f"a mechanism of your own; it follows {mechanisms()[word].driver}."
+
+
+def of_effect(entry: Part, words: Vocabulary) -> str:
+    """What a named mechanism does on the rig; of a ripple whose pitch was found, how far its waves are apart."""
+    pitch = next((known for name, known in entry["parameters"].items() if name.startswith("pitch_")), None)
+    if pitch is None or not pitch["value"]:
+        return on_rig(meaning(entry["id"]), words)
+    return meaning(entry["id"]).replace(TURN, f"once in every {quantity(pitch['value'], pitch['unit'], digits=3)}")
 
 
 def on_rig(sentence: str, words: Vocabulary) -> str:
@@ -30,6 +42,7 @@ def on_rig(sentence: str, words: Vocabulary) -> str:
     sentence = sentence.replace("winding and unwinding", f"{up} and {down}").replace(
         "first turns move", "first motion moves"
     )
+    sentence = sentence if words.motion_unit in ANGLES else sentence.replace(TURN, DRIVEN)
     for of_string, own in (("string", words.string), ("twist", words.motion), ("displacement", words.reading)):
         sentence = re.sub(rf"\b{of_string}\b", own, sentence)
     return sentence

@@ -14,6 +14,7 @@ from . import exactness, tolerances
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
+FINEST = 12  # decimals
 MANY = 4  # that leave at once: then it is no measuring error
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
@@ -132,6 +133,8 @@ def likely_range(content: Verdict, name: str) -> str:
     if not known.get("low", 0.0) < known.get("high", 0.0):
         return ""
     places, unit = decimals(content, name), said_unit(unit_of(re.sub(r"_\d+$", "", name)))
+    while places < FINEST and round(known["low"], places) == round(known["high"], places):
+        places += 1
     low, high = (number(round(known[end], places), 12) for end in ("low", "high"))
     return f" (90 % interval {low} to {high} {unit}".rstrip() + ")"
 

@@ -3,7 +3,7 @@
 from ...document.content import Part, Verdict, mismatch_of
 from ..explanations import probability
 from ..held_out import holdout
-from ..language.explained_words import meaning, on_rig
+from ..language.explained_words import meaning, of_effect, on_rig
 from ..language.quantity import at, listing, percent, size
 from ..language.sections import WIDE
 from ..language.table import aligned
@@ -61,7 +61,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
     head, *table = aligned([columns, *rows])
     head = head if len(head) <= WIDE - INDENT else head.replace(OF_IT, OF_IT_SHORT)
-    does = {} if short else {entry["id"]: entry["sentence"] for entry in entries}
+    does = {entry["id"]: of_effect(entry, words) if short else entry["sentence"] for entry in entries}
     table_lines = [head]
     for (id_, *_), row in zip(rows, table, strict=True):
         what = does.get(id_) or on_rig(meaning(id_), words)

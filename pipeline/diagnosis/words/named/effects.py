@@ -23,6 +23,7 @@ BETWEEN_RUNS = {
     1.0: "It fits best with each run begun as the first one was: what it had done was gone between the runs.",
     2.0: "It fits best with the {string} loaded for long before each later run.",
 }  # by the way in which a later run begins
+EVERY = "once in every "  # such a length: it is said in place of the turn, which nobody sees on such a rig
 CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
 
 
@@ -47,6 +48,7 @@ def sentence(
     fields["temperature"] = CALCULATED if calculated(mechanism, entry) else "the measured temperature"
     phrase = filled(mechanism.sentence, fields).rstrip(".")
     detail = details(mechanism, entry["parameters"], words, units)
+    phrase = phrase.replace(" once per turn", "") if detail.startswith(EVERY) else phrase
     return f"{phrase}{': ' if detail else ''}{detail}."
 
 

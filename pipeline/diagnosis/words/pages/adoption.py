@@ -141,10 +141,16 @@ def adopted_predictions(folder: Path, driver: str, load: str | None, ids: list[s
     return [*lines, f"{used}   # the string as this recording left it", f"{planned} --out FILE.csv   # as before it"]
 
 
+def hung(content: Verdict, words: Vocabulary) -> str | None:
+    """The column of the load, where the recording has one that is not 0 throughout; else None."""
+    known = content.get("evidence", {}).get("covered")  # adopt takes files without
+    return None if known is not None and not any(known["load"]) else words.load
+
+
 def columns_of_plan(driver: str, load: str | None) -> str:
     """What a planned motion's file holds, by the rig's columns `driver` and `load`."""
-    loads = f" and, unless it stands still, {load}" if load else ""
-    return f"PLAN.csv is a motion that you plan: time_s, {driver}{loads}; its corners will do"
+    columns = f"time_s, {driver} and, unless it stands still, {load}" if load else f"time_s and {driver}"
+    return f"PLAN.csv is a motion that you plan: {columns}; its corners will do"
 
 
 def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
@@ -154,7 +160,7 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
     if in_vain.harmful(content, words):
         return [advice.worse(content)]
     source = out / "diagnosis.json"
-    lines = [f"To predict with it, dimensions included ({columns_of_plan(words.driver, words.load)}):"]
+    lines = [f"To predict with it, dimensions included ({columns_of_plan(words.driver, hung(content, words))}):"]
     ids = [entry["id"] for entry in content["mechanisms"]]
     lines += [f"  {line}" for line in predictions(source, folders, ids)]
     lines += of_staying(ids)

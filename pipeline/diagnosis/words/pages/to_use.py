@@ -7,7 +7,7 @@ from ....ground.command import command
 from ...document.content import Verdict
 from ..language.vocabulary import Vocabulary
 from . import advice
-from .adoption import columns_of_plan, of_staying, predictions
+from .adoption import columns_of_plan, hung, of_staying, predictions
 
 LIKEWISE = "For the other runs likewise (details.txt)."
 
@@ -16,10 +16,11 @@ def predict(content: Verdict, words: Vocabulary, folders: list[Path], out: Path 
     """The command that predicts a planned motion with what was found; the details have the others."""
     if out is None or not content.get("simulation", [True]):
         return []
-    head = f"To predict the rig, at loads, speeds and {words.motion}s like those recorded"
+    loads = "loads, speeds" if hung(content, words) else "speeds"
+    head = f"To predict the rig, at {loads} and {words.motion}s like those recorded"
     ids = [entry["id"] for entry in content["mechanisms"]]
     planned = predictions(out / "diagnosis.json", folders, ids)[1::2]
-    return [[f"{head}. {columns_of_plan(words.driver, words.load)}:", f"  {planned[0]}", *of_staying(ids)]]
+    return [[f"{head}. {columns_of_plan(words.driver, hung(content, words))}:", f"  {planned[0]}", *of_staying(ids)]]
 
 
 def adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:

@@ -1,0 +1,45 @@
+"""The words on a rig that has metres, and neither turns nor a load."""
+
+import re
+
+from made_content import SYSTEMS
+
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.words.language import explained_words
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.measured.dimensions import likely_range
+from pipeline.diagnosis.words.pages.adoption import columns_of_plan, hung
+
+MASS, STRING = Vocabulary.of(SYSTEMS["n"]), Vocabulary.of(SYSTEMS["mm"])
+PITCH = {"value": 0.012192, "low": 0.012192, "high": 0.012192, "unit": "m"}
+
+
+def test_a_ripple_over_metres_is_told_by_its_length_and_not_by_a_turn() -> None:
+    entry = {"id": "eccentricity", "parameters": {"pitch_m": PITCH}}
+    assert explained_words.of_effect(entry, MASS) == "a ripple once in every 0.0122 m."
+    assert explained_words.of_effect(entry | {"parameters": {}}, STRING) == "a ripple once a turn."
+    meant = explained_words.on_rig(explained_words.meaning("eccentricity"), MASS)
+    assert meant == "a ripple once in every turn of what drives it (a screw, a motor)."
+
+
+def test_the_word_named_is_explained_where_it_stands_in_place_of_a_percentage() -> None:
+    table = "effect         how sure\neccentricity   named      4.5 N"
+    made = {"verdict": "explained"}
+    assert any(line.startswith("named: the effect is in the one") for line in explained_words.lines(made, table, MASS))
+    assert not any(line.startswith("named") for line in explained_words.lines(made, "creep   sure, 90 %", STRING))
+
+
+def test_the_ends_of_an_interval_differ_as_they_are_printed() -> None:
+    known = {"nominal": 100.0, "value": 92.1, "low": 92.06, "high": 92.14}
+    made = {"parameters": {"mass_kg": known}, "evidence": {"tolerance": {"mass_kg": 10.0}}}
+    low, high = re.findall(r"[0-9.]+(?= to| kg)", likely_range(made, "mass_kg"))
+    assert low != high and float(low) < float(high)
+
+
+def test_a_plan_asks_for_no_load_where_none_was_recorded_and_a_lag_says_how_to_get_seconds() -> None:
+    none, some = ({"evidence": {"covered": {"load": [0.0, load]}}} for load in (0.0, 20.0))
+    assert "load_n" not in columns_of_plan("position_m", hung(none, MASS))
+    assert "unless it stands still, load_n" in columns_of_plan("motor_turns", hung(some, STRING))
+    assert hung({"evidence": {}}, MASS) == "load_n", "an older file does not say"
+    (lag,) = mechanisms()["sensor_lag"].details
+    assert "divided by the mass that is the delay in seconds" in lag
