@@ -76,6 +76,12 @@ def test_what_only_a_residual_of_the_moving_mass_suggests_is_named_and_nothing_b
     assert (found.verdict, [explanation.ids for explanation in found.sets]) == ("explained", [(hidden,)])
 
 
+@pytest.mark.parametrize("seed", [602, 631])
+def test_a_short_lag_of_a_cable_is_no_swing_as_well(tmp_path, seed):
+    found, _ = studied(tmp_path, "cable-lag", seed)
+    assert (found.verdict, [explanation.ids for explanation in found.sets]) == ("explained", [("sensor_lag",)])
+
+
 @pytest.mark.parametrize("seed", [311, 312])
 def test_four_effects_at_once_are_named_on_a_moving_mass(tmp_path, seed):
     found, truth = studied(tmp_path, "mass-three-lag", seed)
