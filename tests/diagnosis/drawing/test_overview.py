@@ -70,7 +70,7 @@ def test_the_error_of_other_effects_does_not_have_the_colour_of_the_diagnosis() 
 
 def test_the_labels_of_the_panels_over_time_do_not_touch(studied) -> None:
     problem = studied("creep")[0].problem
-    figure = Figure(figsize=(9.6, 4.2), layout="constrained")
+    figure = Figure(figsize=(9.6, 3.4), layout="constrained")
     part = figure.subfigures(1, 1)
     drivers = replace(problem.drivers, loaded=True)
     overview.overview(
