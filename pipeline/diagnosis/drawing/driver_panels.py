@@ -21,10 +21,11 @@ TIME, TEMPERATURE = "time (s)", "temperature (°C)"
 SLOW = (TIME, TEMPERATURE)  # what hardly changes within a stroke
 
 
-def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
+def listeners(drivers: Drivers, pitch: float | None = None) -> dict[str, tuple[Array, Array]]:
     """Signals that a residual may follow, by their label, and the samples that count for each.
 
-    Both of shape (samples,): the signal in the unit of its label, and a mask.
+    Both of shape (samples,): the signal in the unit of its label, and a mask. `pitch`, in the motion's unit, is that of
+    a ripple, if one is named.
     """
     everywhere = np.ones(len(drivers.motion), bool)
     moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
@@ -35,6 +36,8 @@ def listeners(drivers: Drivers) -> dict[str, tuple[Array, Array]]:
         TIME: (drivers.elapsed_s, everywhere),
         f"rate ({units.motion}/s)": (drivers.rate, everywhere),
     }
+    if pitch:
+        channels[f"place within a ripple of {pitch:.3g} {units.motion}"] = drivers.motion % pitch, moving
     if drivers.loaded:  # else it moves by no more than its noise, which nothing follows
         channels[f"load ({units.load})"] = drivers.load * units.load_size, everywhere
     if drivers.turn and drivers.span > drivers.turn:
@@ -62,19 +65,24 @@ def filled(figure: SubFigure, count: int) -> list[Axes]:
     return filled_axes
 
 
-def by_driver(axes: Axes, signal: Array, residuals: dict[str, Array], floor: float, label: str) -> None:
+def by_driver(
+    axes: Axes, signal: Array, residuals: dict[str, Array], floor: float, label: str, period: float = 0.0
+) -> None:
     """Mean residual in bins of a signal, before and after, over the noise floor's band; rare values are left out.
 
-    Each of shape (samples,), in its unit.
+    A bin is as wide as whole periods, if the residual has one, for a ripple beats with other bins.
+    Each of shape (samples,), in its unit; the period in the signal's.
     """
     low, high = (float(end) for end in np.percentile(signal, [0.5, 99.5]))
-    edges = np.linspace(low, high, BINS + 1)
-    bins = np.clip(np.digitize(signal, edges) - 1, 0, BINS - 1)
-    count = np.bincount(bins, minlength=BINS)
+    wide = (high - low) / BINS
+    number = max(int((high - low) / (np.ceil(wide / period) * period)), 1) if period else BINS
+    edges = np.linspace(low, low + number * np.ceil(wide / period) * period if period else high, number + 1)
+    bins = np.clip(np.digitize(signal, edges) - 1, 0, number - 1)
+    count = np.bincount(bins, minlength=number)
     usual = count > RARE * len(signal)
     middle = 0.5 * (edges[1:] + edges[:-1])[usual]
     even = np.diff(middle).max(initial=0.0) < GAP * (edges[1] - edges[0])  # points far apart are not joined
-    means = [np.bincount(bins, weights=each, minlength=BINS)[usual] / count[usual] for each in residuals.values()]
+    means = [np.bincount(bins, weights=each, minlength=number)[usual] / count[usual] for each in residuals.values()]
     _draw(axes, middle, dict(zip(residuals, means, strict=True)), floor, label, even)
 
 

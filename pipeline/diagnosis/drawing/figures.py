@@ -121,14 +121,18 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     skip = int("as adopted" in simulations)
     without = other_name(content)
     panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, without)
-    followed = list(driver_panels.listeners(drivers).items())[:MOST]
+    ripple = next(
+        (own["pitch_turns"] for act in study.state.acts for own in act.nonlinear if "pitch_turns" in own), 0.0
+    )
+    followed = list(driver_panels.listeners(drivers, ripple).items())[:MOST]
     grid = driver_panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
         slow = label in driver_panels.SLOW
         if slow and driver_panels.by_stroke(axes, drivers, signal, residuals, floor, label):
             continue
         kept = {name: residual[counts] for name, residual in residuals.items()}
-        driver_panels.by_driver(axes, signal[counts], kept, floor, label)
+        period = ripple if signal is drivers.motion else 0.0
+        driver_panels.by_driver(axes, signal[counts], kept, floor, label, period)
     handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)
