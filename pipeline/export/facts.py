@@ -19,7 +19,6 @@ from .interface import Source
 from .recorded import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
-NETWORKS = ("cinn", "inn", "mlp")  # which ci.yaml fits smaller
 SAME = "The quick job (ci.yaml) fits this model in full too: of what it exports only network models are smaller."
 MOST_STRINGS = 3  # whose zero is named
 
@@ -78,7 +77,7 @@ def _strokes(source: Source) -> str:
 
 def fit(name: str, model: Any) -> str:
     """Whether a fitted model's own settings are the usual ones, and where they are not, whether it is a small fit."""
-    settings, same = settings_of(name), "" if name in NETWORKS else f" {SAME}"
+    settings, same = settings_of(name), "" if about(name).needs_torch else f" {SAME}"
     if settings is None:
         return f"This model has no settings.{same}"
     mine, usual = values(model.settings), values(settings())
