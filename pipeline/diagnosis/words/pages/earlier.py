@@ -11,6 +11,7 @@ from ..language.quantity import listing, percent
 from ..measured.dimensions import from_to, name_of
 
 USUAL = Path("reports/diagnosis")
+OF_ONE = "are they of one string, mounted and measured alike?"
 MOST = 2  # earlier verdicts that are told; dimensions of one of them
 NOTHING = 0.5  # of its tolerance: a dimension that differs by less is the same
 
@@ -51,8 +52,12 @@ def _runs(content: Verdict) -> frozenset[str]:
 
 def _replaced(before: Verdict, content: Verdict) -> str:
     """What to think of an earlier verdict beside this one, in a sentence."""
-    if content["verdict"] == "unknown" and before.get("verdict") == "explained":
-        return "Alone it was explained, together the runs are not: are they of one string, mounted and measured alike?"
+    alone = before.get("verdict") == "explained"
+    if alone and content["verdict"] == "unknown":
+        return f"Alone it was explained, together the runs are not: {OF_ONE}"
+    stand_ins = [id_ for id_ in _names(content) if id_.startswith("x_") and id_ not in _names(before)]
+    if alone and stand_ins:
+        return f"Alone it was explained without {listing(stand_ins)}, which is no physics of the library: {OF_ONE}"
     return "This one rests on more data and replaces it."
 
 

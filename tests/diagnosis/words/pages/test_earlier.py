@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from made_content import SYSTEMS, confident, spoken
 
+from pipeline.diagnosis.words.pages import earlier
 from pipeline.diagnosis.written import write_words
 
 FOLDERS = [Path("raw/nylon-3"), Path("raw/nylon-4")]
@@ -78,3 +79,30 @@ def test_what_the_verdict_on_more_runs_does_not_keep_is_said(tmp_path, monkeypat
     assert "This one has friction_hysteresis only in another likely explanation." in text
     nearly = {**moved, "value": 0.535, "low": 0.5345, "high": 0.5355}
     assert "not 0.53" not in written(folder, runs, **changed, parameters={"radius_mm": nearly})
+
+
+def verdict(runs, name, ids):
+    """As much of a diagnosis.json as is read."""
+    listed = [{"id": id_, "confidence": 0.9} for id_ in ids]
+    return {"run": runs, "verdict": name, "mechanisms": listed, "alternatives": [], "evidence": {}, "parameters": {}}
+
+
+@pytest.mark.parametrize(
+    ("before", "now", "asked"),
+    [
+        (("explained", ["friction_hysteresis"]), ("unknown", []), True),
+        (("explained", ["friction_hysteresis"]), ("ambiguous", ["friction_hysteresis", "x_clock"]), True),
+        (("explained", ["friction_hysteresis", "x_clock"]), ("explained", ["friction_hysteresis", "x_clock"]), False),
+        (("explained", ["friction_hysteresis"]), ("explained", ["friction_hysteresis", "creep"]), False),
+        (("unknown", []), ("unknown", []), False),
+    ],
+)
+def test_runs_that_only_a_stand_in_joins_are_asked_whether_they_are_of_one_string(
+    tmp_path, monkeypatch, before, now, asked
+):
+    alone = verdict("a-1", *before)
+    monkeypatch.setattr(earlier, "read_diagnosis", lambda path: alone)
+    (tmp_path / "a-1").mkdir()
+    (tmp_path / "a-1" / "diagnosis.json").write_text(json.dumps(alone))
+    (line,) = earlier.sentences(verdict(["a-1", "a-2"], *now), [tmp_path / "a-1"], tmp_path)
+    assert ("are they of one string, mounted and measured alike?" in line, "replaces it" in line) == (asked, not asked)
