@@ -21,11 +21,11 @@ TIME, TEMPERATURE = "time (s)", "temperature (°C)"
 SLOW = (TIME, TEMPERATURE)  # what hardly changes within a stroke
 
 
-def listeners(drivers: Drivers, pitch: float | None = None) -> dict[str, tuple[Array, Array]]:
+def listeners(drivers: Drivers, pitch: float = 0.0) -> dict[str, tuple[Array, Array]]:
     """Signals that a residual may follow, by their label, and the samples that count for each.
 
     Both of shape (samples,): the signal in the unit of its label, and a mask. `pitch`, in the motion's unit, is that of
-    a ripple, if one is named.
+    a named ripple, or 0.
     """
     everywhere = np.ones(len(drivers.motion), bool)
     moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
@@ -74,9 +74,12 @@ def by_driver(
     Each of shape (samples,), in its unit; the period in the signal's.
     """
     low, high = (float(end) for end in np.percentile(signal, [0.5, 99.5]))
-    wide = (high - low) / BINS
-    number = max(int((high - low) / (np.ceil(wide / period) * period)), 1) if period else BINS
-    edges = np.linspace(low, low + number * np.ceil(wide / period) * period if period else high, number + 1)
+    number = BINS
+    if period:
+        wide = np.ceil((high - low) / BINS / period) * period
+        number = max(int((high - low) / wide), 1)
+        high = low + number * wide
+    edges = np.linspace(low, high, number + 1)
     bins = np.clip(np.digitize(signal, edges) - 1, 0, number - 1)
     count = np.bincount(bins, minlength=number)
     usual = count > RARE * len(signal)

@@ -7,7 +7,7 @@ from ..numerics.recursions import play
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .plain_drag import drag, drag_along, leaves
-from .shared_laws import grid
+from .shared_laws import grid, share_of_travel, travelled
 
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
 STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop
@@ -31,7 +31,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     fastest = float(np.percentile(np.abs(drivers.rate), 99))
     loaded = float(drivers.loaded)
     if not drivers.levered:
-        travel = _travel(drivers) if drivers.velocity is None else {}
+        travel = travelled(drivers) if drivers.velocity is None else {}
         dry = [{**kind, "loaded": loaded, **travel} for kind in _dry(drivers)]
         pairs = [(float(f"{a * drivers.span:.6g}"), float(f"{b * drivers.span:.6g}")) for a, b in ROUNDINGS]
         return [*({"half_turns": a, "wide_half_turns": b, "loaded": loaded, **travel} for a, b in pairs), *dry]
@@ -60,19 +60,13 @@ def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     known = [*drag(drivers), np.ones_like(drivers.motion)]
     if leaves(residual, [*known, *drag_along(drivers)]) > ALONG * leaves(residual, known):
         return []
-    return [{**kind, "loaded": float(drivers.loaded), **_travel(drivers)} for kind in _dry(drivers)]
+    return [{**kind, "loaded": float(drivers.loaded), **travelled(drivers)} for kind in _dry(drivers)]
 
 
 def _dry(drivers: Drivers) -> list[Nonlinear]:
     """Shares of the highest rate below which dry friction closes its loop, as rates."""
     fastest = float(np.percentile(np.abs(drivers.rate), 99))
     return [{"slow_turns_per_s": float(f"{share * fastest:.6g}")} for share in DRY]
-
-
-def _travel(drivers: Drivers) -> Nonlinear:
-    """Where the motion begins and how far it goes: a loop may be wider at one place than at another."""
-    begin = float(np.percentile(drivers.motion, 0.1))
-    return {"from_turns": float(f"{begin:.6g}"), "span_turns": float(f"{drivers.span:.6g}")}
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
@@ -135,7 +129,7 @@ def along(drivers: Drivers, nonlinear: Nonlinear) -> dict[str, Array]:
     """
     if "from_turns" not in nonlinear:
         return {}
-    share = np.clip((drivers.motion - nonlinear["from_turns"]) / nonlinear["span_turns"], 0.0, 1.0)
+    share = share_of_travel(drivers, nonlinear)
     return {
         "near_mm": np.square(1.0 - share), "middle_mm": 2.0 * share * (1.0 - share), "far_mm": np.square(share)
     }  # fmt: skip

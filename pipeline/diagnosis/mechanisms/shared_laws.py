@@ -38,6 +38,17 @@ def half_waves(share: Array, nonlinear: Nonlinear, first: int) -> dict[int, Arra
     return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}
 
 
+def travelled(drivers: Drivers) -> Nonlinear:
+    """Where the motion begins and how far it goes, for what differs from place to place."""
+    begin = float(np.percentile(drivers.motion, 0.1))
+    return {"from_turns": float(f"{begin:.6g}"), "span_turns": float(f"{drivers.span:.6g}")}
+
+
+def share_of_travel(drivers: Drivers, nonlinear: Nonlinear) -> Array:
+    """Place of the motion in the travel, 0 to 1. Shape (samples,), without a unit."""
+    return np.asarray(np.clip((drivers.motion - nonlinear["from_turns"]) / nonlinear["span_turns"], 0.0, 1.0))
+
+
 def hinge(signal: Array, onset: float, softness: float) -> Array:
     """Rises with slope 1 beyond an onset; softplus of the given width. All in one unit; shape (samples,)."""
     return np.asarray(softness * np.logaddexp(0.0, (signal - onset) / softness))

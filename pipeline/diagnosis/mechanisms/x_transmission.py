@@ -6,6 +6,7 @@ from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .plain_drag import leaves
+from .shared_laws import share_of_travel, travelled
 
 KNOTS = 12  # of the curve along the travel
 STOPS = (0.01, 0.05, 0.2)  # of the range: half-widths of the plain friction that is taken off first
@@ -24,9 +25,7 @@ def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """
     if drivers.levered or drivers.velocity is not None or drivers.turn is None or not drivers.free_zero:
         return []
-    begin = float(np.percentile(drivers.motion, 0.1))
-    travel = {"from_turns": float(f"{begin:.6g}"), "span_turns": float(f"{drivers.span:.6g}")}
-    known = plain(drivers)
+    travel, known = travelled(drivers), plain(drivers)
     without, beside = leaves(residual, known), leaves(residual, [*known, *curve(drivers, travel)])
     return [travel] if without - beside >= LEAST_SHARE * without else []
 
@@ -49,8 +48,8 @@ def curve(drivers: Drivers, nonlinear: Nonlinear) -> list[Array]:
     Each of shape (samples,), without a unit.
     """
     knots = np.linspace(0.0, 1.0, KNOTS)
-    share = np.clip((drivers.motion - nonlinear["from_turns"]) / nonlinear["span_turns"], 0.0, 1.0)
     bent = np.eye(KNOTS) - np.array([np.polyval(np.polyfit(knots, bump, 1), knots) for bump in np.eye(KNOTS)])
+    share = share_of_travel(drivers, nonlinear)
     return [np.interp(share, knots, heights) for heights in bent[1:-1]]
 
 

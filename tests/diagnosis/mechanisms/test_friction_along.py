@@ -48,7 +48,7 @@ def test_it_is_named_and_foretold_to_the_noise(wrapped):
 
 
 def test_the_same_loop_without_its_travel_leaves_more_than_twice_the_noise(wrapped, monkeypatch):
-    monkeypatch.setattr(friction_hysteresis, "_travel", lambda drivers: {})
+    monkeypatch.setattr(friction_hysteresis, "travelled", lambda drivers: {})
     run, samples, _ = wrapped
     problem = make_problem([RecordedRun(run, samples)])
     state, left = calibrate.base(problem), []
