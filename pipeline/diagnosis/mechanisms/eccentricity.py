@@ -6,6 +6,7 @@ from scipy.ndimage import median_filter
 from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import pulled_in
 
 WAVES = {"sine": np.sin, "cosine": np.cos}
 HARMONICS = (2, 3)  # of the motor's turn; those of a wheel that turns a few times would copy any curve
@@ -45,9 +46,8 @@ def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     if finest < 2.0 * FEWEST:
         return []
     moves = rate > MOVES * fastest
-    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
     ways = np.sign(drivers.rate[:count][moves])
-    numbers, height = lines(place[moves], ways, np.clip(residual, -6.0 * spread, 6.0 * spread)[moves], finest)
+    numbers, height = lines(place[moves], ways, pulled_in(residual, 6.0)[moves], finest)
     peak = int(np.argmax(height))
     if height[peak] < LINE:
         return []

@@ -7,6 +7,7 @@ from ...ground.kinematics import Array
 from ..numerics.recursions import resonator
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import pulled_in
 
 # length of its stretches; bins of its background; times that; lines: of the spectrum that tells where a residual rings
 STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3
@@ -34,8 +35,7 @@ def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     if not drivers.levered:
         return []
     time_s = drivers.time_s[: len(residual)]
-    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
-    height, step_hz = ringing(np.clip(residual, -8.0 * spread, 8.0 * spread), time_s)
+    height, step_hz = ringing(pulled_in(residual, 8.0), time_s)
     hz = step_hz * np.arange(len(height))
     height[(hz < LOWEST_HZ) | (hz > min(0.45 / drivers.step_s, 25.0))] = 0.0
     peaks: list[float] = []
@@ -74,8 +74,7 @@ def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
 
     Both have the shape (samples,), in the reading's unit.
     """
-    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
-    height, step_hz = ringing(np.clip(residual, -8.0 * spread, 8.0 * spread), drivers.time_s[: len(residual)])
+    height, step_hz = ringing(pulled_in(residual, 8.0), drivers.time_s[: len(residual)])
     lowest = int(np.ceil(LOWEST_HZ / step_hz))
     return float(np.clip(np.log(max(float(height[lowest:].max(initial=1.0)), 1.0)), 0.0, 6.0))
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
+from .shared_laws import pulled_in
 
 SLOW = (0.01, 0.1)  # of the highest rate: below it plain friction closes its loop
 
@@ -38,7 +39,6 @@ def leaves(residual: Array, columns: list[Array]) -> float:
 
     The residual has the shape (samples,); each column the shape (all samples,), in any unit.
     """
-    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
-    target = np.clip(residual, -6.0 * spread, 6.0 * spread)
+    target = pulled_in(residual, 6.0)
     table = np.column_stack([column[: len(residual)] for column in columns])
     return float(np.mean(np.square(target - table @ np.linalg.lstsq(table, target, rcond=None)[0])))

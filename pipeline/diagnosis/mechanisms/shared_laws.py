@@ -38,6 +38,12 @@ def half_waves(share: Array, nonlinear: Nonlinear, first: int) -> dict[int, Arra
     return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}
 
 
+def pulled_in(residual: Array, spreads: float) -> Array:
+    """A residual with outliers pulled to so many robust spreads. Shape (samples,), in the residual's unit."""
+    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
+    return np.clip(residual, -spreads * spread, spreads * spread)
+
+
 def travelled(drivers: Drivers) -> Nonlinear:
     """Where the motion begins and how far it goes, for what differs from place to place."""
     begin = float(np.percentile(drivers.motion, 0.1))

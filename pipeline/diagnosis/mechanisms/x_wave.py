@@ -6,6 +6,7 @@ from scipy.ndimage import median_filter
 from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
+from .shared_laws import pulled_in
 
 LEAST_PERIODS = 3  # in the recording: slower is no wave
 AROUND = 61  # bins of the spectrum that make the background of a line
@@ -37,8 +38,7 @@ def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """
     count = len(residual)
     time_s = drivers.time_s[:count]
-    spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
-    height = lines(np.clip(residual, -6.0 * spread, 6.0 * spread), time_s)
+    height = lines(pulled_in(residual, 6.0), time_s)
     height[lines(drivers.contraction[:count], time_s) > LINE] = 0.0
     height[:LEAST_PERIODS] = 0.0
     whole_s = float(drivers.elapsed_s[count - 1])
