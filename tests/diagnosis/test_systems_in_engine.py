@@ -82,7 +82,7 @@ def test_a_short_lag_of_a_cable_is_no_swing_as_well(tmp_path, seed):
     assert (found.verdict, [explanation.ids for explanation in found.sets]) == ("explained", [("sensor_lag",)])
 
 
-@pytest.mark.parametrize("seed", [311, 312])
+@pytest.mark.parametrize("seed", [311, 312, 804])  # 804: friction that is refined once leaves more than the noise
 def test_four_effects_at_once_are_named_on_a_moving_mass(tmp_path, seed):
     found, truth = studied(tmp_path, "mass-three-lag", seed)
     hidden = {effect["mechanism"] for effect in truth["effects"].values()}

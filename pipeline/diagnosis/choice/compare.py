@@ -10,6 +10,7 @@ LEAST_GAP = 10.0  # of the price, in log-likelihood: two explanations that are l
 SHARE, CLEAR = 0.4, 0.85  # of the expected gap: what must be seen at least, and what leaves no doubt
 FLAW = 0.15  # of the whole mismatch: what a formula that is only nearly right may leave
 COMPLETED = 0.8  # of what an explanation leaves: a larger one that takes so much of it explains to the noise
+IDLE = 0.1  # of the energy that the best of them takes away: an explanation that takes less does nothing
 REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
 
 
@@ -67,7 +68,13 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
         and explains(search, core, floor)
     )
     # if many different partners fit equally well, the shared part alone may suffice
-    return [*unbeaten_sets, core] if bare else unbeaten_sets
+    return that_take_away(search, [*unbeaten_sets, core] if bare else unbeaten_sets)
+
+
+def that_take_away(search: Search, sets: list[Explanation]) -> list[Explanation]:
+    """The sets without those that a person sees to do nothing, unless none does more."""
+    most = max(search.nothing.energy - explanation.energy for explanation in sets)
+    return [explanation for explanation in sets if search.nothing.energy - explanation.energy >= IDLE * most]
 
 
 def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:

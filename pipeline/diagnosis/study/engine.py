@@ -13,7 +13,7 @@ from ..choice import candidates, chance
 from ..choice.judged import NOTHING, judged
 from ..choice.kept import kept
 from ..choice.outcome import Study, bare, decide, rms
-from ..choice.search import Search
+from ..choice.search import Explanation, Search
 from ..fit import calibrate, discrepancy, generic
 from ..fit.adopt import acts_from
 from ..fit.linear import Linear
@@ -29,6 +29,7 @@ from .tempered import tempered
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
+TOO_LOUD = 1.2  # times what an explanation leaves: a noise floor above that holds structure
 LEAST_SAMPLES, LEAST_STROKES = 200, 2  # samples of the record, and worked strokes, without which nothing is decided
 Progress = Callable[[str], None]
 
@@ -148,7 +149,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
             del search  # it is large, and the next one is as large
             search = Search(Linear(problem, best, noise, catalogue, deviations=deviations), least)
             before, chosen = chosen, search.select(noise.floor)
-            if len(chosen.ids) in (0, len(before.ids)):
+            if not chosen.ids or (len(chosen.ids) == len(before.ids) and not too_loud(noise, chosen)):
                 break
     say("judging")
     judgement = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING
@@ -156,6 +157,11 @@ def studied_once(problem: Problem, say: Progress) -> Study:
     still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
     random = {id_: nonlinear for id_, nonlinear in random.items() if id_ in still}
     return decide(problem, nominal, base, noise, best, judgement, search, random)
+
+
+def too_loud(noise: Noise, chosen: Explanation) -> bool:
+    """Whether a noise is larger than what an explanation leaves: it was told beside a state that fits worse."""
+    return noise.floor > TOO_LOUD * float(np.sqrt(chosen.energy))
 
 
 def polished(studied: Study, fine: Problem) -> Study:

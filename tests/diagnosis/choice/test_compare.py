@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.diagnosis.choice import compare
-from pipeline.diagnosis.choice.compare import to_the_noise
+from pipeline.diagnosis.choice.compare import that_take_away, to_the_noise
 from pipeline.diagnosis.numerics.noise import estimate
 
 FLOOR = 1.0
@@ -30,6 +30,13 @@ def test_a_larger_explanation_stands_where_it_alone_explains_to_the_noise(ids, l
     search = SimpleNamespace(all_of=lambda size: [larger] if size == 2 else [], mismatch=lambda floor: 3.0)
     assert to_the_noise(search, explanation("creep", 0.33, 0.0), FLOOR) == [larger] * stands
     assert to_the_noise(search, explanation("x_wave", 0.33, 0.0), FLOOR) == []  # no physics: it may leave something
+
+
+def test_what_takes_nothing_away_is_no_explanation_beside_one_that_does():
+    search = SimpleNamespace(nothing=explanation("", 10.0, 0.0))
+    works, idle = explanation("friction_hysteresis sensor_lag", 0.2, 0.0), explanation("sensor_lag", 9.9, -50.0)
+    assert that_take_away(search, [works, idle]) == [works]
+    assert that_take_away(search, [idle]) == [idle]
 
 
 def test_the_noise_of_a_recording_of_a_few_hundred_samples():
