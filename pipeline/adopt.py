@@ -21,7 +21,7 @@ from .diagnosis.words.language.quantity import listing
 from .diagnosis.words.language.sections import wrapped
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.named import coefficients
-from .diagnosis.words.pages.adoption import WEIGHED_ANEW, adopted_predictions, hung
+from .diagnosis.words.pages.adoption import adopted_predictions, hung, weighed_anew
 from .ground.command import command
 from .ground.complaint import short
 from .ground.errors import BadInput, program
@@ -181,11 +181,11 @@ def adopt(source: Path, folder: Path) -> None:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
         sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
         report.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
-    load = hung(content, Vocabulary.of(run.system))
-    predict = adopted_predictions(folder, run.system.driver, load, ids)
+    words = Vocabulary.of(run.system)
+    predict = adopted_predictions(folder, words, hung(content, words), ids)
     meant = ["What its numbers mean, for who wonders:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
     out = ["To take all of it out of run.yaml again:", taken_out(folder)] * (not doubt)
-    show([*report, *errors, before_after.NEXT, *predict, *meant, WEIGHED_ANEW, *out])
+    show([*report, *errors, before_after.NEXT, *predict, *meant, weighed_anew(words), *out])
 
 
 def show(lines: list[str]) -> None:

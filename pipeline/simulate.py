@@ -98,7 +98,8 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
 
     Raises BadInput for a diagnosis.json that is none.
     """
-    channel, unit = plan.run.system.channel, plan.problem.drivers.units.reading
+    channel, called = plan.run.system.channel, Vocabulary.of(plan.run.system)
+    unit = called.unit
     predicted, inside, ending = plan.predicted, plan.inside(), channel.rpartition("_")[2]
     if plan.outside and plan.outside.asks:
         when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())
@@ -121,11 +122,11 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
         columns |= {column_of(ids, channel): curve for ids, curve in rivals.items()}
         gaps = [curve - predicted for curve in rivals.values()]
         words = in_one_number(width, inside, gaps, len(plan.tied), channel, unit)
-        words += [*of_band(width, inside, low, high, unit), *of_rivals(predicted, rivals, inside, channel, unit)]
+        words += [*of_band(width, inside, low, high, called), *of_rivals(predicted, rivals, inside, channel, unit)]
         slow = plan.outside.too_slow_below if plan.outside else 0.0
         words += of_half_speed(diagnosis, slow, ending, plan.problem.drivers.units.motion, unit)
     gap = plan.changed_by_recording(expected)
-    return columns, [*words, *([] if gap is None else [of_state(gap, expected, unit, after_recording(arguments))])]
+    return columns, [*words, *([] if gap is None else [of_state(gap, expected, called, after_recording(arguments))])]
 
 
 def write(table: pd.DataFrame, path: Path) -> None:
@@ -163,8 +164,7 @@ def main() -> None:
         columns, words = columns | more, words + more_words
     columns = {"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted} | columns
     if plan:
-        inputs = [problem.system.driver, *([problem.system.load] if problem.system.load else [])]
-        columns |= {name: samples[name].to_numpy() for name in inputs if name in samples}
+        columns |= plan.inputs
     table = pd.DataFrame(columns)
     write(table, arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"

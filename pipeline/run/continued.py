@@ -7,6 +7,7 @@ from scipy.ndimage import gaussian_filter1d
 from ..systems import System
 
 SMOOTH_S = 0.12  # over which the noise of a recorded motion is smoothed, where it is given another rate
+SOFTLY, LEAST_S = 15.0 / 8.0, 0.2  # times as long as at one speed, to pass no higher one; the shortest such way
 SAME = 0.01  # of a step, or of the recorded range: less is no other step, and no way to go
 
 
@@ -14,8 +15,9 @@ def continued(system: System, samples: pd.DataFrame, recorded: pd.DataFrame, dra
     """Rows of a recording, then those of a plan, which are the last ones; both have `time_s` and their channels.
 
     A plan that begins elsewhere than the recording ended is reached on a straight line at the speed that the recording
-    usually moved with. `drawn`: whether corners drew the plan; then the recorded motion is smoothed, for nothing
-    smooths its speed later. Channels that the plan lacks are left out.
+    usually moved with; where the reading follows derivatives of the motion the way starts and ends softly, and takes
+    `LEAST_S` at least, since a kink would add a force of its own. `drawn`: whether corners drew the plan; then the
+    recorded motion is smoothed, for nothing smooths its speed later. Channels that the plan lacks are left out.
     """
     names = [name for name in samples.columns if name in recorded]
     step_s = float(np.median(np.diff(samples["time_s"])))
@@ -24,14 +26,19 @@ def continued(system: System, samples: pd.DataFrame, recorded: pd.DataFrame, dra
     way = abs(float(first[system.driver] - last[system.driver]))
     speed = np.abs(np.diff(before[system.driver])) / np.diff(before["time_s"])
     gap_s = step_s
-    if way > SAME * float(np.ptp(before[system.driver])):
+    if way > SAME * float(np.ptp(before[system.driver])) or system.differentiates:
         gap_s = max(way / max(float(np.median(speed[speed > 0.5 * np.percentile(speed, 99.0)])), 1e-9), step_s)
+    if system.differentiates:
+        gap_s = max(SOFTLY * gap_s, LEAST_S)
     shift_s = float(last["time_s"] - first["time_s"]) + gap_s
     after = samples[names].assign(time_s=samples["time_s"] + shift_s)
     count = round(gap_s / step_s)
     share = (np.arange(1, count) / count)[:, None]
     start, end = before.to_numpy(float)[-1], after.to_numpy(float)[0]
     bridge = pd.DataFrame(start + share * (end - start), columns=names)
+    if system.differentiates:
+        soft = share[:, 0] ** 3 * (10.0 - 15.0 * share[:, 0] + 6.0 * share[:, 0] ** 2)
+        bridge[system.driver] = last[system.driver] + soft * (first[system.driver] - last[system.driver])
     return pd.concat([before, bridge, after], ignore_index=True)
 
 

@@ -17,6 +17,7 @@ from .samples import LEAST_SAMPLES, check_clock, check_numbers
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
 SPARSE_S, STEP_S = 0.2, 0.02  # between points: from which on they are corners of a motion; between points that are made
 SAME = 0.01  # of a step: a point that is so near to a corner is that corner, but for rounding
+RATE = " at your controller's rate: what is predicted needs the acceleration, so corners are not enough"
 LONGEST_S = 86_400.0  # a plan that is made of corners
 
 
@@ -49,7 +50,11 @@ def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> tuple
     if len(joined) < LEAST_SAMPLES:
         problem = f"holds {counted(len(joined), 'sample')}, too few for a stroke"
         corners = f"corners that lie more than {SPARSE_S:g} s apart, or " if run.actuator in STRING_ACTUATORS else ""
-        raise BadInput(path, "file", problem, f"give {corners}at least {LEAST_SAMPLES} samples of the motion")
+        rate = RATE if system.differentiates else ""
+        raise BadInput(path, "file", problem, f"give {corners}at least {LEAST_SAMPLES} samples of the motion{rate}")
+    if system.differentiates and float(np.diff(joined["time_s"]).max()) > SPARSE_S:
+        apart = f"has rows {float(np.diff(joined['time_s']).max()):.3g} s apart, and these are corners of a motion"
+        raise BadInput(path, "time_s", apart, f"give the motion{RATE}")
     check_clock(joined, path, float("inf"))
     return joined.assign(**{system.channel: 0.0}), joined is not samples
 

@@ -12,7 +12,7 @@ from pipeline.diagnosis.words.foretold.expectation import lines
 from pipeline.diagnosis.words.foretold.foretold_numbers import compared
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.next_run import recipe, second_load
-from pipeline.diagnosis.words.pages.adoption import WEIGHED_ANEW
+from pipeline.diagnosis.words.pages.adoption import weighed_anew
 from pipeline.run.samples import read_samples
 
 WORDS = Vocabulary.of(SYSTEMS["mm"])
@@ -159,10 +159,9 @@ def test_what_was_adopted_is_taken_out_of_each_run_before_its_name_is_weighed_ag
     removed = [line.strip() for line in text.splitlines() if "adopt --remove" in line]
     assert [shlex.split(line)[-1] for line in removed] == ["raw/nylon-3", "raw/nylon-3-next"]
     assert text.index("new_run nylon-3-next") < text.index("adopt --remove") < text.index("--together")
-    assert (
-        "If you have adopted it already, first take it out of each run" in " ".join(full(rubbing()).split())
-        and "not weighed again" in WEIGHED_ANEW
-    )
+    assert "If you have adopted it already, first take it out of each run" in " ".join(
+        full(rubbing()).split()
+    ) and "not weighed again" in weighed_anew(WORDS)
 
 
 def test_of_an_adopted_slow_effect_a_second_load_is_asked_for_where_no_hold_can_be_foretold():

@@ -46,6 +46,7 @@ def test_the_same_rig_runs_another_plan():
 def test_the_program_writes_a_run_and_keeps_its_answer_elsewhere(tmp_path):
     done = program("mass-coulomb", tmp_path / "run-1", "--seed", 4, "--answer", tmp_path / "answer.json")
     assert done.returncode == 0, done.stderr
+    assert done.stdout == f"written: {tmp_path / 'run-1'} (what is hidden: {tmp_path / 'answer.json'})\n"
     assert sorted(path.name for path in (tmp_path / "run-1").iterdir()) == ["recording.parquet", "run.yaml"]
     assert json.loads((tmp_path / "answer.json").read_text())["effects"]["friction_hysteresis"]["unit"] == "N"
     for arguments, says in (

@@ -16,6 +16,7 @@ from ..recording.drivers import Drivers
 from ..words.explanations import rivals
 from ..words.held_out.holdout import included
 from ..words.language.quantity import percent, size, times
+from ..words.language.vocabulary import directions
 
 BEFORE, AFTER, TIED, OTHER, MORE = "#2166ac", "#b2182b", "#ef8a62", "0.65", "0.85"
 COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
@@ -57,7 +58,7 @@ def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[s
 
 def ways(drivers: Drivers) -> tuple[str, str]:
     """The two directions of motion, as an axis calls them."""
-    return ("winding", "unwinding") if drivers.units.motion == "turns" else ("up", "down")
+    return ("winding", "unwinding") if drivers.units.motion == "turns" else directions(drivers.units.motion)
 
 
 def briefly(explanation: Part) -> str:

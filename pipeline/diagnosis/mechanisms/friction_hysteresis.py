@@ -139,6 +139,7 @@ MECHANISM = Mechanism(
     id="friction_hysteresis",
     driver="direction x load",
     equation="dx = -(F/K) g(a) s, s: stop operators of the twist (Prandtl-Ishlinskii)",
+    plain_equation="h s; h: half the loop, s: the direction of motion, from -1 to 1, rounded where it turns",
     source=(
         "Visintin, Differential Models of Hysteresis, 1994 (Prandtl-Ishlinskii); Armstrong-Helouvry, Dupont and "
         "Canudas de Wit, Automatica 30, 1994 (along the travel too)"

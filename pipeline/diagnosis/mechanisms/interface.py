@@ -76,6 +76,8 @@ class Mechanism:
     details: tuple[str, ...] = ()
     meaning: str = ""
     remembers_turns: bool = False  # acts otherwise after a way back from the middle than after one from an end
+    plain_equation: str = ""  # where nothing is twisted, if `equation` is one of a string
+    twisted: bool = False  # of a string alone: where nothing is wound it is no candidate, and worth no word
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     names: dict[str, str] = field(default_factory=dict)
     derived: dict[str, Callable[[Nonlinear], float]] = field(default_factory=dict)  # of all parameters, by their names

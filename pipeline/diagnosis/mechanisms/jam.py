@@ -41,6 +41,7 @@ MECHANISM = Mechanism(
     meaning="past a critical twist the displacement falls behind.",
     sentence="Past a critical {motion} the coils touch and the {reading} falls behind, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
+    twisted=True,
     candidates=candidates,
     terms=terms,
 )

@@ -90,6 +90,7 @@ MECHANISM = Mechanism(
     meaning="past a critical twist the displacement runs ahead, with a loop of its own.",
     sentence="Past a critical {motion} the string coils and the {reading} runs ahead, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
+    twisted=True,
     candidates=candidates,
     remembers_turns=True,
     terms=terms,

@@ -55,6 +55,7 @@ MECHANISM = Mechanism(
         "rubbing": "the torque x direction",
         "stiffening_turns": "the root of the torque",
     },
+    twisted=True,
     candidates=candidates,
     remembers_turns=True,
     terms=terms,

@@ -71,6 +71,7 @@ MECHANISM = Mechanism(
         "it is taken up after {take_up_mm} of {reading}",
         "a sag is taken up bit by bit, over about {sag_mm} of {reading}",
     ),
+    twisted=True,
     candidates=candidates,
     terms=terms,
 )

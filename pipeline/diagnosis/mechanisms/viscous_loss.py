@@ -56,6 +56,7 @@ MECHANISM = Mechanism(
     id="viscous_loss",
     driver="twisting rate",
     equation="dx = -c dtheta/dt",
+    plain_equation="c v; v: the speed",
     source=(
         "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, "
         "Automatica 30, 1994 (viscous friction); with a memory: Findley, Lai and Onaran, "

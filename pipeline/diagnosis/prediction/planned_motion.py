@@ -102,6 +102,16 @@ class Plan:
         """What each explanation that ties says, by its mechanisms: of shape (samples,), in the channel's unit."""
         return {ids: self.own(curve) for ids, curve in curves(self.problem, diagnosis, path, self.run.run).items()}
 
+    @property
+    def inputs(self) -> dict[str, Array]:
+        """Motion and load of the plan by their columns, the load only where one hangs.
+
+        Each of shape (samples,), in the unit that its name ends in.
+        """
+        driver, load = self.run.system.driver, self.run.system.load
+        hung = load in self.samples and (self.run.system.needs_string or bool(self.samples[load].any()))
+        return {name: self.samples[name].to_numpy() for name in (driver, *([load] if load and hung else []))}
+
     def inside(self) -> Mask:
         """The rows within what was recorded, all where nothing was. Shape (samples,)."""
         return np.ones(len(self.samples), bool) if self.outside is None else ~self.outside.rows

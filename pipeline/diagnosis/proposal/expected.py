@@ -1,7 +1,7 @@
 """What each explanation foretells of strokes that nobody made: numbers that show at the rig which of them is right."""
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -128,6 +128,18 @@ class _Ahead:
         longer, ends = self._longer[key], np.cumsum([len(before), *counts(before, legs)])[:-1]
         return np.split(longer.simulate(state), ends)[1:], np.split(longer.record.motion, ends)[1:]
 
+    def loop(self, state: State, legs: list[Leg]) -> float:
+        """By how much both ways of a stroke, the last three of some legs, part at most at one motion, in its unit.
+
+        Where the reading follows derivatives of the motion it is that of the effects alone: what accelerates a mass
+        opens no loop that anybody means.
+        """
+        reading, motion = self.along(state, legs)
+        if self.study.problem.system.differentiates:
+            bare, _ = self.along(replace(state, acts=()), legs)
+            reading = [whole - alone for whole, alone in zip(reading, bare, strict=True)]
+        return _width(reading, motion)
+
 
 def _with_load(spread: Part, numbers: dict[str, float], explanation: Explanation, ending: str) -> Part:
     """The half-widths with the doubt how a loop that follows the load follows one that was not recorded.
@@ -163,8 +175,9 @@ def _foretold(ahead: _Ahead, which: list[str], state: State) -> dict[str, float]
     rig, known, numbers = ahead.rig, ahead.known, dict[str, float]()
     for kind, (slower, load) in STROKES.items():
         if f"loop_{kind}" in which:
-            reading, motion = ahead.along(state, [rig.home(), *rig.stroke(slower=slower, load=load)])
-            numbers[f"loop_{kind}_{ahead.ending}"] = _width(reading, motion)
+            numbers[f"loop_{kind}_{ahead.ending}"] = ahead.loop(
+                state, [rig.home(), *rig.stroke(slower=slower, load=load)]
+            )
     if "top" in which:
         reading, _ = ahead.along(state, [rig.home(), *(rig.stroke() * known["strokes"])])
         numbers[f"top_{ahead.ending}"] = float(reading[-2][-1] - reading[DWELL][-1])  # before the last way down

@@ -67,6 +67,7 @@ def main() -> None:
     answer = {"run": given.run, "author": given.author, "seed": request.seed, "protocol": request.protocol}
     sealed = json.dumps({**answer, **made.truth}, indent=1, allow_nan=False) + "\n"
     write(made, given.run, given.raw, given.answer, sealed)
+    print(f"written: {given.raw / given.run} (what is hidden: {given.answer})")
 
 
 if __name__ == "__main__":

@@ -33,6 +33,8 @@ def main() -> None:
     write_run(made, arguments.run_dir)
     if arguments.answer:
         write_text(arguments.answer, json.dumps({"case": arguments.case, **made.truth}, indent=1) + "\n")
+    hidden = f"what is hidden: {arguments.answer}" if arguments.answer else "--answer FILE keeps what is hidden"
+    print(f"written: {arguments.run_dir} ({hidden})")
 
 
 if __name__ == "__main__":

@@ -274,9 +274,9 @@ def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
 
 
 def test_adopting_what_stays_in_the_string_says_how_to_predict_the_string_as_it_is():
-    _, _, used, before = adopted_predictions("raw/a", "motor_turns", "load_n", ["wear"])
+    _, _, used, before = adopted_predictions("raw/a", WORDS, "load_n", ["wear"])
     assert "--motion PLAN.csv --after-recording --out FILE.csv" in used and "--after-recording" not in before
-    assert not any("--after" in line for line in adopted_predictions("raw/a", "motor_turns", "load_n", ["backlash"]))
+    assert not any("--after" in line for line in adopted_predictions("raw/a", WORDS, "load_n", ["backlash"]))
 
 
 def test_a_slow_effect_is_sure_only_with_a_second_load():

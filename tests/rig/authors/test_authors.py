@@ -44,6 +44,7 @@ def test_the_program_writes_a_run_that_tells_nothing_and_an_answer_that_tells_al
     effects = ("--effect", "backlash", "creep", "--kappa", 3, 2)
     done = program(*asked(raw, answer, *effects))
     assert done.returncode == 0, done.stderr
+    assert done.stdout == f"written: {raw / 'case-001'} (what is hidden: {answer})\n"
     _, samples = read_samples(raw / "case-001")
     assert {"time_s", "motor_turns", "displacement_mm"} <= set(samples)
     told = json.loads(answer.read_text())

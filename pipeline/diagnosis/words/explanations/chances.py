@@ -12,6 +12,8 @@ from . import left_out, probability, rivals
 
 HEADING = "How probable each explanation is"
 KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
+BARE = "Explanations, the best one first"
+NO_PERCENTAGES = "No percentages on this rig: they were learnt on strings."
 KEPT, FEW = 5, 3  # of them by name, and on the page; the others are counted
 LEFT_OUT = 3  # of those that are no names, in the table
 WORTH = 0.05  # a probability from which on the next best is named
@@ -50,6 +52,23 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         *left_out.lines(content),
         *([] if short else _stands_on(content, words)),
     ]
+
+
+def bare(content: Verdict, words: Vocabulary) -> list[str]:
+    """The explanations that tie, a line each, on a rig without probabilities; nothing elsewhere, or without a tie.
+
+    The error beside each is what it leaves of the recording.
+    """
+    if content["verdict"] != "ambiguous" or probability.known(content):
+        return []
+    sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
+    known = {tuple(sorted(each["ids"])): each for each in rivals.entries(content, "named", "tied")}
+    rows = []
+    for ids in sets[:KEPT]:
+        explanation = known.get(tuple(sorted(ids)))
+        rows.append([rivals.called(ids), f"leaves {rivals.left(explanation, content, words)}" if explanation else ""])
+    more = [f"{len(sets) - KEPT} more (details.txt)"] if len(sets) > KEPT else []
+    return [*(line.rstrip() for line in aligned(rows)), *more, NO_PERCENTAGES]
 
 
 def _stands_on(content: Verdict, words: Vocabulary) -> list[str]:

@@ -25,6 +25,7 @@ BRACKETS = " In brackets after its name: how likely the effect is at work."
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The head, what the stands of the motor say, then a sentence an effect; nothing where an older file has none."""
     first, *others = content["evidence"].get("not_kept") or [None]
+    others = [entry for entry in others if words.twisted or not mechanisms()[entry["id"]].twisted]
     if first is None or not others:
         return []
     best = called([entry["id"] for entry in content["mechanisms"]])

@@ -48,7 +48,8 @@ def _turned(known: dict[str, Any], words: Vocabulary, whole: float) -> str:
         for end in ("top", "bottom")
         if turned[end]
     }
-    return " and ".join(f"{where} at the {end}" for end, where in places.items())
+    called = {} if words.twisted else {"top": "far end", "bottom": "near end"}
+    return " and ".join(f"{where} at the {called.get(end, end)}" for end, where in places.items())
 
 
 def _place(low: float, high: float, words: Vocabulary, whole: float) -> str:

@@ -11,24 +11,25 @@ from ...choice.outcome import rms
 from ...document.content import Part, Verdict
 from ...prediction.prediction_band import Foretold
 from ..language.quantity import listing, number, percent, plus_minus, size, times
+from ..language.vocabulary import Vocabulary
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
 STRETCHES = 3  # of time, that are said; the others are counted
 MOSTLY = 0.8  # of the rms: a mean so far from 0 tells the way
 COVERS = (
     "{low} and {high}: nine of ten single readings lie between them, if the explanation is right. They cover how well "
-    "its numbers are known, and {missed}. They cover no wrong explanation, no other string, and no motion beyond what "
-    "was recorded"
+    "its numbers are known, and {missed}. They cover no wrong explanation, no other {string}, and no motion beyond "
+    "what was recorded"
 )
 
 
-def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) -> list[str]:
+def of_band(foretold: Foretold, inside: Mask, low: str, high: str, words: Vocabulary) -> list[str]:
     """Which rows have no error, what the columns `low` and `high` hold, and the error to set beside an rms one.
 
-    `unit` is the reading's. `inside` are the rows within what was recorded, of shape (samples,): of others nothing is
+    `inside` are the rows within what was recorded, of shape (samples,): of others nothing is
     expected.
     """
-    out = int((~inside).sum())
+    out, unit = int((~inside).sum()), words.unit
     beyond = (
         f"{out} of {len(inside)} rows {are(out)} outside (column {OUTSIDE}): nothing says how well the simulator does "
         f"there, and {low} and {high} are empty there"
@@ -43,7 +44,7 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, unit: str) ->
         first.append(f"rows after one that is {OUTSIDE} are inside again, though what is slow may still remember it")
     expected = f"{size(foretold.expected(inside), unit)} rms. Of it {parts}"
     rms_error = f"expected error, only to compare with another rms error: {expected}"
-    return [*first, COVERS.format(low=low, high=high, missed=missed), rms_error]
+    return [*first, COVERS.format(low=low, high=high, missed=missed, string=words.string), rms_error]
 
 
 def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int, channel: str, unit: str) -> list[str]:
@@ -69,18 +70,19 @@ def stretches(rows: Mask, time_s: Array) -> str:
     return f"from {listing([*times_s[:STRETCHES], *more])}" if times_s else ""
 
 
-def of_state(gap: Array, expected: float | None, unit: str, again: str) -> str:
+def of_state(gap: Array, expected: float | None, words: Vocabulary, again: str) -> str:
     """What the reading would be after the recorded motion, which the plan's answer leaves out.
 
     `gap`: by how much it would be more, of shape (samples,); with the error that is `expected`, in the reading's unit.
     `again`: the command that asks for it.
     """
+    unit, string = words.unit, words.string
     middle, most = float(np.mean(gap)), size(float(np.abs(gap).max()), unit)
     way = f"{size(abs(middle), unit)} {'more' if middle > 0.0 else 'less'} on average, " if one_sided(gap) else ""
     ratio = f", {times(rms(gap) / expected)} times the expected error" if expected else ""
     return (
-        f"beware: this is the string as it was before its first stroke. After the recorded motion it would read {way}"
-        f"up to {most} otherwise ({size(rms(gap), unit)} rms{ratio}). For the string as the recording left it: "
+        f"beware: this is the {string} as it was before its first stroke. After the recorded motion it would read {way}"
+        f"up to {most} otherwise ({size(rms(gap), unit)} rms{ratio}). For the {string} as the recording left it: "
         f"{again}"
     )
 

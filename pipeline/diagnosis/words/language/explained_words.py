@@ -10,6 +10,7 @@ from .vocabulary import ANGLES, Vocabulary
 
 USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
 NAMED = re.compile(r"^\w+ {2,}named\b", re.M)  # how sure an effect is, in the table of them
+GROWS, NO_STRING = " that grows with load or twist", "on rigs without string"
 TURN, DRIVEN = "once a turn", "once in every turn of what drives it (a screw, a motor)"
 
 
@@ -38,6 +39,8 @@ def on_rig(sentence: str, words: Vocabulary) -> str:
     """A meaning, which is written for a string, in the words of a rig."""
     if words.twisted:
         return sentence
+    sentence = sentence.replace(GROWS, "") if words.differentiates else sentence
+    sentence = sentence.replace(NO_STRING, "on this rig")
     up, down = words.ways
     sentence = sentence.replace("winding and unwinding", f"{up} and {down}").replace(
         "first turns move", "first motion moves"

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 SMALLER = {"mm": "µm", "m": "mm", "cm": "µm", "N": "mN", "Nm": "mNm", "V": "mV", "A": "mA", "rad": "mrad", "s": "ms"}
 FACTOR = {"cm": 1e4}  # 1e3 else
+NEAR_0 = 0.01  # of an axis: what is nearer to 0 is said to be there
 LEAST = 1e-3  # in a unit, below which the smaller one reads better
 
 
@@ -76,6 +77,11 @@ def at(value: float, unit: str, whole: float) -> str:
     """A place on an axis `whole` wide, to a hundredth of it or finer: what is nearly 0 is 0."""
     decimals = -math.floor(math.log10(whole / 100.0)) if whole > 0.0 else 3
     return f"{number(round(value, decimals), 12)} {said_unit(unit)}".strip()
+
+
+def place_near(value: float, unit: str, whole: float) -> str:
+    """A place on an axis `whole` wide, as `near` is said of it: within a hundredth of the axis from 0 it is 0."""
+    return at(0.0, unit, whole) if abs(value) < NEAR_0 * whole else quantity(value, unit)
 
 
 def duration(seconds: float) -> str:

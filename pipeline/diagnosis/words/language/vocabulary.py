@@ -7,6 +7,7 @@ from ....ground.units import unit_of
 from ....systems import System
 
 ANGLES = ("deg", "rad", "turns")
+LENGTHS = ("m", "cm", "mm", "µm")
 PHASES = ("winding", "hold", "unwinding", "rest", "all")
 
 
@@ -28,6 +29,7 @@ class Vocabulary:
     usual: Mapping[str, float] = field(default_factory=dict)  # keys of `tolerance:` with their defaults
     shares: Mapping[str, float] = field(default_factory=dict)  # those that are shares
     measured: Mapping[str, str] = field(default_factory=dict)  # how a dimension is measured, by its name
+    differentiates: bool = False  # whether the reading follows derivatives of the motion
 
     @classmethod
     def of(cls, system: System) -> "Vocabulary":
@@ -41,12 +43,16 @@ class Vocabulary:
             unit_of(system.load) if system.load else "", system.driver, system.load,
             system.channel.rpartition("_")[2], twisted, system.tolerance,
             {key: usual for key, usual in system.tolerance.items() if key not in system.absolute}, system.measured,
+            system.differentiates,
         )  # fmt: skip
 
     @property
     def ways(self) -> tuple[str, str]:
         """The two directions."""
-        return ("winding", "unwinding") if self.twisted else ("the way up", "the way down")
+        if self.twisted:
+            return "winding", "unwinding"
+        up, down = directions(self.motion_unit)
+        return f"the way {up}", f"the way {down}"
 
     @property
     def verbs(self) -> tuple[str, str]:
@@ -79,6 +85,11 @@ class Vocabulary:
             return phrase
         phrase = phrase.replace("twisting rate", self.rate).replace("displacement rate", f"rate of the {self.reading}")
         return phrase.replace("twist", self.motion).replace("displacement", self.reading)
+
+
+def directions(motion_unit: str) -> tuple[str, str]:
+    """The two directions of what is not wound: those of a place or an angle, or of a value such as a voltage."""
+    return ("forward", "back") if motion_unit in (*LENGTHS, *ANGLES) else ("up", "down")
 
 
 # how the words of `Mechanism.driver` and of `generic.groups`, which decide, are said

@@ -12,7 +12,8 @@ from ..language.explained_words import meaning, on_rig
 from ..language.quantity import at, number, said_unit, size
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from .shape_numbers import shape_number
+from .formulas import direction, does, formula, of_strings_alone
+from .shape_numbers import meaning_of, shape_number
 
 HEAD = (
     "What each number under simulation means, for who looks: nobody needs them to predict. What a number does is said "
@@ -71,7 +72,7 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size])
             name, unit = drivers.units.name(term.name), said_unit(drivers.units.unit(term.unit))
             names.append(name)
             rows.append([f"{name} = {number(value, 3)} {unit or '(a share)'}", *_cells(next(moved), words, whole.rms)])
-            described.append(_what(mechanism, name, DOES[term.port].format(motion=words.motion, string=words.string)))
+            described.append(_what(mechanism, name, does(term.port, DOES[term.port], words)))
     head, *table = aligned([["number", "reading moved, rms", _between(whole, words)], *rows])
     written = [f"  {act.id}: {on_rig(meaning(act.id), words)} In all it {_moves(whole, words)}."]
     written += [*_shares(mechanism, names), f"    {head}"]
@@ -82,8 +83,10 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size])
     for nonlinear in act.nonlinear:
         for key, value in nonlinear.items():
             name = drivers.units.name(key)
+            if of_strings_alone(meaning_of(key), words):
+                continue
             written.append(f"    {name} = {number(value, 3)}{shape_number(key, name, words)}")
-    return [*written, f"    Its formula: {mechanism.equation}"]
+    return [*written, f"    Its formula: {formula(mechanism, words)}"]
 
 
 def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
@@ -99,18 +102,25 @@ def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
     return list(shares.values())
 
 
-def _what(mechanism: Mechanism, name: str, does: str) -> str:
+def _what(mechanism: Mechanism, name: str, done: str) -> str:
     """What a coefficient does, what it multiplies, and its time constant."""
     branch = BRANCH.search(name)
     parts = [
-        does,
+        done,
         *(
-            f"it multiplies {word if OF_NAME in factor else factor}"
+            f"it multiplies {_multiplied(name, word, factor)}"
             for word, factor in factors(mechanism.names, name).items()
         ),
         *([f"it acts with a time constant of {branch[1]} s"] if branch else []),
     ]
     return "; ".join(parts)
+
+
+def _multiplied(name: str, word: str, factor: str) -> str:
+    """What a coefficient multiplies: a factor with a share is said above the table, where the name has its share."""
+    if OF_NAME not in factor:
+        return factor
+    return word if "*" in word or re.search(rf"{re.escape(word)}_[0-9]", name) else direction(factor)
 
 
 def _between(moved: Size, words: Vocabulary) -> str:

@@ -7,7 +7,7 @@ from ...document.content import Part
 from ...document.time_constants import BRANCH_S, time_constants_s
 from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units
-from ..language.quantity import duration, listing, quantity, size
+from ..language.quantity import duration, listing, place_near, quantity, size
 from ..language.vocabulary import Vocabulary
 from .certainty import SURE
 
@@ -29,12 +29,12 @@ CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
 
 def sentence(
     mechanism: Mechanism, entry: Part, span: float | None, words: Vocabulary, units: Units,
-    opened: Part | None = None, trend: float | None = None,
+    opened: Part | None = None, trend: float | None = None, whole: float = 0.0,
 ) -> str:  # fmt: skip
     """What a mechanism does on this rig, in one sentence; `entry` is its own of `mechanisms`, `span` low to high.
 
     `opened` is its loop: the width, and the motion where it is so wide; None where no whole strokes show one. `trend`:
-    by how much it moves the reading in the course of the recording; None in an older file.
+    by how much it moves the reading in the course of the recording; None in an older file. `whole`: the motion's range.
     """
     worth = entry[f"rms_{words.ending}"]["value"]
     if not worth:
@@ -43,7 +43,7 @@ def sentence(
     fields["span"] = size(span, words.unit) if span is not None else ""
     fields["lowers"] = "moves" if not trend else "raises" if trend > 0.0 else "lowers"
     fields["grows"] = "changes" if not trend else "grows" if trend > 0.0 else "falls"
-    fields["loop"] = loop(fields["span"], words, opened)
+    fields["loop"] = loop(fields["span"], words, opened, whole)
     fields["times"] = time_constants(entry["parameters"])
     fields["temperature"] = CALCULATED if calculated(mechanism, entry) else "the measured temperature"
     phrase = filled(mechanism.sentence, fields).rstrip(".")
@@ -52,10 +52,10 @@ def sentence(
     return f"{phrase}{': ' if detail else ''}{detail}."
 
 
-def loop(span: str, words: Vocabulary, opened: Part | None) -> str:
+def loop(span: str, words: Vocabulary, opened: Part | None, whole: float = 0.0) -> str:
     """By how much both ways differ at one place, and where; where that is unknown, the span, called what it is."""
     if opened:
-        near = quantity(opened[words.driver], words.motion_unit)
+        near = place_near(opened[words.driver], words.motion_unit, whole)
         widths = [
             f"{size(width, words.unit)} under {quantity(load, words.load_unit)}"
             for load, width in opened.get("by_load", [])

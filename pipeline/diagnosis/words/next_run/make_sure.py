@@ -97,9 +97,10 @@ def of_names(
     if ids and not in_vain.doubt(content, words) and all(shares.get(id_, 0.0) >= BEYOND_DOUBT for id_ in ids):
         return []
     if not tests:
+        compared = _compared(content, words)
         if numbers and short:
-            return [[f"To make sure of the name, see which numbers the rig shows ({DETAILS})."]]
-        return [["To make sure of the name, see which numbers the rig shows:", *numbers]] if numbers else []
+            return [[f"{compared} with the table in {DETAILS}."]]
+        return [[f"{compared} with this table:", *numbers]] if numbers else []
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
     other = _other_load(content, words, load)
@@ -119,6 +120,14 @@ def of_names(
     again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
     made = [*([run] if run else []), *other, *again, BEFORE] if numbers or run else []
     return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *made]]
+
+
+def _compared(content: Verdict, words: Vocabulary) -> str:
+    """What to record on a rig without a string to make sure of a name; the table of what to expect goes on from it."""
+    expected = content["evidence"]["expected"]["explanations"][0]
+    slower = f"loop_half_speed_{words.ending}" in expected
+    run = "record one stroke at half the speed and compare its loop" if slower else "record it again and compare"
+    return f"To make sure of the name, {run}"
 
 
 def _head(content: Verdict, words: Vocabulary, record: str) -> str:

@@ -30,7 +30,7 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
     which = f"{'It takes ' if len(title) > LONG else f'{title}: '}{lasting(run)} in all{_asks(content, run, words)}."
     where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}."
     where = f"{which} {where}" if short else f"{which} {where} {_own_tests(content, words)} stands there too."
-    differ, parts = ("", "") if short else (worth.readings(run, words), parting.sentence(content))
+    differ, parts = ("", "") if short else (worth.readings(content, run, words), parting.sentence(content))
     care = "" if short else worth.care(content, words)
     alone = _alone(words, folders)
     question, others = worth.question(content), "" if short else _not_asked(content, words)

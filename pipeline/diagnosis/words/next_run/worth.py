@@ -9,7 +9,7 @@ from ...proposal import design
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
 from ..held_out import in_vain
-from ..language.quantity import listing, number, quantity, size, times
+from ..language.quantity import listing, number, place_near, quantity, size, times
 from ..language.vocabulary import Vocabulary
 from . import parting
 
@@ -46,7 +46,7 @@ def purpose(content: Verdict, words: Vocabulary, whether: bool = True) -> str:
     sentences = (
         f"{value}It is to tell {explanation} from {other}{closest}.{aside(content)}",
         parting.sentence(content),
-        readings(run, words),
+        readings(content, run, words),
         gaps(run),
     )
     return " ".join(part for part in sentences if part)
@@ -70,12 +70,14 @@ def gaps(run: NextRun) -> str:
     return f"{so_far}. {WRONG}, so it does not decide. {with_it} to make that. So the run can decide. {MEANT}"
 
 
-def readings(run: NextRun, words: Vocabulary) -> str:
+def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     """By how much the two readings should differ in the run; nothing where an older file does not say it."""
     known = run.get("apart")
     if not known:
         return ""
-    most, near = size(known[f"by_{words.ending}"], words.unit), quantity(known[words.driver], words.motion_unit)
+    low, high = content["evidence"][words.driver]
+    most = size(known[f"by_{words.ending}"], words.unit)
+    near = place_near(known[words.driver], words.motion_unit, high - low)
     names = [rivals.called(ids) for ids in run["parts"]]
     both = [quantity(known[f"{which}_{words.ending}"], words.unit, 4) for which in ("first", "second")]
     return (

@@ -22,8 +22,13 @@ COMMAND = command("adopt")
 SIMULATE = command("simulate")
 WEIGHED_ANEW = (
     "While it is in run.yaml its name is not weighed again, and new_run --like copies it. To try the name on another "
-    "run of the string, take it out of each run, and diagnose them together."
+    "run of the {rig}, take it out of each run, and diagnose them together."
 )
+
+
+def weighed_anew(words: Vocabulary) -> str:
+    """That what is adopted is not weighed again, and how to try its name."""
+    return WEIGHED_ANEW.format(rig=words.string if words.twisted else "rig")
 
 
 def cautions(content: Verdict) -> list[str]:
@@ -129,10 +134,10 @@ def of_staying(ids: Sequence[str]) -> list[str]:
     return [f"{what}; without {AFTER_RECORDING} a plan begins as the recording began."]
 
 
-def adopted_predictions(folder: Path, driver: str, load: str | None, ids: list[str]) -> list[str]:
-    """How to predict with the effects `ids`, which a run has adopted; its system's columns are `driver` and `load`."""
+def adopted_predictions(folder: Path, words: Vocabulary, load: str | None, ids: list[str]) -> list[str]:
+    """How to predict with the effects `ids`, which a run has adopted; `load` is its column, where something hangs."""
     start = f"  {SIMULATE} {shlex.quote(str(folder))}"
-    plan = columns_of_plan(driver, load)
+    plan = columns_of_plan(words, load)
     lines = [f"To predict with it ({plan}):", f"{start} --out FILE.csv"]
     if not staying(ids):
         return [*lines, f"{start} --motion PLAN.csv --out FILE.csv"]
@@ -147,10 +152,14 @@ def hung(content: Verdict, words: Vocabulary) -> str | None:
     return None if known is not None and not any(known["load"]) else words.load
 
 
-def columns_of_plan(driver: str, load: str | None) -> str:
-    """What a planned motion's file holds, by the rig's columns `driver` and `load`."""
-    columns = f"time_s, {driver} and, unless it stands still, {load}" if load else f"time_s and {driver}"
-    return f"PLAN.csv is a motion that you plan: {columns}; its corners will do"
+def columns_of_plan(words: Vocabulary, load: str | None) -> str:
+    """What a planned motion's file holds, by the rig's words and its column `load`, and how many rows it needs."""
+    columns = f"time_s, {words.driver} and, unless it stands still, {load}" if load else f"time_s and {words.driver}"
+    plan = f"PLAN.csv is a motion that you plan: {columns}"
+    if words.twisted:
+        return f"{plan}; its corners will do"
+    needs = f"; the {words.reading} needs the acceleration, so corners are not enough" * words.differentiates
+    return f"{plan}, at your controller's rate{needs}"
 
 
 def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
@@ -160,7 +169,7 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
     if in_vain.harmful(content, words):
         return [advice.worse(content)]
     source = out / "diagnosis.json"
-    lines = [f"To predict with it, dimensions included ({columns_of_plan(words.driver, hung(content, words))}):"]
+    lines = [f"To predict with it, dimensions included ({columns_of_plan(words, hung(content, words))}):"]
     ids = [entry["id"] for entry in content["mechanisms"]]
     lines += [f"  {line}" for line in predictions(source, folders, ids)]
     lines += of_staying(ids)

@@ -18,7 +18,14 @@ def spoken(content: Verdict, system: System) -> Verdict:
     for entry in [*content["mechanisms"], *content.get("of_your_own", {"mechanisms": []})["mechanisms"]]:
         mechanism = mechanisms()[entry["id"]]
         entry["sentence"] = effects.sentence(
-            mechanism, entry, spans.get(entry["id"]), words, units, opened.get(entry["id"]), trends.get(entry["id"])
+            mechanism,
+            entry,
+            spans.get(entry["id"]),
+            words,
+            units,
+            opened.get(entry["id"]),
+            trends.get(entry["id"]),
+            whole(evidence, words),
         )
     if content["mismatch"]:
         driver = followed(content["mismatch"]["driver"], words, evidence["loaded"])

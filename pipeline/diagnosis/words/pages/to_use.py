@@ -20,7 +20,7 @@ def predict(content: Verdict, words: Vocabulary, folders: list[Path], out: Path 
     head = f"To predict the rig, at {loads} and {words.motion}s like those recorded"
     ids = [entry["id"] for entry in content["mechanisms"]]
     planned = predictions(out / "diagnosis.json", folders, ids)[1::2]
-    return [[f"{head}. {columns_of_plan(words.driver, hung(content, words))}:", f"  {planned[0]}", *of_staying(ids)]]
+    return [[f"{head}. {columns_of_plan(words, hung(content, words))}:", f"  {planned[0]}", *of_staying(ids)]]
 
 
 def adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:

@@ -42,6 +42,7 @@ def verdict_text(
         (effect_table.HEADING, acts),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
         (chances.HEADING, chances.lines(content, words, short=True)),
+        (chances.BARE, chances.bare(content, words)),
         ("What is missing", [*missing, *temperature] if missing else []),
         (error_table.SHORT, error_table.short(content, words)),
         ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),

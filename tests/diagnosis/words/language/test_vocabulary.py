@@ -20,8 +20,8 @@ def test_other_rigs_have_their_own_words_and_units(ending, driver, unit, load):
     text = others(ending, ending, driver, unit, load)
     assert not re.search(r"\b(string|twist|twisted|wind|winding|unwinding|turns|mm|displacement)\b", text), text
     reading, motion = {"deg": ("jaw angle", "deg"), "n": ("force", "m")}[ending]
+    forward, back = "the way forward", "the way back"
     assert (
-        f"Friction makes the {reading} of the way up differ from that of the way down, by 0.20 {unit} from the lowest"
-        in text
+        f"Friction makes the {reading} of {forward} differ from that of {back}, by 0.20 {unit} from the lowest" in text
     )
     assert f"2. Go to 30.7 {motion} in 16 s" in text and f"4. Go back to 0 {motion}" in text

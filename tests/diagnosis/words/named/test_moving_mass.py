@@ -38,8 +38,8 @@ def test_the_ends_of_an_interval_differ_as_they_are_printed() -> None:
 
 def test_a_plan_asks_for_no_load_where_none_was_recorded_and_a_lag_says_how_to_get_seconds() -> None:
     none, some = ({"evidence": {"covered": {"load": [0.0, load]}}} for load in (0.0, 20.0))
-    assert "load_n" not in columns_of_plan("position_m", hung(none, MASS))
-    assert "unless it stands still, load_n" in columns_of_plan("motor_turns", hung(some, STRING))
+    assert "load_n" not in columns_of_plan(MASS, hung(none, MASS))
+    assert "unless it stands still, load_n" in columns_of_plan(STRING, hung(some, STRING))
     assert hung({"evidence": {}}, MASS) == "load_n", "an older file does not say"
     (lag,) = mechanisms()["sensor_lag"].details
     assert "divided by the mass that is the delay in seconds" in lag

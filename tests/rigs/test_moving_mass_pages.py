@@ -1,0 +1,113 @@
+"""What a person reads of a moving mass: its page, its planned motion, its adopted numbers; no word of a string."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import programs
+import pytest
+
+from pipeline.rig.others import cases
+from pipeline.rig.others.made import write_run
+
+RUBS, TIES = ("mass-coulomb", 801), ("mass-three", 802)
+
+
+def program(*words):
+    """Run a module of the package; it must succeed."""
+    done = programs.run(*words)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def diagnosed_case(place: Path, case: tuple[str, int]) -> Path:
+    """The run folder of a case that was made and diagnosed; its verdict lies beside it, under `dia`."""
+    folder = place / "raw" / case[0]
+    write_run(cases.make(*case), folder)
+    program("pipeline.diagnose", folder, "--out", place / "dia")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def rubbing(tmp_path_factory):
+    return diagnosed_case(tmp_path_factory.mktemp("rubs"), RUBS)
+
+
+def softly(share):
+    return share**3 * (10.0 - 15.0 * share + 6.0 * share**2)
+
+
+def planned(path: Path, step_s: float) -> Path:
+    """A stroke of 0.2 m that starts and ends softly, a row every `step_s`."""
+    time_s = np.arange(0.0, 8.0, step_s)
+    way = np.where(time_s < 4.0, softly(np.clip(time_s / 4.0, 0.0, 1.0)), softly(np.clip(2.0 - time_s / 4.0, 0.0, 1.0)))
+    pd.DataFrame({"time_s": time_s, "position_m": 0.2 * way}).to_csv(path, index=False)
+    return path
+
+
+def simulated(folder: Path, motion: Path, out: Path, *options: str):
+    told = folder.parents[1] / "dia" / folder.name / "diagnosis.json"
+    given = ["pipeline.simulate", folder, "--simulation", told, "--motion", motion, "--out", out, *options]
+    return programs.run(*given)
+
+
+def test_the_loop_that_is_foretold_is_that_of_the_friction_without_what_accelerates_the_mass(rubbing):
+    content = json.loads((rubbing.parents[1] / "dia" / rubbing.name / "diagnosis.json").read_text())
+    best, *_ = content["evidence"]["expected"]["explanations"]
+    assert best["loop_half_speed_n"] == pytest.approx(30.0, abs=2.0), "half the loop is 15 N"
+    assert best["loop_as_before_n"] == pytest.approx(best["recorded"]["loop_n"], rel=0.1)
+
+
+def test_its_pages_ask_for_rows_and_not_corners_and_know_no_up_no_down_and_no_effect_of_strings(rubbing):
+    place = rubbing.parents[1] / "dia" / rubbing.name
+    verdict, details = (" ".join((place / f"{name}.txt").read_text().split()) for name in ("verdict", "details"))
+    for text in (verdict, details):
+        assert "at your controller's rate; the force needs the acceleration" in text and "corners will do" not in text
+        assert "record one stroke at half the speed and compare its loop with" in text
+        assert "the way forward and the way back part by a rounded loop" in text and "the way up" not in text
+    assert "overtwist" not in details and "jam" not in details and "shaft_windup" not in details
+    assert "at the far end" in details and "rig without a drive" not in details
+
+
+def test_a_smooth_plan_gets_no_warning_of_a_jump_and_no_load(rubbing, tmp_path):
+    done = simulated(rubbing, planned(tmp_path / "plan.csv", 0.01), tmp_path / "out.csv")
+    assert done.returncode == 0, done.stderr
+    assert "beware" not in done.stdout and "string" not in done.stdout
+    alone = pd.read_csv(tmp_path / "out.csv")
+    assert "load_n" not in alone
+    after = simulated(rubbing, tmp_path / "plan.csv", tmp_path / "after.csv", "--after-recording")
+    assert after.returncode == 0, after.stderr
+    gone_on = pd.read_csv(tmp_path / "after.csv")
+    assert np.abs(gone_on["force_n"] - alone["force_n"]).max() < 5.0, "the way to the plan adds no force of its own"
+
+
+@pytest.mark.parametrize("step_s", [2.0, 0.3])
+def test_corners_of_a_mass_are_refused_with_what_to_give(rubbing, tmp_path, step_s):
+    done = simulated(rubbing, planned(tmp_path / "plan.csv", step_s), tmp_path / "out.csv")
+    assert done.returncode == 2 and "at your controller's rate" in done.stderr, done.stderr
+
+
+def test_the_numbers_that_it_adopted_are_explained_without_a_string(rubbing):
+    said = program("pipeline.adopt", rubbing.parents[1] / "dia" / rubbing.name / "diagnosis.json", rubbing)
+    assert "another run of the rig" in " ".join(said.split())
+    explained = " ".join(program("pipeline.adopt", "--explain", rubbing).split())
+    program("pipeline.adopt", "--remove", rubbing)
+    assert "it multiplies the direction of motion, from -1 to 1" in explained and "twist" not in explained
+    assert "Its formula: h s; h: half the loop, s: the direction of motion" in explained
+
+
+def test_a_tie_without_percentages_lists_its_explanations(tmp_path):
+    folder = diagnosed_case(tmp_path, TIES)
+    place = tmp_path / "dia" / folder.name
+    content, lines = (
+        json.loads((place / "diagnosis.json").read_text()),
+        (place / "verdict.txt").read_text().splitlines(),
+    )
+    assert content["verdict"] == "ambiguous"
+    head = lines.index("Explanations, the best one first")
+    sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
+    for ids, line in zip(sets, lines[head + 1 :], strict=False):
+        assert line.strip().startswith(f"{' + '.join(ids)} ") and " leaves " in line
+    assert lines[head + 1 + len(sets)].strip() == "No percentages on this rig: they were learnt on strings."
+    assert "mm:" not in " ".join((place / "details.txt").read_text().split()).partition("most near")[2][:12]
