@@ -14,7 +14,7 @@ PROGRAMS = {  # in the order of the work
     "capture": "record a rig at a serial port",
     "watch": "show a recording on a page of this machine while it grows",
     "rig": "be a synthetic rig behind a pseudo-terminal",
-    "diagnose": "say where simulation and recording part, and which physics is missing",
+    "diagnose": "say where simulation and recording differ, and which physics is missing",
     "settle": "make the runs that decide what a diagnosis left open, one after the other",
     "simulate": "write what the simulator alone gives, improved by a diagnosis or not",
     "adopt": "put what a diagnosis found into a run's simulator, or take it out",

@@ -1,4 +1,4 @@
-"""Diagnose runs: where simulation and recording part, which physics is missing, and what it improves."""
+"""Diagnose runs: where simulation and recording differ, which physics is missing, and what it improves."""
 
 import json
 import sys

@@ -1,4 +1,4 @@
-"""Where simulation and recording part, which physics was left out, and how much better the fit gets with it.
+"""Where simulation and recording differ, which physics was left out, and how much better the fit gets with it.
 
 A room imports only rooms that stand above it in this picture; what ties them together stands at this level.
 

@@ -47,7 +47,7 @@ TERMS: dict[str, dict[str, str]] = {
         "unknown": "the mismatch is real, and no explanation of the library is good enough.",
         "not decided": "the recording is too short or too poor; the page says what to record.",
         "named": "the effect is in the one explanation that is kept; no percentage is known on rigs without string.",
-        "next run": "the run that would part the explanations that are likely.",
+        "next run": "the run that would tell the likely explanations apart.",
     },
 }
 

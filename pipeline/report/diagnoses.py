@@ -17,6 +17,7 @@ VERDICTS = ("consistent", "parameters", "explained", "ambiguous", "unknown")
 UNDECIDED = "not decided"
 NAMING = ("explained", "ambiguous")  # verdicts that name physics
 WORSE = ", but worse on unseen strokes: do not adopt"
+NOT_SETTLED = ", but not settled"  # as `verdict.txt` calls what was named otherwise without the last strokes
 NO_NUMBER = "–"
 DIAGNOSED = "as diagnosed"  # the simulator with what a verdict names, as verdicts call it
 SIZES = ("mismatch", "nominal", "calibrated", DIAGNOSED, "noise")
@@ -26,7 +27,6 @@ FILES = {
     "diagnosis.json": "all numbers",
     "diagnosis.pdf": "the figure to print",
 }
-TIES = 2  # of the explanations that fit alike: a line names so many
 Content = Mapping[str, Any]
 
 
@@ -58,15 +58,22 @@ def named_of(content: Content | None) -> Markup:
 
 
 def badge_of(content: Content | None) -> str:
-    """The verdict as its badge says it: with a warning where what it names is worse than the nominal simulator."""
+    """The verdict as its badge says it: with a warning where its names do not last, or make the simulator worse."""
     verdict = verdict_of(content)
+    if (
+        content is not None
+        and verdict == "explained"
+        and _of_others(content)
+        and content["evidence"]["chosen_without_them"]
+    ):
+        return f"{verdict}{NOT_SETTLED}"
     worse = content is not None and verdict in NAMING and "explained" in content["fit"].get("worse_than_nominal", [])
     return f"{verdict}{WORSE}" if worse else verdict
 
 
 def tag(badge: str) -> Markup:
     """A verdict in its colour, with the warning that its badge has."""
-    verdict = badge.removesuffix(WORSE)
+    verdict = badge.removesuffix(WORSE).removesuffix(NOT_SETTLED)
     of = verdict if verdict in VERDICTS else "none"
     of = "unknown" if badge != verdict else of  # no colour of a success
     return Markup('<span class="verdict {}">{}{}</span>').format(of, word(verdict), badge[len(verdict) :])
@@ -134,18 +141,10 @@ def part(reports: Path, run: str, up: str = "") -> Markup:
     return together(filter(None, parts))
 
 
-def bracketed(ids: list[str]) -> str:
-    """An explanation beside others: in brackets where it has several mechanisms."""
-    return f"({' + '.join(ids)})" if len(ids) > 1 else " + ".join(ids)
-
-
 def verdicts(folders: list[Path]) -> str:
     """One line for each diagnosis that has a verdict, for the end of the main job."""
     lines = []
     for folder in folders:
         if (folder / "verdict.txt").is_file():
-            sets = [bracketed(ids) for ids in explanations(content_of(folder))]
-            more = [f"{len(sets) - 1 - TIES} more"] if len(sets) > 1 + TIES else []
-            named = " or ".join([*sets[: 1 + TIES], *more])
-            lines.append(f"{headline(words_of(folder))} {named}".rstrip())
+            lines.append(headline(words_of(folder)))
     return "\n".join(lines)

@@ -8,6 +8,7 @@ from markupsafe import Markup
 
 from .diagnoses import (
     NAMING,
+    NOT_SETTLED,
     SIZES,
     UNDECIDED,
     VERDICTS,
@@ -69,7 +70,9 @@ def counted(contents: Mapping[str, Content | None]) -> Markup:
     """How many runs ended with which verdict; a click on one shows its runs alone."""
     counts = Counter(badge_of(content) for content in contents.values())
     shape = Markup('<a href="#runs" data-only="{0}">{1:,} {2}</a>')
-    badges = [badge for verdict in (*VERDICTS, UNDECIDED) for badge in (verdict, f"{verdict}{WORSE}")]
+    badges = [
+        badge for verdict in (*VERDICTS, UNDECIDED) for badge in (verdict, verdict + NOT_SETTLED, verdict + WORSE)
+    ]
     return Markup(" · ").join(shape.format(badge, counts[badge], tag(badge)) for badge in badges if counts[badge])
 
 

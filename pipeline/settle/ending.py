@@ -69,5 +69,5 @@ def _next(folder: Path, verdict: str, runs: Sequence[Path]) -> str:
         return recording if asked_for else "nothing to record: the simulator fits as it is"
     names = [*map(str, runs), "NEW_RUN", "--together", "--out", "NEW_FOLDER"]
     diagnose = shlex.join([*command("diagnose").split(), *names])
-    reads = "what it could be" if verdict == "unknown" else "what parts the explanations"
+    reads = "what it could be" if verdict == "unknown" else "what tells the explanations apart"
     return f"read there {reads}. After another run made by hand: {diagnose}"

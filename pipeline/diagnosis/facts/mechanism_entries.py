@@ -53,7 +53,8 @@ def parameters_of(
         coefficients = {term.name: entry["parameters"].get(names.name(term.name), 0.0) for term in terms}
         for name, derive in mechanisms()[act.id].derived.items():
             value = derive(coefficients | act.nonlinear[number])
-            sums[names.name(name)] = (value, names.unit(unit_of_nonlinear(name)))
+            if value:
+                sums[names.name(name)] = (value, names.unit(unit_of_nonlinear(name)))
         units |= {name: unit for name, (_, unit) in sums.items()}
         own = {names.name(name): name for name in act.nonlinear[number]}
         for name, value in (entry["parameters"] | {name: value for name, (value, _) in sums.items()}).items():

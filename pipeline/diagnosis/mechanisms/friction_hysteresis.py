@@ -12,6 +12,7 @@ from .shared_laws import grid, share_of_travel, travelled
 DRY = (0.003, 0.01, 0.03, 0.1)  # of the highest rate: below it what slides without a string begins to stick
 STOPS = (0.004, 0.012, 0.03, 0.08, 0.2)  # of the range: half-widths of the stops that add up to a loop
 ROUNDINGS = ((0.005, 0.02), (0.02, 0.06), (0.06, 0.2))  # of the range: a drive's loop has two stops, out of these
+ELEMENTS = {"share": 1.0, "inner_share": 0.4}  # of the widest play: how wide each play of a loop on the twist is
 WIDTHS = {"sharp": "half_turns", "round": "wide_half_turns"}
 ALONG = 0.7  # of the mean square that the same friction everywhere leaves: friction that changes along the travel
 SLOW = (0.02, 0.1)  # of the highest rate: below it a string's dry friction closes its loop
@@ -78,7 +79,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     if "play_turns" in nonlinear:
         width = nonlinear["play_turns"] * np.maximum(drivers.load / nonlinear["usual_load"], 0.0)
         lost = play(drivers.motion, width) - drivers.motion
-        half = play(drivers.motion, 0.4 * width) - drivers.motion
+        half = play(drivers.motion, ELEMENTS["inner_share"] * width) - drivers.motion
         return [Term("share", "twist", lost, "1", high=1.25), Term("inner_share", "twist", half, "1", high=1.25)]
     if "slow_turns_per_s" in nonlinear:
         sides = {"dry": np.tanh(drivers.rate / nonlinear["slow_turns_per_s"])}
@@ -100,6 +101,11 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
                 Term(f"dry_{share:g}_twist_mm_per_10_n", "resistance", side * drivers.load * drivers.tangent, "mm/10N")
             )
     return all_terms
+
+
+def half_loop(values: Nonlinear) -> float:
+    """Half the width of a loop on the twist at the usual load, in turns: each play by its share; 0 of other loops."""
+    return values.get("play_turns", 0.0) * sum(wide * values.get(name, 0.0) for name, wide in ELEMENTS.items())
 
 
 def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
@@ -146,7 +152,7 @@ MECHANISM = Mechanism(
     ),
     confused_with="backlash, sensor_lag, viscous_loss",
     told_apart_by="two loads (backlash does not follow the load) and two speeds (a lag follows the speed)",
-    meaning="winding and unwinding part by a rounded loop that grows with load or twist.",
+    meaning="winding and unwinding differ by a rounded loop that grows with load or twist.",
     sentence="Friction makes the {reading} of {up} differ from that of {down}, by {loop} ({size}).",
     details=(
         "half the loop is {half_loop_mm}",
@@ -155,8 +161,9 @@ MECHANISM = Mechanism(
         "half the loop is larger by {half_loop_near_mm} where the motion begins",
         "half the loop is larger by {half_loop_far_mm} where the motion ends",
         "half the loop is larger by half of {half_loop_middle_mm} in the middle of the motion",
-        "half the play is {play_turns} under the usual load",
+        "half the width of the loop is {half_loop_turns} at {usual_load_n}",
     ),
+    derived={"half_loop_turns": half_loop},
     names={
         "stop": "the state of a stop, from -1 to 1, as wide as that share of the range",
         "dry": "the direction, closed below that share of the highest speed",

@@ -50,7 +50,7 @@ def sizes(values: dict[str, float], methods: list[str]) -> list[str]:
 
 
 def where(results: list[Result]) -> str:
-    """Where each recording and its simulator part, and what explains it."""
+    """Where each recording and its simulator differ, and what explains it."""
     head = ["Recording", "Verdict", "Left out", "Ties", "Mismatch", "Noise", "Where", "Strokes", "Phase", "It follows"]
     rows = []
     for result in results:
@@ -151,7 +151,7 @@ def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: 
         f"<p><a href=index.html>All public rigs</a></p><h1>{html.escape(rig.title)}</h1>",
         f"<p>Source: {source} ({html.escape(rig.licence)}). Base model: {html.escape(rig.base)}.</p>",
         f"<p>The literature: {html.escape('; '.join(sorted(expected)))}.</p>",
-        "<h2>Where simulation and recording part, and what explains it</h2>", where(results),
+        "<h2>Where simulation and recording differ, and what explains it</h2>", where(results),
         "<h2>How much better: strokes that no fit has seen</h2>", better(results, unit), relative(results),
         f'<img src="{link(f"{name}.png")}" alt="Errors of every method">',
         "<h3>Published figures</h3>", table(["Of what", "Value", "Source"], published, texts=3),

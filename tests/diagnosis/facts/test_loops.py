@@ -12,9 +12,13 @@ import pytest
 
 from pipeline.diagnosis.facts.loops import widest
 from pipeline.diagnosis.facts.mechanism_entries import totals
+from pipeline.diagnosis.mechanisms.friction_hysteresis import half_loop
 from pipeline.diagnosis.mechanisms.interface import Term
+from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.recording.working_samples import PHASES
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.named.effects import details
 from pipeline.systems import systems
 
 ROOT = Path(__file__).parents[3]
@@ -116,3 +120,20 @@ def test_half_the_play_is_that_of_the_recording_whatever_the_class_is_made_of(co
     assert play["value"] == pytest.approx(apart_mm / slope / 2.0, rel=0.08)
     assert play["low"] < play["value"] < play["high"] and play["unit"] == "turns"
     assert f"half the play is {play['value']:.3g} turns (" in " ".join(named["sentence"].split())
+
+
+def test_half_the_width_of_a_loop_on_the_twist_counts_each_of_its_plays_by_its_share() -> None:
+    """A verdict called the widest of two plays, 0.0384 turns, half the play of friction; both ways part by less."""
+    values = {"play_turns": 0.0384, "usual_load": 1.82, "share": 0.42, "inner_share": 0.65}
+    assert half_loop(values) == pytest.approx(0.0384 * (0.42 + 0.4 * 0.65))
+    assert half_loop({"span_turns": 20.0, "stop_0.03_mm": 0.01}) == 0.0
+
+
+def test_a_loop_on_the_twist_says_half_its_width_and_under_which_load() -> None:
+    found = {
+        "half_loop_turns": {"value": 0.0263, "low": 0.025, "high": 0.027, "unit": "turns"},
+        "usual_load": {"value": 1.82, "low": 1.82, "high": 1.82, "unit": "1"},
+    }
+    system = systems()["separator"]
+    said = details(mechanisms()["friction_hysteresis"], found, Vocabulary.of(system), Units.of(system))
+    assert said == "half the width of the loop is 0.0263 turns (0.025 to 0.027) at 18.2 N"

@@ -14,6 +14,7 @@ VISIBLE = 0.1  # noise floors: a change in a stand that is less is worth no word
 WORTH = 0.01  # of a probability: what is less is not said
 LITTLE = 0.98  # times what calibration alone leaves: who leaves more explains nothing
 ADDS = 0.2  # noise floors: what takes away less adds nothing
+CONSTANT = "nothing: a constant"  # what such an effect follows, by `Mechanism.driver`
 SEVERAL = 3  # effects that add nothing: from so many on it is said once
 NOTHING_ADDED = "added to the best one takes away nothing"
 NOTHING_MORE = " Where a line does not say more, the effect takes away nothing when it is added."
@@ -62,7 +63,7 @@ def _why(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
     """Why an effect is not kept, without a full stop."""
     floor, left = content["evidence"][f"floor_{words.ending}"], entry[f"left_{words.ending}"]
     if not entry["possible"] or left is None:
-        return f"this recording could not show it (it follows {words.follows(mechanisms()[entry['id']].driver)})"
+        return _not_shown(mechanisms()[entry["id"]].driver, words)
     instead = called(entry["instead"]) if len(entry["instead"]) > 1 else "alone"
     leaves = f"{instead} leaves {size(left, words.unit)} ({times(left / floor)} times the noise)"
     alone = content["evidence"].get(f"calibrated_{words.ending}")
@@ -74,6 +75,13 @@ def _why(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
     wrong = wrong_standing(entry, first, floor, words)
     parts += [f"wrong while the motor stands, by {listing(wrong)}"] if wrong else []
     return "; ".join([*parts, *_beside(entry, first, floor, words)])
+
+
+def _not_shown(driver: str, words: Vocabulary) -> str:
+    """Why no recording like this can show an effect that follows `driver`, without a full stop."""
+    if driver == CONSTANT:
+        return "this recording could not show it: a constant cannot be told from the zero of the sensor"
+    return f"this recording could not show it (it follows {words.follows(driver)})"
 
 
 def wrong_standing(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[str]:

@@ -109,7 +109,7 @@ def _table(
 
 def _loop(words: Vocabulary) -> str:
     up, down = words.ways
-    return f"The loop is by how much {up} and {down} part at most at one {words.motion}."
+    return f"The loop is by how much {up} and {down} differ at most at one {words.motion}."
 
 
 def _spread(keys: list[str]) -> str:

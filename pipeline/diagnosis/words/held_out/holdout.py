@@ -54,9 +54,11 @@ def split(content: Verdict) -> str:
 
 
 def settled_otherwise(content: Verdict) -> str:
-    """That other effects were named without the last strokes, as the end of a phrase; nothing where none were."""
-    other = of_other(content)
-    return f"without the {split(content)} the procedure names {other}" if other else ""
+    """That other effects were named without the last strokes, as the end of a phrase; nothing where none were.
+
+    It does not name them: a reader would take the first names that he reads for those of the verdict.
+    """
+    return f"without the {split(content)} other effects are named" if of_other(content) else ""
 
 
 def not_lasting(content: Verdict, id_: str) -> str:

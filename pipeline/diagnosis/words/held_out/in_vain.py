@@ -43,7 +43,12 @@ def said(content: Verdict, words: Vocabulary) -> str:
 
 
 def doubt(content: Verdict, words: Vocabulary) -> str:
-    """The same where it speaks against the explanation: what is too small to show is not doubted for that."""
+    """The same where it speaks against the explanation: what is too small to show is not doubted for that.
+
+    Where other effects were named without the last strokes, these failed there, and that is the doubt.
+    """
+    if harmful(content, words) and holdout.of_other(content):
+        return holdout.settled_otherwise(content)
     return "" if too_small(content, words) else said(content, words)
 
 
@@ -74,9 +79,8 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
     if none:
         return [f"{without} no effect, so the name {best} is not settled, and {error} calibration alone."]
     if other_fails(content, words):
-        so = f"{first_upper(error)} {other}, not of {best}: that was tried on no stroke unseen by it."
-        return [f"{so} A longer recording can settle the name."]
-    end = f"not {best}, so {error} {other}."
+        return [f"{first_upper(error)} {other}, not of {best}. A longer recording can settle the name."]
+    end = f"so {error} that one, not of {best}."
     if set(other.split(" + ")) in map(set, content["alternatives"]):
         return [f"{without} {other}, another of the {count} likely explanations, {end}"]
     return [f"{without} {other}, {end} A longer recording can settle the name."]
@@ -86,4 +90,4 @@ def other_choice(content: Verdict) -> list[str]:
     """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
     if not holdout.other_name(content):
         return []
-    return ["So the recording is too short to choose, and what is named here has been tried on no stroke unseen by it."]
+    return ["So the recording is too short to choose."]

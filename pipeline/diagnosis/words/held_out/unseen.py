@@ -45,8 +45,6 @@ def worse(content: Verdict, words: Vocabulary) -> str:
             f" On the {holdout.strokes(content)} {with_it}. The simulator of run.yaml as it stands (nominal) errs "
             f"by {size(nominal, words.unit)}, and calibrated alone by more: {size(error, words.unit)}."
         )
-    if content["verdict"] == "explained" and holdout.of_other(content):
-        return f" On the {holdout.strokes(content)} that is worse than the nominal simulator ({sizes})."
     return f" But on the {holdout.strokes(content)} the simulator {with_what} is worse than the nominal one ({sizes})."
 
 

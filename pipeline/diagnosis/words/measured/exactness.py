@@ -41,7 +41,7 @@ def gross(content: Verdict, name: str) -> bool:
 
 
 def cell(content: Verdict, name: str) -> str:
-    """How exactly to measure a dimension, in a table: `0.0037 mm or better`, or `1 mm as before`."""
+    """How exactly to measure a dimension, in a table: `0.0037 mm or better`, or `0.5 mm, as before`."""
     if not gross(content, name):
         return f"{tells(content, name)} or better"
     return f"{quantity(content['evidence']['tolerance'][name], unit_of(tolerances.stem(name)))} {AS_BEFORE}"
@@ -52,11 +52,22 @@ def mistakes(content: Verdict, names: Mapping[str, str]) -> list[str]:
 
     `names` are what the dimensions are called, by their own names.
     """
-    off = [f"{distance(content, name)} for the {called}" for name, called in names.items() if gross(content, name)]
+    off = _off(content, names)
     return [
         f"Where this says `as before`, measure as exactly as before, and look for a gross error: what fits best is "
         f"three tolerances away, {listing(off)}. Such an error is another spool, another place or a misread scale."
     ] * bool(off)
+
+
+def look_for(content: Verdict, names: Mapping[str, str]) -> str:
+    """The same in one short sentence, for the page; empty where the exactness of before is not enough."""
+    off = _off(content, names)
+    return f" As before: look for a gross error of about {listing(off)}." if off else ""
+
+
+def _off(content: Verdict, names: Mapping[str, str]) -> list[str]:
+    """How large each gross error would be, with the dimension that it is of."""
+    return [f"{distance(content, name)} for the {called}" for name, called in names.items() if gross(content, name)]
 
 
 def assumed(name: str) -> bool:

@@ -12,7 +12,6 @@ from .tolerances import stem
 HEAD = ["dimension", "run.yaml says", "tolerance", "fits best", "measure to"]
 FIRST = 4  # of them, on the page
 HOW = "How each is measured: details.txt."
-GROSS = " As before: it is to find a gross error."
 DETAILS = "details.txt"
 BESIDE = 2.0  # sigma: one that moved so far is measured too where another must be, for they take each other's place
 
@@ -42,7 +41,7 @@ def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         measured += [line, *([f"    {how}"] if how and not short else [])]
     if short:
         rest = [f"And {more} more dimensions: {DETAILS}."] if more > 0 else []
-        how = f"{HOW}{GROSS * any(exactness.gross(content, name) for name in names)}"
+        how = f"{HOW}{exactness.look_for(content, {name: name_of(name) for name in names})}"
         return [*measured, *rest, how, *_together(content, names)]
     return [
         *measured,

@@ -9,14 +9,12 @@ from ..held_out import holdout, in_vain
 from ..language.quantity import duration, listing, percent, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
-from . import coarse
+from . import coarse, ends
 from .missing_signs import missing
 
 SURE, PROBABLE = 0.8, 0.5
-MORE = 0.02  # of a probability: what a reader wonders about
 ALSO_ELSEWHERE = (
-    "How sure an effect is counts every explanation that has it, also those with other effects beside it. So it can be "
-    "more than the {} of this one explanation."
+    "How sure an effect is counts each explanation that has it, so it can be more than the {} of the best one."
 )
 COMPARES = (
     "The percentages compare explanations made of the library's effects, in which each dimension may move by up to "
@@ -112,7 +110,7 @@ def summary(content: Verdict, words: Vocabulary) -> list[str]:
         "Open": [*doubtful, *beside],
     }
     sentences = [f"{word}: {listing(ids)}." for word, ids in groups.items() if ids]
-    also = [*_than_the_explanation(content), limits(content)]
+    also = [*than_the_explanation(content), limits(content)]
     return [" ".join(sentences), *also] if shares else []
 
 
@@ -131,10 +129,13 @@ def _only(count: int) -> str:
     return "is only " if count == 1 else "both are only " if count == 2 else "all are only "
 
 
-def _than_the_explanation(content: Verdict) -> list[str]:
+def than_the_explanation(content: Verdict) -> list[str]:
     """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
     share = next(iter(rivals.entries(content, "named")), {}).get("probability")
-    if content["alternatives"] or share is None or max(known(content).values(), default=0.0) < share + MORE:
+    shares = known(content).values()
+    if share is None or not any(
+        known_share > share and percent(known_share) != percent(share) for known_share in shares
+    ):
         return []
     return [ALSO_ELSEWHERE.format(percent(share))]
 
@@ -145,7 +146,7 @@ def sizes(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     missing = size(mismatch_of(content)[f"rms_{words.ending}"], words.unit)
     sizes_of = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
-    poorly = [f"{id_} ({span(low, high, words)})" for id_, (low, high) in poorly_known(content, words).items()]
+    poorly = [f"{id_} ({ends.span(low, high, words)})" for id_, (low, high) in poorly_known(content, words).items()]
     own = f"Poorly known is how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone" if poorly else ""
     if not poorly and all(known["high"] > known["low"] for known in sizes_of.values()):
         own = "Each effect's own size is known" if len(sizes_of) > 1 else "The effect's own size is known"
@@ -185,9 +186,3 @@ def wide(known: dict[str, float]) -> bool:
 def hidden(own: float, content: Verdict, words: Vocabulary) -> bool:
     """Whether an effect is far larger than what is missing, so that moved dimensions must take most of it back."""
     return bool(own > rivals.LARGER * mismatch_of(content)[f"rms_{words.ending}"])
-
-
-def span(low: float, high: float, words: Vocabulary) -> str:
-    """An interval of a size: `0 to 0.40 mm`."""
-    least, most = size(low, words.unit), size(high, words.unit)
-    return f"{least.removesuffix(most[most.find(' ') :])} to {most}"

@@ -15,7 +15,7 @@ from .own_size import HIDDEN, PARTLY, in_columns, own_part, own_size, own_with_i
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
-OF_IT, OF_IT_SHORT = "part no dimension can do", "no dimension can"  # the latter where the page is too narrow
+OF_IT, OF_IT_SHORT = "share no dimension can imitate", "beyond dimensions"  # the latter where the page is too narrow
 INDENT = 2  # of a section's lines
 HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
 NO_SIZE = "–"  # of an effect that the best explanation has not
@@ -24,7 +24,7 @@ UNSURE_SIZE = (
 )
 READ = "How to read the sizes of one effect: rms is its usual size over the whole recording{}{}."
 UP_TO = "; after `up to` stands its largest one"
-READ_PART = "; the last column is the rms of that part of it which no moved dimension could make"
+READ_PART = "; the last column is the share of it that no moved dimension could imitate"
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
@@ -35,8 +35,8 @@ BOTH_HOLD = (
     "recording; the interval says how much of the size dimensions or other effects could take over."
 )
 IN_ALL = (
-    "A part of {} no dimension could do: {}. The rest {} could do as well. The two overlap, so their rms sizes do not "
-    "add up."
+    "What no dimension could imitate of {}: {}. The rest {} could make as well. The two overlap, so their rms sizes do "
+    "not add up."
 )
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
@@ -75,6 +75,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         return [
             *table_lines,
             *_in_one([*needed.lines(content), *larger, *whose, *against]),
+            *certainty.than_the_explanation(content),
             *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
         ]
     poorly = [entry["id"] for entry in entries if entry["id"] in certainty.poorly_known(content, words)]
@@ -144,7 +145,7 @@ def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str
     load = " under the same load" if content["evidence"]["loaded"] else ""
     return (
         f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke that goes there{load} than in the "
-        "first, which no dimension can do."
+        "first, which no dimension can imitate."
     )
 
 

@@ -111,6 +111,7 @@ def names_in(template: str) -> list[str]:
 
 def details(mechanism: Mechanism, parameters: Part, words: Vocabulary, units: Units) -> str:
     """The first detail whose parameters were all found, once for every event."""
+    parameters = parameters | _usual_load(parameters, units)
     for template in mechanism.details:
         wanted = {name: units.name(name) for name in names_in(template) if name not in words.fields}
         phrases = []
@@ -124,6 +125,15 @@ def details(mechanism: Mechanism, parameters: Part, words: Vocabulary, units: Un
         if phrases:
             return listing(phrases)
     return ""
+
+
+def _usual_load(parameters: Part, units: Units) -> Part:
+    """The load that a law's numbers are of, in its unit: the recording's usual one; nothing where a law has none."""
+    known = parameters.get("usual_load")
+    if known is None:
+        return {}
+    ends = {key: units.load_size * known[key] for key in ("value", "low", "high")}
+    return {units.name("usual_load_n"): {**ends, "unit": units.load}}
 
 
 def with_interval(known: Part) -> str:

@@ -18,7 +18,7 @@ def lines(content: Verdict) -> list[str]:
         swapped = [ids - rest for ids in others if ids >= rest]
         if others and len(swapped) == len(others) and all(len(swap) == 1 for swap in swapped):
             instead = dict.fromkeys(other for swap in swapped for other in sorted(swap))
-            lines.append(f"One of {listing([id_, *instead])} is needed; which one is open.")
+            lines.append(f"One of {listing([id_, *instead])} is needed; it is not known which.")
         else:
             lines.append(f"{id_} is {ABSENT[share >= EVEN]} at work ({percent(share)}).")
     return lines

@@ -3,10 +3,10 @@
 from ...document.content import Part, Verdict
 from ..language.quantity import size
 from ..language.vocabulary import Vocabulary
-from . import certainty
+from . import certainty, ends
 
 POORLY, HIDDEN, PARTLY = ", poorly known", ", poorly known: mostly hidden", ", partly hidden"
-PART = "the part that no dimension could do"
+PART = "the share that no dimension could imitate"
 OWN = 0.8  # of an effect's size: a part that no dimension could do stands first if it is less
 
 
@@ -42,7 +42,8 @@ def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, sh
 def with_interval(entry: Part, words: Vocabulary, factor: float = 1.0) -> str:
     """All of an effect with its 90 % interval, or a part of it, `factor` of all: 0.25 mm (0.21 to 0.32 mm)."""
     value, low, high = (factor * entry[f"rms_{words.ending}"][end] for end in ("value", "low", "high"))
-    return f"{size(value, words.unit)} ({certainty.span(low, high, words)})"
+    own, interval = ends.sized(value, low, high, words)
+    return f"{own} ({interval})"
 
 
 def own_with_interval(entry: Part, content: Verdict, words: Vocabulary) -> str:

@@ -36,7 +36,7 @@ MEANS = {
     "loop_turns": "over which {motion} the part that rubs turns round",
     "measured": "1 means: it follows the measured temperature, and 0: one that is calculated from the motion",
     "pitch_turns": "how far the {motion} goes from one ripple to the next",
-    "play_turns": "half the width of the play under the usual load",
+    "play_turns": "half the width of the loop at the usual load",
     "reach_mm": "how far the reading falls behind before it slips",
     "rim_mm": "the reading at which it overflows, from where the recording begins",
     "sag_mm": "the whole slack, as a length",

@@ -21,7 +21,7 @@ def sentence(content: Verdict) -> str:
         return f"It can tell all {len(names)} likeliest explanations apart."
     close, own = _close(run), {ids: _called(ids, names) for ids in names}
     if len(close) == len(names) * (len(names) - 1) // 2:
-        return f"It is sure to part none of the {len(names)} likeliest explanations from all others."
+        return f"It is not sure to tell any of the {len(names)} likeliest explanations from all others."
     alone = [f"({own[group[0]]})" if "+" in own[group[0]] else own[group[0]] for group in groups if len(group) == 1]
     parts = [f"it can tell {listing(alone)} from the others"] if alone else []
     left = [part for group in groups if len(group) > 1 for part in _left(group, close, own)]

@@ -4,6 +4,7 @@ from ...document.bounds import at_bound
 from ...document.content import Verdict
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED, moved_in_vain
+from ..language.quantity import listing, quantity
 from ..language.vocabulary import Vocabulary
 
 NONE_NEEDED = {
@@ -25,7 +26,8 @@ NONE_PROPOSED = (
     "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
     "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
 )
-MORE_STROKES = "Record the rig once more, with more strokes, and diagnose all runs together."
+MORE_STROKES = "Record the rig once more, with at least {strokes} strokes{first}, and diagnose all runs together."
+ENOUGH = 8  # strokes: a diagnosis needs so many (docs/record.md)
 TO_MAKE_SURE = (
     "No other explanation of the library is as likely, but make sure of the name before you adopt or report it{}."
 )
@@ -38,7 +40,7 @@ def no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> list
     """
     verdict = content["verdict"]
     if in_vain.harmful(content, words):
-        return [MORE_STROKES]
+        return [more_strokes(content, words)]
     if verdict in UNNAMED and unseen.left_over(content, words):
         return [NONE_PROPOSED]
     if verdict in UNNAMED and holdout.included(content):
@@ -51,3 +53,17 @@ def no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> list
         return [TO_MAKE_SURE.format(BY_THE_RUN * sure)]
     above = MAKES_SURE * (sure and verdict == "explained")
     return [NONE_NEEDED[verdict] + above] if verdict in NONE_NEEDED else []
+
+
+def more_strokes(content: Verdict, words: Vocabulary) -> str:
+    """The recording to make where names change with the last strokes, and what its first strokes must have too."""
+    first, last = content["evidence"]["strokes"]
+    units = {"load": words.load_unit, "motion": words.motion_unit}
+    wider = [
+        quantity(end, units[name])
+        for name, (seen, later) in (content["evidence"].get("beyond_seen") or {}).items()
+        for end in (later[0] if later[0] < seen[0] else None, later[1] if later[1] > seen[1] else None)
+        if end is not None and quantity(end, units[name]) not in [quantity(known, units[name]) for known in seen]
+    ]
+    among = f" ({listing(wider)} among the first)" if wider else ""
+    return MORE_STROKES.format(strokes=max(ENOUGH, last - first + 1), first=among)

@@ -41,8 +41,8 @@ def sentence(content: Verdict, words: Vocabulary) -> str:
     other = quantity(rest * load, words.load_unit)
     if ratio < 1.0:
         return (
-            f"It has no second load, and neither {hung} nor {other} parts {named} from {rival} here by more than the "
+            f"It has no second load, and neither {hung} nor {other} tells {named} from {rival} here by more than the "
             "plus-minus of their loops."
         )
     bears = " if the rig bears it" if share > 1.0 else f"; where that is too little, {other}"
-    return f"It has no second load: {hung}, {SHARES[share]}, parts {named} from {rival} most{bears}."
+    return f"It has no second load: {hung}, {SHARES[share]}, tells {named} from {rival} best{bears}."

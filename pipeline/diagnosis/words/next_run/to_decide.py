@@ -39,7 +39,7 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
         return [[" ".join(part for part in (need, parts, differ, care) if part), *alone]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
-        need = f"Only if you need to know {question}{hard}: try the run that parts them most{others}."
+        need = f"Only if you need to know {question}{hard}: try the run that tells them apart best{others}."
         tried = "About half of such runs decided in tests."
         tells = parting.sentence(content) if short and parting.some(content) else parts  # not what the page asks, too
         return [[" ".join(part for part in (need, tried, tells, where) if part), *alone]]

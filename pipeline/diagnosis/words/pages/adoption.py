@@ -176,10 +176,10 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
     where = answered.within(content, words)
     lines += [f"A plan has an error band within {where}."] if where else []
     lines.append(advice.of_adopting(content, words))
+    if not advice.lets(content, words):
+        return lines
     lines.append("To put its effects into run.yaml, with the dimensions that fit with them; yours stay as measured:")
     lines += [f"  {COMMAND} {shlex.quote(str(source))} {shlex.quote(str(folder))}" for folder in folders]
-    if far_moved(content):
-        lines.append("It takes effects that stand on dimensions which may be wrong, so measure again first.")
     if content["verdict"] == "ambiguous":
         run = content["next_run"]
         can = run is not None and "parts" in run and worth.decides(run)

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ..held_out import holdout, in_vain
-from ..language.quantity import listing
+from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from ..named import own_size
@@ -14,7 +14,10 @@ MAY = "You may adopt"
 
 def worse(content: Verdict) -> str:
     """The advice where what is named makes the simulator worse on strokes that no fit has seen."""
-    return f"Adopt nothing: on the {holdout.strokes(content)} {in_vain.tried(content)} makes the simulator worse."
+    if holdout.other_name(content):
+        last = f"when the {holdout.split(content)} are left out"
+        return f"Adopt nothing: the names change {last}, so none is proved."
+    return f"Adopt nothing: on the {holdout.strokes(content)} the explanation makes the simulator worse."
 
 
 def against(content: Verdict, words: Vocabulary) -> str:
@@ -41,17 +44,34 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
     sizes = (
         f"; report no size but that of {_called(reportable, content, words)} (details.txt, TO REPORT)"
         if reportable
-        else "; do not report its sizes"
+        else f"; do not report {_sizes(content, words)}"
     )
     sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes
     other = ", though another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
     return f"{MAY} this to predict motions like the recorded ones{other}{sizes}."
 
 
+def _sizes(content: Verdict, words: Vocabulary) -> str:
+    """The sizes that are not to be reported; of one effect, why."""
+    if len(content["mechanisms"]) > 1 or not content["mismatch"]:
+        return "its sizes"
+    (entry,), missing = content["mechanisms"], content["mismatch"][f"rms_{words.ending}"]
+    own = entry[f"rms_{words.ending}"]["value"]
+    if own <= missing:
+        return "its size: it is poorly known"
+    sizes = f"{size(own, words.unit)} is more than the {size(missing, words.unit)} that is missing"
+    return f"its size: {sizes}, so moved dimensions take a part of it back"
+
+
 def _called(reportable: list[str], content: Verdict, words: Vocabulary) -> str:
     """The effects whose sizes can be reported, with where these stand if they are not all of an effect."""
     known = {entry["id"]: own_size.own_part(entry, content, words) for entry in content["mechanisms"]}
     return listing([f"{id_}{' in the last column' if known[id_] else ''}" for id_ in reportable])
+
+
+def lets(content: Verdict, words: Vocabulary) -> bool:
+    """Whether a verdict that names effects lets a person adopt them."""
+    return of_adopting(content, words).startswith(MAY)
 
 
 def contrary(content: Verdict, words: Vocabulary) -> str:

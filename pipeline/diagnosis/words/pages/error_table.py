@@ -16,7 +16,7 @@ from ..measured.dimensions import LEAVES, far_moved, from_to, name_of
 HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
 WHOLE = "whole recording (seen by the fit)"
-OTHER = "{other} is what the procedure names without these strokes; {best} was tried on no stroke unseen by it."
+OTHER = "Other effects: {other}, which the procedure names without these strokes. {best} could not be tried so."
 NONE_NAMED = "Without these strokes the procedure names no effect: the right column has the error of calibration alone."
 OTHER_EFFECTS, NARROW = "other effects, see below", 33  # letters of a row's name: the table is no wider than a page
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."

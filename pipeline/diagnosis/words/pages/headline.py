@@ -1,4 +1,4 @@
-"""The verdict in one line: it says no more than what is left allows."""
+"""The verdict in one line: what is at work comes first, and it says no more than what is left allows."""
 
 from ...choice.judged import UNKNOWN
 from ...document.bounds import at_bound
@@ -8,13 +8,14 @@ from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
 from ..language.quantity import first_upper, listing, percent, size, times
 from ..language.vocabulary import Vocabulary
+from . import at_work
 
 WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml that errs by more
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
     "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
-    "explained": "physics is missing, and named{sure}.",
-    "ambiguous": "physics is missing; {recordings} cannot decide between {count} explanations{sure}.",
+    "explained": "explained by {best}{sure}.",
+    "ambiguous": "{at_work}{word}.",
     "unknown": "the mismatch is real, and no explanation of the library is good enough{lacks}.",
 }
 WITH_ADOPTED = {
@@ -29,9 +30,10 @@ HARDLY_MOVED = "{beside}the simulation explains the recording to its noise ({flo
 HOLDS, NEW, LEFT = "and still hold{s}", "and something new is there", "and something without a name is left"
 MAY_HOLD, UNFIT = "and may hold", "and fit{s} no more with the dimensions of run.yaml"
 FAR = ", some by three times their tolerance: measure them again before you trust it"
-PARTLY = "physics is missing, and named in part{sure}."
+PARTLY = "explained by {best}{sure}, but something is still missing."
 NOT_SETTLED = "explained, but not settled"
-UNSETTLED = "physics is missing, and named{in_part}. {probability}{otherwise}."
+UNSETTLED = "best explained by {best}{sure}, but not settled: {otherwise}."
+LEAD = ("ambiguous", "unknown")  # verdicts whose word is said of a run that has adopted effects
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
 
@@ -48,7 +50,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         sentence = PARTLY
     elif verdict == "parameters" and moved_in_vain(content, words):
         sentence = HARDLY_MOVED
-    otherwise = holdout.settled_otherwise(content) if verdict == "explained" else ""
+    otherwise = _otherwise(content, words) if verdict == "explained" else ""
     if otherwise:
         sentence = UNSETTLED
     evidence, named = content["evidence"], NOTHING_FURTHER if adopted else NOTHING_NAMED
@@ -56,14 +58,13 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     if adopted and likely:
         named = f"{named}; what was adopted is one of {1 + likely} likely explanations"
     fields = {
-        "recordings": "this recording" if len(_runs(content)) == 1 else "these recordings",
         "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
         + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
-        "count": 1 + len(content["alternatives"]),
+        "best": holdout.named(content),
         "sure": how_sure(content),
-        "in_part": " in part" * unseen.partly(content, words),
-        "probability": f"{first_upper(how_sure(content)[2:])}. " if how_sure(content) else "",
-        "otherwise": first_upper(otherwise),
+        "at_work": at_work.sentence(content, words) if verdict == "ambiguous" else "",
+        "word": "" if adopted else " (ambiguous)",
+        "otherwise": otherwise,
         "lacks": lacks(content),
         "adopted": named,
         "beside": f"{named}; with {_them(adopted)} " if adopted else "",
@@ -78,11 +79,23 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     warning = unfit(content, words)
     state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
     state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
-    lead = _lead(NOT_SETTLED if otherwise else verdict, adopted, UNFIT if warning else state)
-    about, sentence = f"{run}: {lead}", sentence.format(**fields)
+    about = ": ".join([run, *_lead(verdict, adopted, UNFIT if warning else state)])
+    sentence, worse = sentence.format(**fields), "" if otherwise else unseen.worse(content, words)
     if warning:
-        return f"{about}: {warning}. {first_upper(sentence)}{unseen.worse(content, words)}"
-    return f"{about}: {sentence}{as_it_stands(content, words)}{unseen.worse(content, words)}"
+        return f"{about}: {warning}. {first_upper(sentence)}{worse}"
+    return f"{about}: {sentence}{as_it_stands(content, words)}{worse}"
+
+
+def _otherwise(content: Verdict, words: Vocabulary) -> str:
+    """That another explanation was found without the last strokes, and how it did on them; nothing where none was."""
+    if not holdout.of_other(content):
+        return ""
+    other = f"without the {holdout.split(content)} another explanation was found"
+    errors = unseen.errors(content, words)
+    if errors is None or not unseen.fails_first(content, words):
+        return other
+    nominal, failed = (size(error, words.unit) for error in (errors[0], errors[2]))
+    return f"{other}, which failed on them ({failed} rms; the nominal simulator: {nominal})"
 
 
 def _runs(content: Verdict) -> list[str]:
@@ -95,14 +108,13 @@ def _them(adopted: list[str]) -> str:
     return "it" if len(adopted) == 1 else "them"
 
 
-def _lead(verdict: str, adopted: list[str], state: str) -> str:
-    """The verdict's word; where effects are adopted, first which ones, and the `state` that they are in."""
+def _lead(verdict: str, adopted: list[str], state: str) -> list[str]:
+    """Which effects are adopted, and the `state` that they are in; else the verdict's word where nothing is named."""
     if not adopted:
-        return verdict
+        return [] if verdict in ("explained", "ambiguous") else [verdict]
     single = len(adopted) == 1
-    return (
-        f"{listing(adopted)} {'was' if single else 'were'} adopted {state.format(s='s' if single else '')} ({verdict})"
-    )
+    word = f" ({verdict})" if verdict in LEAD else ""
+    return [f"{listing(adopted)} {'was' if single else 'were'} adopted {state.format(s='s' if single else '')}{word}"]
 
 
 def unfit(content: Verdict, words: Vocabulary) -> str:
@@ -140,8 +152,9 @@ def lacks(content: Verdict) -> str:
 
 
 def how_sure(content: Verdict) -> str:
-    """How probable the best explanation is; nothing where no probability is known."""
+    """How probable the one explanation is; nothing where no probability is known."""
     share = next(iter(rivals.entries(content, "named")), {}).get("probability")
-    which = "the best one" if content["alternatives"] else "the explanation"
-    which = "the best one that can be named" if left_out.likelier(content, share) else which
-    return "" if share is None else f"; {which} has a probability of {percent(share)}"
+    if share is None:
+        return ""
+    best = ", the likeliest that can be named" if left_out.likelier(content, share) else ""
+    return f" ({percent(share)}{best})"

@@ -14,7 +14,7 @@ ONLY_WITH = f'{TO_REPORT} only with the words "{{}}"'  # where nothing that no f
 LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
 ONLY_PART = (
-    "Of {} only that part may be reported, not what {} in all nor {} constants (loop, times): calibrated dimensions "
+    "Of {} only that share may be reported, not what {} in all nor {} constants (loop, times): calibrated dimensions "
     "could make the rest."
 )
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."

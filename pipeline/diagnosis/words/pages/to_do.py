@@ -12,12 +12,11 @@ from ..measured import to_measure
 from ..measured.dimensions import far_moved, name_of
 from ..next_run import deciding_run, make_sure, to_decide
 from ..next_run.make_sure import DETAILS, RUN
-from ..next_run.run_asked import MORE_STROKES
+from ..next_run.run_asked import more_strokes
 from . import advice, to_use
 from .adoption import dimensions_came, predictions
 
 HEADING = "What to do, in this order"
-ADOPT_NOTHING = "Adopt nothing."
 NAMED = ("explained", "ambiguous")
 
 
@@ -43,7 +42,7 @@ def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path |
     """The steps where something is named."""
     if in_vain.harmful(content, words):
         return [
-            [f"{ADOPT_NOTHING if unseen.fails_first(content, words) else advice.worse(content)} {MORE_STROKES}"],
+            [f"{advice.worse(content)} {more_strokes(content, words)}"],
             *_measure(content, words, short, "leave it, and take this verdict as provisional"),
             *to_decide.step(content, words, folders, short),
         ]

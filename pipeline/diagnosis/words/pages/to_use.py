@@ -24,10 +24,12 @@ def predict(content: Verdict, words: Vocabulary, folders: list[Path], out: Path 
 
 
 def adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
-    """Whether to put the effects into run.yaml, and the command that does."""
+    """Whether to put the effects into run.yaml, and the command that does, where that is advised."""
     if out is None or not content.get("simulation", [True]):
         return []
     whether = advice.of_adopting(content, words)
+    if not advice.lets(content, words):
+        return [[whether]]
     source = shlex.quote(str(out / "diagnosis.json"))
     commands = [f"{command('adopt')} {source} {shlex.quote(str(folder))}" for folder in folders]
     return [[f"{whether} To put it into run.yaml, dimensions included:", *_of_each(commands, short=True)]]

@@ -60,9 +60,9 @@ def what_first(content: Verdict, words: Vocabulary) -> list[str]:
     return [
         *adoption.cautions(content),
         *breaks.changed(content),
+        *_provisional(content, words),
         *unseen_doubts.cautions(content, words),
         *_left(content, words),
-        *_provisional(content, words),
     ]
 
 

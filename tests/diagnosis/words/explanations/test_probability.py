@@ -11,8 +11,8 @@ from pipeline.diagnosis.facts.zero_effects import without_zero_effects
 def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out():
     text = " ".join(told(weighed(0.004, 0.06, 0.31, 0.02, 0.52)).split())
     assert text.startswith(
-        "nylon-3: ambiguous: physics is missing; this recording cannot decide between 2 explanations; the best one has "
-        "a probability of 52 %. "
+        "nylon-3: friction_hysteresis is in both likely explanations; it is not known which of creep and thermal acts "
+        "beside it (ambiguous). "
     )
     assert "friction_hysteresis + thermal: probability 31 %; leaves 0.070 mm rms (2.3 times the noise)." in text
     assert "friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 8.7" in text

@@ -10,9 +10,7 @@ def test_the_details_say_how_to_read_the_sizes_of_one_effect() -> None:
     none["mechanisms"], none["alternatives"] = none["mechanisms"][:1], []
     assert largest in told() and read in told(none) and "up to`" not in told(none), "it has no `up to`"
     assert read in told() and "the last column is" not in told() and read not in page()
-    assert "the last column is the rms of that part of it" in told(
-        content(evidence__beyond_dimensions_mm={"creep": 0.1})
-    )
+    assert "the last column is the share of it that no" in told(content(evidence__beyond_dimensions_mm={"creep": 0.1}))
 
 
 def test_every_size_says_of_which_explanation_it_is() -> None:
@@ -27,5 +25,5 @@ def test_a_wide_table_of_effects_breaks_no_line() -> None:
     made = confident(0.997, 0.996, verdict="explained", alternatives=[], next_run=None, **own)
     made["mechanisms"][0]["rms_mm"] = {"value": 0.082, "low": 0.0123, "high": 0.123}
     head = next(line for line in page(made).splitlines() if line.startswith("  effect "))
-    assert head.endswith("  no dimension can") and len(head) <= 112
-    assert "part no dimension can do" in page(confident(0.9, 0.9, **own))
+    assert head.endswith("  beyond dimensions") and len(head) <= 112
+    assert "share no dimension can imitate" in page(confident(0.9, 0.9, **own))

@@ -122,7 +122,8 @@ def test_the_page_names_each_effect_with_how_sure_it_is_and_how_large_and_the_de
     made = CASES[case]()
     text, more = (show(copy.deepcopy(made), folders=folders(made)) for show in (page, full))
     for entry in spoken(made, SYSTEMS["mm"])["mechanisms"]:
-        row = next(line for line in text.splitlines() if line.strip().startswith(f"{entry['id']} "))
+        rows = text.partition("What acts")[2].splitlines()
+        row = next(line for line in rows if line.strip().startswith(f"{entry['id']} "))
         assert f"{round(100 * entry['confidence'])} %" in row and " mm (" in row
         assert entry["sentence"] in " ".join(more.split())
     known = {explanation.get("probability") for explanation in made["evidence"]["explanations"]} - {None}

@@ -1,0 +1,18 @@
+"""The ends of an effect's size in words: its 90 % interval, with a digit more where two would hide it."""
+
+from ..language.quantity import quantity
+from ..language.vocabulary import Vocabulary
+
+
+def span(low: float, high: float, words: Vocabulary) -> str:
+    """An interval of a size: `0 to 0.40 mm`."""
+    return sized(low, low, high, words)[1]
+
+
+def sized(value: float, low: float, high: float, words: Vocabulary) -> tuple[str, str]:
+    """A size and its interval: `15 N` and `14 to 16 N`; with a digit more where an end would read as the value."""
+    for digits in (2, 3):
+        own, least, most = (quantity(each, words.unit, digits, whole=True) for each in (value, low, high))
+        if not low < value < high or own not in (least, most):
+            break
+    return own, f"{least.removesuffix(most[most.find(' ') :])} to {most}"
