@@ -1,6 +1,6 @@
 /*
- * A 1 kHz control loop around an exported model. On a controller replace the three functions below; on a PC it prints
- * a few lines and ends. Its targets go past the model's range on purpose, to show what a refusal is. It never winds
+ * A 1 kHz control loop around an exported model. On a controller replace target_mm, command_motor and
+ * wait_for_next_millisecond; on a PC it prints a few lines and ends. Its targets go past the model's range on purpose, to show what a refusal is. It never winds
  * backwards, and does not go to a twist that was not recorded around what the state tells (tsa_recorded):
  *     python -m pipeline.export processed/synthetic/spline/within-0.model --format c
  *     cc -I reports/synthetic/spline examples/control_loop.c -lm && ./a.out
@@ -76,15 +76,23 @@ static void say_unrecorded(const tsa_state *state, tsa_real turns, int tick)
     printf(": set %s. The motor stays where it is\n", field);
 }
 
-static void command_motor(tsa_real turns, int tick)
+static void command_motor(tsa_real turns)
 {
-    if (tick % 500 == 0) {
-        printf("%4d ms: %.3f turns\n", tick, (double)turns);
-    }
+    (void)turns;
 }
 
 static void wait_for_next_millisecond(void)
 {
+}
+
+/* What a PC prints twice a second: the target, and the twist that the motor was sent to for it, or stays at. */
+static void report(int tick, tsa_real wanted_mm, tsa_real turns, int moved)
+{
+    if (tick % 500 == 0 && moved) {
+        printf("%4d ms: %.2f mm → %.3f turns\n", tick, (double)wanted_mm, (double)turns);
+    } else if (tick % 500 == 0) {
+        printf("%4d ms: %.2f mm: it stays at %.3f turns\n", tick, (double)wanted_mm, (double)turns);
+    }
 }
 
 int main(void)
@@ -97,7 +105,7 @@ int main(void)
     for (tick = 0; tick < TICKS; ++tick) {
         const tsa_real wanted_mm = target_mm(tick, low_mm);
         tsa_real answer = turns;
-        int code;
+        int code, moved = 0;
         if (wanted_mm != last_mm) {
             state.direction = wanted_mm > last_mm ? 1 : -1; /* winding, or unwinding */
         }
@@ -109,7 +117,7 @@ int main(void)
         past += code > TSA_OK && wanted_mm > TSA_DISPLACEMENT_MM_MAX;
         if (code > TSA_OK) {
             if (refused++ == 0) {
-                printf("%4d ms: refused, %s: the motor stays where it is\n", tick, refusal(code));
+                printf("%4d ms: %.2f mm refused, %s: the motor stays where it is\n", tick, (double)wanted_mm, refusal(code));
             }
         } else if (!recorded(&state, answer)) {
             if (unrecorded++ == 0) {
@@ -117,8 +125,10 @@ int main(void)
             }
         } else {
             turns = answer;
+            moved = 1;
         }
-        command_motor(turns, tick); /* after a refusal `turns` is the last good one */
+        command_motor(turns); /* after a refusal `turns` is the last good one */
+        report(tick, wanted_mm, turns, moved);
         wait_for_next_millisecond();
     }
     printf("%d of %d targets ask for a twist that was not recorded with this state\n", unrecorded, TICKS);

@@ -3,7 +3,6 @@
 import argparse
 import os
 import re
-import shlex
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -16,12 +15,14 @@ from ..ground.outputs import file_to_write, folder_to_write
 from ..ground.parser import Parser
 from ..models.parts.saved_files import listed
 from ..stages.train import SPLITS
+from . import screen
 from .all_points import fitted_to_all
 from .c_header import header
-from .facts import facts
 from .interface import names
 from .source import Beside, opened
 
+TWO = "If one program uses two exports, give the second one its own --name."
+REST = "Its zero, its runs, and what was recorded stand in the {}."
 LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
 
 
@@ -40,7 +41,8 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--name",
         default="tsa",
-        help="what every name in the export begins with; default: %(default)s. Two in one C program need two",
+        help="what every name in the export begins with; default: %(default)s. If one program uses two exports, give "
+        "the second one its own",
     )
     parser.add_argument("--model", help="the model's name; otherwise its folder's")
     parser.add_argument("--dataset", type=Path, help="for models that keep no ranges; otherwise the one beside them")
@@ -86,13 +88,6 @@ def _header_to_write(out: Path, reads: list[Path]) -> None:
         raise BadInput("--out", str(out), "is there and no header", mend)
 
 
-def _in_python(file: Path) -> str:
-    """How the same answers are had in Python: other commands fit the model anew, to more points."""
-    dataset = shlex.quote(str(file.parent.parent / "dataset.parquet"))
-    ask = f"{command('predict')} {dataset} questions.csv --saved {shlex.quote(str(file))} --out answers.csv"
-    return f"The same answers in Python: {ask} (without --saved the model is fitted anew, to all points)"
-
-
 def main() -> None:
     """Export."""
     options = arguments(sys.argv[1:])
@@ -119,10 +114,13 @@ def main() -> None:
         with writable(options.file):
             text = header(source, options.name)
         write_text(out, text)
-        print(f"{out}: {out.stat().st_size} bytes of text. {facts(source)['fit']}")
-        print("\n".join(filter(None, (source.errors, source.trained))))
-        print(f"All of its names begin with {options.name}_; of two exports in one C program give one another --name.")
-        print(_in_python(options.file))
+        first_lines = [
+            f"{out}: {out.stat().st_size} bytes of text",
+            *screen.lines(source),
+            *screen.compiled(out, options.name),
+        ]
+        more = f"All of its names begin with {options.name}_. {TWO}"
+        print("\n".join([*first_lines, screen.in_python(options.file), more, REST.format("header's first comment")]))
         return
     from .onnx_model import graphs  # a header needs no onnx
 
@@ -133,9 +131,7 @@ def main() -> None:
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes")
-    print(facts(source)["fit"])
-    print("\n".join(filter(None, (source.errors, source.trained))))
-    print(_in_python(options.file))
+    print("\n".join([*screen.lines(source), screen.in_python(options.file), REST.format("graphs' metadata")]))
 
 
 if __name__ == "__main__":

@@ -101,7 +101,7 @@ def _comment(source: Source, made: Body) -> str:
     lines = [
         f"A twisted string actuator's kinematics, the fitted model {source.name}: twist to contraction and back.",
         "C99 (and C++), no dependency but <math.h>, no allocation, no state. Numbers are float; -DTSA_REAL=double.",
-        "Every name begins with tsa_: of two exports in one C program give one another beginning, by --name.",
+        "Every name begins with tsa_. If one program uses two exports, give the second one its own --name.",
         "",
         "    tsa_state state = tsa_start();  then set the fields below",
         "    tsa_forward(&state, motor_turns, &displacement_mm)",

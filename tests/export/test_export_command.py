@@ -415,7 +415,10 @@ def test_an_export_names_its_runs_and_says_where_they_are_of_the_synthetic_rig(t
     done = [export(file, "--format", form, "--out", out) for form in ("c", "onnx")]
     header = said_of((out / "tsa.h").read_text())
     graph = {prop.key: prop.value for prop in onnx.load(out / "tsa.forward.onnx").metadata_props}["trained"]
-    for text in (header, graph, *(each.stdout for each in done)):
+    for each in done:
+        assert ("\nSynthetic: do not drive a real rig by this.\n" in each.stdout) == (rig != "own")
+        assert len(each.stdout.splitlines()) <= 7, "six paragraphs filled the screen; the file has them"
+    for text in (header, graph):
         assert f"Fitted to points of run {run} of material {material}: 6 strokes, twists 0." in text
         assert ("They are of twistbench's synthetic rig: a simulation, and no real string." in text) == (rig != "own")
 
@@ -453,8 +456,8 @@ def test_two_exports_of_one_name_do_not_compile_and_the_sentence_says_name(folde
     for model, name in (("spline", "tsa"), ("calibrated", "tsa"), ("calibrated", "left")):
         out = tmp_path / f"{model}_{name}.h"
         done = export(folder / model / "within-0.model", "--format", "c", "--name", name, "--out", out)
-        assert done.returncode == 0 and f"begin with {name}_; of two exports in one C program" in done.stdout
-        assert "give one another beginning, by --name" in said_of(out.read_text())
+        assert done.returncode == 0 and f"begin with {name}_. If one program uses two" in done.stdout
+        assert "give the second one its own --name" in said_of(out.read_text())
     ends = {}
     for second in ("spline_tsa", "calibrated_left", "calibrated_tsa"):
         includes = "".join(f'#include "{each}.h"\n' for each in ("spline_tsa", second))
@@ -503,7 +506,7 @@ def test_the_example_begins_in_a_recorded_state_and_names_what_was_not_recorded(
         return subprocess.run([tmp_path / "loop"], capture_output=True, text=True, check=True).stdout
 
     lines = said(example)
-    assert max(float(turns) for turns in re.findall(r"ms: (\S+) turns$", lines, re.MULTILINE)) > 15.0
+    assert max(float(turns) for turns in re.findall(r"mm(?: →|: it stays at) (\S+) turns$", lines, re.MULTILINE)) > 15.0
     assert "not recorded under" not in lines and lines.splitlines()[-2].startswith("0 of 3000 targets"), lines
     lines = said(example.replace(begin, f"{begin} state.load_n = 25;"))
     assert "   0 ms: stroke 1 was not recorded under 25 N (recorded: load_n 19." in lines

@@ -215,18 +215,24 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
 
     for name, kind in (("spline", "one"), ("cinn", "one"), ("spline", "campaign")):
         lines = said(name, kind, example)
+        assert re.search(r"^ 500 ms: \S+ mm → \S+ turns$", lines, re.MULTILINE), "the target stands beside the twist"
         assert "turns" in lines and "nan" not in lines.lower()
-        assert "refused, TSA_BAD_DISPLACEMENT_MM:" in lines  # past the end of the range, and only there
+        assert re.search(
+            r"ms: \S+ mm refused, TSA_BAD_DISPLACEMENT_MM:", lines
+        )  # past the end of the range, and only there
         words = lines.splitlines()[-1].split()  # "273 of 3000 targets refused, 273 of them ..., on purpose"
         assert 0 < int(words[0]) < 500 and words[5] == words[0] and lines.endswith("range, on purpose\n")
-        sent = [float(turns) for turns in re.findall(r"ms: (\S+) turns$", lines, re.MULTILINE)]
+        sent = [float(turns) for turns in re.findall(r"mm(?: →|: it stays at) (\S+) turns$", lines, re.MULTILINE)]
         assert len(sent) == 6 and min(sent) >= 0.0, "it was sent to -0.2 turns: wound backwards"
     assert "load_n" in source("spline", "campaign").inputs.names
     lines = said("spline", "campaign", with_load("TSA_LOAD_N_MAX"))
     words = lines.splitlines()[-2].split()  # "2677 of 3000 targets ask for a twist that was not recorded ..."
     assert "stroke 1 was not recorded under 32.9 N (recorded: load_n 19." in lines and 0 < int(words[0]) < 3000, lines
     lines = said("spline", "campaign", with_load("0"))
-    assert "   0 ms: refused, TSA_BAD_LOAD_N:" in lines and "3000 of 3000 targets refused, " in lines
+    assert (
+        re.search(r"^   0 ms: \S+ mm refused, TSA_BAD_LOAD_N:", lines, re.MULTILINE)
+        and "3000 of 3000 targets refused, " in lines
+    )
 
 
 def test_a_bin_without_rise_gives_no_nan(source: Any, tmp_path: Any) -> None:

@@ -1,0 +1,39 @@
+"""What the screen says after an export: where it lies, how large its error is, how to try it; the file has the rest."""
+
+import re
+import shlex
+from pathlib import Path
+
+from ..ground.command import command
+from .facts import facts
+from .held_out import ANEW
+from .interface import Source
+from .trained_on import NO_STRING
+
+EXAMPLE = Path("examples/control_loop.c")
+USUAL = "tsa"  # the name that the example is written for
+MADE_UP = "Synthetic: do not drive a real rig by this."
+SENTENCE = re.compile(r"(?<=\.) (?=[A-Z])")
+
+
+def lines(source: Source) -> list[str]:
+    """How large the error is, a line each split; that no string is real; that the fit is a small one."""
+    known = facts(source)
+    errors = [text for text in SENTENCE.split((source.errors or "").replace(ANEW, "").strip()) if text]
+    synthetic = [MADE_UP] if NO_STRING in (source.trained or "") else []
+    unusual = [known["fit"]] if not known["fit"].startswith(("Made with the usual", "This model has no")) else []
+    return [*errors, *synthetic, *unusual]
+
+
+def compiled(header: Path, name: str) -> list[str]:
+    """The command that compiles and runs the example, where it lies here and is written for the export's name."""
+    if name != USUAL or header.name != f"{USUAL}.h" or not EXAMPLE.is_file():
+        return []
+    return [f"To try it: cc -I {shlex.quote(str(header.parent))} {EXAMPLE} -lm && ./a.out"]
+
+
+def in_python(file: Path) -> str:
+    """How the same answers are had in Python: other commands fit the model anew, to more points."""
+    dataset = shlex.quote(str(file.parent.parent / "dataset.parquet"))
+    ask = f"{command('predict')} {dataset} questions.csv --saved {shlex.quote(str(file))} --out answers.csv"
+    return f"The same answers in Python: {ask}"
