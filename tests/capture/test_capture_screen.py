@@ -107,6 +107,7 @@ def test_a_clock_is_read_as_a_person_reads_it():
     assert [clock(seconds) for seconds in (0, 65, 3599.9, 7200)] == ["0:00", "1:05", "59:59", "2:00:00"]
 
 
+@pytest.mark.long
 def test_the_example_rig_takes_its_time_and_a_second_recording(tmp_path):
     """The README's two commands on a terminal: the rig at a pace of its own, then another capture of the same rig."""
     link = tmp_path / "rig"

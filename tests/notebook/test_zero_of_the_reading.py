@@ -2,6 +2,7 @@
 
 import numpy as np
 import pandas as pd
+import pytest
 
 import pipeline as twistbench
 
@@ -35,6 +36,7 @@ def rubbing_and_creeping(zero_mm: float) -> pd.DataFrame:
     })  # fmt: skip
 
 
+@pytest.mark.long
 def test_the_zero_of_a_sensor_moves_no_dimension_and_no_name():
     """A laser that read -120 mm where the string began moved the length by 6 mm, to its bound, and the gain with it."""
     said = []

@@ -132,6 +132,7 @@ def test_a_material_alone_leaves_what_is_made_of_all_and_the_same_gives_the_same
     assert "rule index" in said and "rule samples" not in said and "rule table" not in said
 
 
+@pytest.mark.long
 def test_unpacking_again_brings_nothing_and_goes_on_where_it_was_killed(archive, tmp_path):
     lab = bare(tmp_path / "lab")
     assert unpacked(archive, lab).returncode == 0
@@ -168,6 +169,7 @@ def test_raw_and_processed_may_lie_on_another_disk(archive, other_disk, tmp_path
     assert "Nothing to be done" in snakemake(lab, "--dry-run")
 
 
+@pytest.mark.long
 def test_recordings_may_stay_away_and_must_then_be_there(finished, tmp_path):
     path, lab = tmp_path / "small.zip", bare(tmp_path / "lab")
     done = programs.run("pipeline.pack", "nylon", "--without-recordings", "--out", path, cwd=finished)

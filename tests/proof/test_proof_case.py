@@ -119,6 +119,7 @@ def test_what_a_seed_draws_of_an_effect_is_what_it_always_drew():
         assert rng.random() == pytest.approx(after, rel=1e-9), name  # where the next draw begins
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("effect", effects.names())
 def test_at_kappa_one_calibration_leaves_one_noise_floor(effect):
     case = case_of(effect)

@@ -74,6 +74,7 @@ def whole():
     return cable_drive.record(2, ALL, "loads-0.3")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ALL)
 def test_an_effect_that_is_off_is_absent_and_moves_nothing_else(name):
     every = whole()

@@ -144,6 +144,7 @@ def test_a_stop_that_is_said_elsewhere_stops_the_motor_and_then_the_loop(place):
     assert recording.account.end.reason == Reason.STOPPED and state(place, 0)["state"] == "recorded"
 
 
+@pytest.mark.long
 def test_killed_in_the_first_recording_it_makes_what_came_usable(place):
     with rig(place, "--pace", 4):
         one = started(place)

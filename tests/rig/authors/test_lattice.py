@@ -60,6 +60,7 @@ EVERY = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("law", EVERY)
 def test_every_law_makes_a_recording_of_the_size_asked(law, tmp_path):
     asked = Asked(SEED, (law.effect,), (KAPPA,), "rich")
@@ -95,6 +96,7 @@ def test_without_effects_a_calibration_leaves_the_noise(seed, protocol):
     assert 170 < seconds < 620 and 24 < len(made.table) / seconds < 101
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("effect", [effect for effect in LAWS if len(LAWS[effect]) > 1])
 def test_the_laws_of_one_effect_differ(effect):
     one, ruler = bench(), Ruler(bench(), sampling(np.random.default_rng([SEED, 2]), bench()))

@@ -74,6 +74,7 @@ def test_it_has_ten_and_more_effects_of_known_physics_with_two_laws_each():
     assert authors()["mechanics"].laws == LAWS
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("effect", "number"), ONE_EACH)
 def test_a_law_of_every_effect_is_recorded_at_the_size_that_was_asked(tmp_path, monkeypatch, effect, number):
     """The recordings with and without the effect have the same noise, so that their difference is the effect."""

@@ -69,6 +69,7 @@ def rich():
     return replace(bench, **thin), drawn_instruments(seed, specimen).floor_mm
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("effect", LAWS)
 def test_every_law_reaches_its_size_and_differs_from_the_others_of_its_effect(rich, effect):
     bench, floor_mm = rich
