@@ -83,15 +83,43 @@ def sizes(content: Content | None) -> list[str]:
     """`SIZES`: the mismatch, the error on strokes that no fit has seen, and the noise floor, each with its unit."""
     if content is None:
         return [""] * len(SIZES)
-    unit = next(key for key in content["fit"] if key.startswith("noise_floor_")).removeprefix("noise_floor_")
+    unit = _unit(content)
     held = content["fit"]["heldout"] or {}
     numbers = [(content["mismatch"] or {}).get(f"rms_{unit}")]
     numbers += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
     numbers.append(content["fit"][f"noise_floor_{unit}"])
-    cells = ["" if size is None else f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}" for size in numbers]
+    cells = ["" if size is None else _said(size, unit) for size in numbers]
     if verdict_of(content) == "unknown" or _of_others(content):  # nothing is named that could have an error there
         cells[SIZES.index(DIAGNOSED)] = NO_NUMBER
     return cells
+
+
+def why_no_number(content: Content | None) -> str:
+    """Why `sizes` has no error of what is named, and which other effects have one; empty where it has it."""
+    if content is None:
+        return ""
+    if verdict_of(content) == "unknown":
+        return "nothing is named"
+    if not _of_others(content):
+        return ""
+    unit = _unit(content)
+    error, chosen = (
+        (content["fit"]["heldout"] or {}).get(f"explained_{unit}"),
+        content["evidence"]["chosen_without_them"],
+    )
+    instead = " + ".join(chosen) or "no effect"
+    measured = "" if error is None else f"{_said(error, unit)} with {instead}, which is "
+    return f"{measured}named without these strokes" if measured else f"{instead} is named without these strokes"
+
+
+def _unit(content: Content) -> str:
+    """The ending of the keys of sizes."""
+    return next(key for key in content["fit"] if key.startswith("noise_floor_")).removeprefix("noise_floor_")
+
+
+def _said(size: float, unit: str) -> str:
+    """A size with its unit, two digits."""
+    return f"{float(f'{size:.2g}'):g} {unit_of(f'_{unit}')}"
 
 
 def _of_others(content: Content) -> bool:

@@ -33,7 +33,7 @@ FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an
 CLEAR = 0.8  # of the least error: where an axis begins that has none below its foot
 BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
 BARS = f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out."
-BEST = "{}: the least forward error on this material's held-out points, the INN and the traditional model aside."
+BEST = "{}: the least forward error on this material's held-out points of all other than INN and traditional."
 TAKEN = "{}: the model to take, by the rule on the page of the models."
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 

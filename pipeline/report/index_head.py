@@ -7,6 +7,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from .diagnoses import (
+    DIAGNOSED,
     NAMING,
     NOT_SETTLED,
     SIZES,
@@ -21,6 +22,7 @@ from .diagnoses import (
     sizes,
     tag,
     verdict_of,
+    why_no_number,
     why_nothing,
 )
 from .to_take import materials_table
@@ -29,6 +31,10 @@ from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
 LONGEST = 90  # characters of a next run in a table; the whole of it stands beside the verdict
+WHAT = (
+    "This page shows what was made of the recordings in raw/. For each material: the model to take, and "
+    "how large its error is. For each run: what the simulator leaves out, and which run to make next."
+)
 UNSEEN = 3  # of the sizes are errors on strokes that no fit has seen
 Name = Callable[[str], Text]  # the name of a material or a run as a link to its part
 
@@ -60,7 +66,11 @@ def runs_table(reports: Path, contents: Mapping[str, Content | None], of: Mappin
         folder = reports / "diagnosis" / run
         names = Markup("<br>").join(filter(None, [named_of(content), advice(verdict_of(content), folder)]))
         rows.append([name(run), of.get(run, ""), tag(badge_of(content)), names])
-        rows[-1] += [*sizes(content), next_run(content, folder)]
+        numbers: list[Text] = [*sizes(content)]
+        if why := why_no_number(content):
+            place = SIZES.index(DIAGNOSED)
+            numbers[place] = Markup('{}<br><span class="why">{}</span>').format(numbers[place], why)
+        rows[-1] += [*numbers, next_run(content, folder)]
     head: list[Text] = ["Run", "Material", "Verdict", "Left out of the simulator", *map(word, SIZES), "Next run"]
     over: list[tuple[Text, int]] = [("", 5), ("rms error on unseen strokes (the last 30 %)", UNSEEN), ("", 2)]
     return table(head, rows, texts=(0, 1, 2, 3, len(head) - 1), over=over, paged=True)
@@ -81,7 +91,7 @@ def glance(
 ) -> Markup:
     """The opening of the index; `of` gives a run's material."""
     contents = {run: content_of(reports / "diagnosis" / run) for run in runs}
-    parts: list[Text] = [Markup('<h2 id="glance">At a glance</h2>')]
+    parts: list[Text] = [paragraph(WHAT) if materials or runs else "", Markup('<h2 id="glance">At a glance</h2>')]
     if runs:
         parts.append(paragraph(Markup("Verdicts: {}.").format(counted(contents))))
     if materials:
@@ -93,4 +103,4 @@ def glance(
         parts.append(folded("runs", "Runs", aside, runs_table(reports, contents, of, run_name), level=3, is_open=True))
     if not materials and not runs:
         parts.append(paragraph("No run lies in raw/ yet."))
-    return together(parts)
+    return together(filter(None, parts))

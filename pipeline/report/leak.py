@@ -62,17 +62,27 @@ def cancelled(leak: pd.DataFrame) -> str:
     return " ".join(CANCELS.format(words, count, len(mine)) for words, count in larger.items() if count)
 
 
+def is_large(leak: pd.DataFrame) -> bool:
+    """Whether an INN that was trained on the forward error alone errs on its way back mostly by leak."""
+    leaking, rest = parts_of(leak, "random_forward")
+    return leaking > rest
+
+
+def title(leak: pd.DataFrame) -> str:
+    """What the figure shows, without numbers."""
+    if is_large(leak):
+        return "why an INN trained one way fails the other way"
+    return "an INN trained one way, asked the other way: it leaks little"
+
+
 def outcome(leak: pd.DataFrame) -> str:
-    """What a training without a change leaks, and which changes are remedies here: they bring it below the rest."""
+    """Leak and rest of each kind of training, and which changes are remedies here: they bring it below the rest."""
     parts = {letter: parts_of(leak, group) for group, letter in LETTERS.items()}
-    is_large = parts["A"][0] > parts["A"][1]
     numbers = []
     for letter, (leaking, rest) in parts.items():
         result = " (not mended)" if leaking > rest else " (mended)"
-        numbers.append(f"{letter} {leaking:.2g} against {rest:.2g}{result if is_large and letter != 'A' else ''}")
-    much = "mostly" if is_large else "little"
-    fact = f"an INN trained on the forward error alone (A) errs {much} by leak on its way back"
-    return f"{fact}\nleak against rest, medians in turns: {', '.join(numbers)}"
+        numbers.append(f"{letter} {leaking:.2g} and {rest:.2g}{result if is_large(leak) and letter != 'A' else ''}")
+    return f"Leak and rest of θ, medians in turns: {', '.join(numbers)}."
 
 
 def lane(axes: Axes, leak: pd.DataFrame, way: str, metric: str, lanes: tuple[int, int] = (0, 1)) -> None:
@@ -126,8 +136,12 @@ def figure_leak(leak: pd.DataFrame, metrics: pd.DataFrame, material: str) -> Fig
     figure = plt.figure(figsize=(10.4, 5.0))
     panels(figure, leak, metrics)
     figure.set_layout_engine("constrained", wspace=0.06)
-    figure.suptitle(f"{material}: {outcome(leak)}")
-    figure.supxlabel(wrapped(figure, *READING, cancelled(leak)), fontsize=READING_SIZE, multialignment="left")
+    figure.suptitle(f"{material}: {title(leak)}")
+    figure.supxlabel(
+        wrapped(figure, *READING[:2], outcome(leak), *READING[2:], cancelled(leak)),
+        fontsize=READING_SIZE,
+        multialignment="left",
+    )
     return figure
 
 

@@ -18,6 +18,7 @@ LATER = (
     " in the table of runs are the last 30 % of one run's strokes, which its diagnosis leaves out: so the errors there"
     " are other numbers."
 )
+FAR = 10.0  # times the floor: an error so large is coloured
 WAYS, SPLITS = ("forward", "inverse"), ("within", "later")
 MODEL_HEADS = ["held-out points", "later strokes"]
 Name = Callable[[str], Text]  # the name of a material as a link to its part
@@ -29,11 +30,12 @@ class Models(NamedTuple):
 
     titles: dict[str, str]
     errors: Errors
+    ratios: dict[tuple[str, str, str], float]  # by the same key → the error in floors
 
     @classmethod
     def read(cls, path: Path) -> "Models":
         """Those of a models.csv; none where the file is not there."""
-        models = cls({}, {})
+        models = cls({}, {}, {})
         if not path.is_file():
             return models
         with open(path, encoding="utf-8", newline="") as file:
@@ -43,7 +45,10 @@ class Models(NamedTuple):
                 models.titles[line["model"]] = line["title"]
                 rmse = float(line["median"])
                 times = f" ({times_floor(float(line['ratio']))} ×)" if line["ratio"] else ""
-                models.errors[line["model"], line["split"], line["map"]] = rmse, f"{rmse:.3f}{times}"
+                key = line["model"], line["split"], line["map"]
+                if line["ratio"]:
+                    models.ratios[key] = float(line["ratio"])
+                models.errors[key] = rmse, f"{rmse:.3f}{times}"
         return models
 
     def forward_mm(self) -> dict[tuple[str, str], float]:
@@ -54,12 +59,19 @@ class Models(NamedTuple):
         """The model to take."""
         return chosen_of(self.titles, self.forward_mm())
 
-    def row(self) -> list[str]:
+    def row(self) -> list[Text]:
         """Title of the model to take, its errors both ways on both splits, and the diagnosed simulator's forward."""
         chosen = self.chosen()
         keys = [(chosen, split, way) for way in WAYS for split in SPLITS]
         keys += [(ALONE, split, WAYS[0]) for split in SPLITS]
-        return [self.titles.get(chosen, ""), *(self.errors[key][1] if key in self.errors else "" for key in keys)]
+        return [self.titles.get(chosen, ""), *(self.cell(key) for key in keys)]
+
+    def cell(self, key: tuple[str, str, str]) -> Text:
+        """An error as the table has it, coloured where it is far above the floor; empty where it is not known."""
+        if key not in self.errors:
+            return ""
+        words = self.errors[key][1]
+        return Markup('<span class="far">{}</span>').format(words) if self.ratios.get(key, 0.0) > FAR else words
 
     def weighed(self) -> str:
         """Which other model errs less than the one to take; empty where none does."""
@@ -92,7 +104,8 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
         lines.append(
             f"The {named[:1].lower()}{named[1:]} is no model to take away: it needs the whole motion, so it can be "
             "neither exported nor asked. Its error is that of a simulator with the effects that the diagnosis names. "
-            "Where it is large on later strokes, these effects do not foresee them."
+            "Where it is large on later strokes, these effects do not foresee them. "
+            f"Red: more than {FAR:g} times the floor, the least possible error."
         )
     return together(paragraph(line) for line in lines)
 

@@ -1,5 +1,8 @@
 """Verdicts on the page and at the end of the main job."""
 
+import html
+import re
+
 from made_verdict import made_verdict
 
 from pipeline.ground.glossary import MEANING
@@ -85,6 +88,8 @@ def test_a_name_that_changes_without_the_last_strokes_has_the_badge_that_its_ver
 def test_the_table_of_runs_calls_an_error_what_a_verdict_and_the_glossary_call_it(tmp_path):
     """An error stood under "explained" here and in the row "as diagnosed" of the verdict."""
     heads = str(runs_table(tmp_path, {"a": TIED}, {}, str)).partition("<tbody>")[0]
+    rules = re.findall(r'<th class="(over|bare)" colspan="(\d+)">(<span>rms error [^<]*</span>)?</th>', heads)
+    assert [(kind, int(width)) for kind, width, _ in rules] == [("bare", 5), ("over", 3), ("bare", 2)] and rules[1][2]
     assert "as diagnosed</abbr></th>" in heads and "explained" not in heads
     assert "error" not in MEANING["explained"] and "physics that the verdict names" in MEANING["as diagnosed"]
 
@@ -97,6 +102,11 @@ def test_the_error_of_other_effects_is_not_that_of_what_the_verdict_names(tmp_pa
     """2.3 mm stood beside creep and friction; they were tried on no unseen stroke, and verdict.txt has a dash there."""
     others = {**TIED, "evidence": {"chosen_without_them": ["plastic_elongation", "shaft_windup"]}}
     assert sizes(others)[1:4] == ["1.9 mm", "0.81 mm", "–"]
+    row = html.unescape(str(runs_table(tmp_path, {"a": {**others, "verdict": "explained"}}, {}, str)).split("<tr>")[-1])
+    why = "0.034 mm with plastic_elongation + shaft_windup, which is named without these strokes"
+    assert f'<td>–<br><span class="why">{why}</span></td>' in row, "the dash had no reason beside it"
+    unknown = str(runs_table(tmp_path, {"a": {**TIED, "verdict": "unknown"}}, {}, str))
+    assert '–<br><span class="why">nothing is named</span>' in unknown
     for chosen in (["backlash", "creep"], None):
         assert sizes({**TIED, "evidence": {"chosen_without_them": chosen}})[3] == "0.034 mm"
 

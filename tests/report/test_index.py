@@ -21,7 +21,7 @@ from pipeline.diagnosis.study.heldout import LAST
 from pipeline.ground import schemas
 from pipeline.ground.kinematics import usual_stiffness
 from pipeline.report.index import page
-from pipeline.report.index_head import runs_table, shortened
+from pipeline.report.index_head import glance, runs_table, shortened
 from pipeline.report.made_by import MadeBy
 from pipeline.report.models import NOTES
 from pipeline.report.page_parts import of_materials, of_runs
@@ -276,6 +276,18 @@ def test_without_a_spline_or_a_simulator_the_index_says_what_it_shows_and_no_mor
     assert Models.read(reports / MATERIAL / "models.csv").row()[:2] == ["MLP model", "0.051 (1.04 ×)"]
     words = str(materials_table(reports, [MATERIAL], str))
     assert "processed/<material>" not in words and "no model to take away" not in words
+
+
+def test_an_error_far_above_the_floor_is_coloured_and_what_the_page_is_stands_first(tmp_path):
+    """7.271 mm (233 ×) stood in plain black, and "At a glance" before any sentence of what the page is."""
+    head = "model,title,split,map,column,median,ratio"
+    rows = ("spline,Spline model,later,forward,all,0.153,4.89", "diagnosed,Diagnosed,later,forward,all,7.271,233.0")
+    (tmp_path / "nylon").mkdir()
+    (tmp_path / "nylon" / "models.csv").write_text("\n".join([head, *rows]))
+    shown = str(materials_table(tmp_path, ["nylon"], str))
+    assert '<td><span class="far">7.271 (233 ×)</span></td>' in shown and "<td>0.153 (4.89 ×)</td>" in shown
+    opening = str(glance(tmp_path, ["nylon"], [], {}, str, str))
+    assert opening.index("This page shows what was made of the recordings") < opening.index("At a glance")
 
 
 def test_the_next_run_is_said_in_a_few_words():

@@ -211,9 +211,7 @@ def test_few_samples_are_drawn_without_teeth_and_the_page_says_what_cannot_be_se
         off = np.array(loop["displacement_mm"])[branch] - 0.02 * np.array(loop["motor_turns"])[branch] ** 2
         assert np.abs(off).max() < 0.002, "each reading stands over its own twist"
     assert (
-        "is thinner than the line" in before
-        and "The band, ±" not in before
-        and "Twice the noise of one reading, ± " in before
+        ": too thin to draw" in before and "twice the noise of one reading" not in before and "noise band ± " in before
     )
-    assert ": before a diagnosis the simulator may be some mm off" in before and "before a diagnosis" not in after
+    assert all("run.yaml simulator, not calibrated" in page for page in (before, after))
     assert links == [f"reports/diagnosis/run-1/{name}" for name in ("diagnosis.pdf", "verdict.txt")]

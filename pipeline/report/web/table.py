@@ -13,11 +13,17 @@ def table(
 ) -> Markup:  # fmt: skip
     """A table; columns `texts` hold words, the others numbers; `over` gives heads above heads, each with its width.
 
+    A rule under such a head shows its columns.
+
     A `paged` one shows some of its rows at a time.
     """
     shape = [Markup(' class="text"') if column in texts else Markup("") for column in range(len(head))]
     names = Markup("").join(Markup("<th{}>{}</th>").format(of, name) for of, name in zip(shape, head, strict=True))
-    wide = Markup("").join(Markup('<th class="over" colspan="{}">{}</th>').format(width, name) for name, width in over)
+    ruled = Markup('<th class="over" colspan="{}"><span>{}</span></th>')
+    wide = Markup("").join(
+        ruled.format(width, name) if name else Markup('<th class="bare" colspan="{}"></th>').format(width)
+        for name, width in over
+    )
     above = Markup("<tr>{}</tr>\n").format(wide) if over else Markup("")
     lines = Markup("\n").join(
         Markup("<tr>{}</tr>").format(

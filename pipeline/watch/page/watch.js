@@ -67,8 +67,7 @@ function drawLoops(loops, d) {
     line(plot, one.simulated_turns, one.simulated_mm, "#d6604d", 0.8 * shade);
   });
   const twice = d.noise_mm && `± ${round(BAND * d.noise_mm, 2)} mm`;
-  show("noise", !twice ? "" : isSeen(plot, BAND * d.noise_mm) ? `The band, ${twice}, is twice the noise of one reading.` : `Twice the noise of one reading, ${twice}, is thinner than the line.`);
-  show("nominal", d.verdict ? "" : ": before a diagnosis the simulator may be some mm off");
+  show("noise", !twice ? "" : isSeen(plot, BAND * d.noise_mm) ? `noise band ${twice}: twice the noise of one reading` : `noise band ${twice}: too thin to draw`);
 }
 
 let listed = "";
