@@ -5,22 +5,17 @@ import shutil
 import sys
 from pathlib import Path
 
-import pandas as pd
 from pydantic import ValidationError
 
 from .adoption import before_after
 from .adoption.block import KEY, ORIGIN, adopted, bare
-from .adoption.number_sizes import sizes
+from .adoption.explain import explained, without_effects
 from .diagnosis.document.content import Verdict
 from .diagnosis.fit.adopt import acts_from, adoptions, checked
-from .diagnosis.fit.problem import Problem
-from .diagnosis.prediction.simulation import of_run, read_diagnosis, state_of
-from .diagnosis.recording.recorded_run import RecordedRun
-from .diagnosis.study.own_rate import at_own_rate
+from .diagnosis.prediction.simulation import of_run, read_diagnosis
 from .diagnosis.words.language.quantity import listing
 from .diagnosis.words.language.sections import wrapped
 from .diagnosis.words.language.vocabulary import Vocabulary
-from .diagnosis.words.named import coefficients
 from .diagnosis.words.pages.adoption import adopted_predictions, hung, weighed_anew
 from .ground.command import command
 from .ground.complaint import short
@@ -54,22 +49,6 @@ def check(content: Verdict, source: Path, folder: Path) -> list[str]:
     errors = before_after.told(bare, of_run(run), of_run(adopting), source, before_after.is_of(content, run.run))
     own = before_after.on_unseen(content, bare.drivers.units.reading, run.run)
     return [*errors, *own, *before_after.dimensions(content)]
-
-
-def without_effects(run: Run, samples: pd.DataFrame, strokes: pd.DataFrame) -> Problem:
-    """The problem of a recording, as if its run.yaml had adopted nothing."""
-    recorded = RecordedRun(run.model_copy(update={KEY: []}), samples, strokes)
-    return at_own_rate([recorded], thin=run.system.differentiates)
-
-
-def explained(folder: Path) -> list[str]:
-    """What the numbers mean that a run's `run.yaml` has adopted. Raises BadInput."""
-    (run, samples, strokes), path = read_strokes(folder), folder / "run.yaml"
-    if not run.simulation:
-        return [f"{path} holds nothing that was adopted"]
-    bare = without_effects(run, samples, strokes)
-    state = state_of(of_run(run), bare, path, run.run)
-    return coefficients.lines(state.acts, bare.drivers, Vocabulary.of(run.system), sizes(bare, state))
 
 
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
@@ -118,7 +97,8 @@ def remove(folder: Path) -> str:
 def main() -> None:
     """Command line."""
     program = command("adopt")
-    usage = f"{program} DIAGNOSIS.json RUN_DIR\n       {program} --remove RUN_DIR\n       {program} --explain RUN_DIR"
+    others = f"       {program} --remove RUN_DIR\n       {program} --explain RUN_DIR"
+    usage = f"{program} DIAGNOSIS.json RUN_DIR [--sure]\n{others}"
     parser = Parser(prog=program, usage=usage, description=__doc__)
     what, whose = "a diagnosis.json; its effects are adopted", "the run whose run.yaml takes them over"
     parser.add_argument("diagnosis", type=Path, nargs="?", metavar="DIAGNOSIS.json", help=what)
@@ -127,6 +107,8 @@ def main() -> None:
     parser.add_argument("--remove", type=run_dir, metavar="RUN_DIR", help=out)
     means = "say what the numbers mean that this run's run.yaml has adopted"
     parser.add_argument("--explain", type=run_dir, metavar="RUN_DIR", help=means)
+    sure = "adopt it though the verdict advises against it"
+    parser.add_argument("--sure", action="store_true", help=sure)
     arguments = parser.parse_args()
     if (arguments.remove or arguments.explain) and arguments.diagnosis:
         parser.error("--remove and --explain take a run folder and nothing else")
@@ -138,11 +120,14 @@ def main() -> None:
         return
     if arguments.run_dir is None:
         parser.error("give a diagnosis.json and the run's folder, or --remove and the run's folder")
-    adopt(arguments.diagnosis, arguments.run_dir)
+    adopt(arguments.diagnosis, arguments.run_dir, arguments.sure)
 
 
-def adopt(source: Path, folder: Path) -> None:
-    """Put what a diagnosis names into a run's `run.yaml`, and say what that does. Raises BadInput."""
+def adopt(source: Path, folder: Path, sure: bool = False) -> None:
+    """Put what a diagnosis names into a run's `run.yaml`, and say what that does.
+
+    Raises BadInput, also where the verdict advises against it, unless a person is `sure`.
+    """
     run, content, path = read_run(folder), read_diagnosis(source), (folder / "run.yaml").resolve()
     acting = [entry for entry in content["simulation"] if isinstance(entry, dict)]
     ids = list(dict.fromkeys(str(entry.get("id")) for entry in acting))
@@ -153,6 +138,8 @@ def adopt(source: Path, folder: Path) -> None:
     own = before_after.is_of(content, run.run)
     if own and (other := before_after.outdated(content, run)):
         raise BadInput(source, "parameters", f"was made with {other}", "diagnose the run again, and adopt that")
+    words = Vocabulary.of(run.system)
+    before_after.refuse_unadvised(content, words, source, sure)
     errors = check(content, source, folder)
     if run.string and run.string.material == SYNTHETIC:
         print(
@@ -173,7 +160,7 @@ def adopt(source: Path, folder: Path) -> None:
         print("\n".join(wrapped(f"{same}{'' if named else nothing}", "")))
         return
     write(path, made)
-    doubt = before_after.against_advice(content, Vocabulary.of(run.system), taken_out(folder))
+    doubt = before_after.against_advice(content, words, taken_out(folder))
     report = [*doubt, f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
     report += sentences(content)
     others = origin[-1]["tied"] if origin else []
@@ -181,9 +168,8 @@ def adopt(source: Path, folder: Path) -> None:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
         sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
         report.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
-    words = Vocabulary.of(run.system)
     predict = adopted_predictions(folder, words, hung(content, words), ids)
-    meant = ["What its numbers mean, for who wonders:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
+    meant = ["What its numbers mean, if you are curious:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
     out = ["To take all of it out of run.yaml again:", taken_out(folder)] * (not doubt)
     show([*report, *errors, before_after.NEXT, *predict, *meant, weighed_anew(words), *out])
 

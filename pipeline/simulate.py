@@ -36,6 +36,7 @@ from .diagnosis.words.foretold.prediction import (
 )
 from .diagnosis.words.foretold.residual import RESIDUAL
 from .diagnosis.words.language.quantity import listing, size
+from .diagnosis.words.language.sections import numbered
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.measured.dimensions import name_of
 from .ground import schemas
@@ -82,7 +83,7 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
 
 
 def source_of(arguments: argparse.Namespace) -> Path:
-    """The file that tells what simulates: a diagnosis.json, or the run's own run.yaml."""
+    """The file of what simulates: a diagnosis.json, or the run's own run.yaml."""
     return Path(arguments.simulation or arguments.run_dir / "run.yaml")
 
 
@@ -98,8 +99,8 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
 
     Raises BadInput for a diagnosis.json that is none.
     """
-    channel, called = plan.run.system.channel, Vocabulary.of(plan.run.system)
-    unit = called.unit
+    called = Vocabulary.of(plan.run.system)
+    channel, unit = plan.run.system.channel, called.unit
     predicted, inside, ending = plan.predicted, plan.inside(), channel.rpartition("_")[2]
     if plan.outside and plan.outside.asks:
         when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())
@@ -163,8 +164,7 @@ def main() -> None:
         more, more_words = black_box(problem, run, plan, arguments.run_dir, source if arguments.simulation else None)
         columns, words = columns | more, words + more_words
     columns = {"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted} | columns
-    if plan:
-        columns |= plan.inputs
+    columns |= plan.inputs if plan else {}
     table = pd.DataFrame(columns)
     write(table, arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
@@ -173,24 +173,24 @@ def main() -> None:
     print(f"{arguments.out} holds {listing(list(columns))}")
     if plan and plan.drawn:
         print("\n".join(corners(table, problem.system.driver, problem.system.channel)))
-    if plan:
-        begins = acting if plan.recorded and not plan.after else None
-        for line in loop_table.printed(table, Vocabulary.of(problem.system), problem.system.channel, begins):
-            print(line)
-    for sentence in words:
-        print(sentence)
+    begins = acting if plan and plan.recorded and not plan.after else None
+    called = Vocabulary.of(problem.system)
+    loops = loop_table.printed(table, called, problem.system.channel, begins) if plan else []
     if plan and problem.system.free_zero:
         as_there = plan.after or has_zero(content, problem.system, run.run, problem.runs)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
         state = "as the recording left it" if plan.after else "as it was before its first stroke"
-        print(f"its zero is {zero}; the string is taken to be {state}")
+        words.append(f"its zero is {zero}; the string is taken to be {state}")
     if tied := plan.tied if plan else tied_with(run, content, arguments.simulation is None):
-        print(f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here")
+        words.append(
+            f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here"
+        )
+    for line in (*loops, *numbered(words)):
+        print(line)
     if plan is None:
         error, _ = off(*compared(run, problem, predicted))
         has_own = has_zero(content, problem.system, run.run, 1 + len(before))
-        where = "as it was fitted" if has_own else "set in the first second"
-        zero = f", its zero {where}" if problem.system.free_zero else ""
+        zero = f", its zero {'as it was fitted' if has_own else 'set in the first second'}" * problem.system.free_zero
         print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")
     if not arguments.simulation:
         warn_of_dimensions(run, arguments.run_dir)

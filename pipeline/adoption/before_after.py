@@ -33,6 +33,14 @@ WORSE = 1.1  # times the error before: less may be chance
 HARDLY, MOST = 0.05, 8  # sigma: a dimension that stayed; dimensions that are named
 
 
+def refuse_unadvised(content: Verdict, words: Vocabulary, source: Path, sure: bool) -> None:
+    """Raise BadInput where the verdict advises against adopting it, unless a person is `sure`."""
+    whether = contrary(content, words)
+    if whether and not sure:
+        mend = "do what the verdict asks for first; if you know better, add --sure"
+        raise BadInput(source, "verdict", f"advises against adopting it: {whether.rstrip('.')}", mend)
+
+
 def against_advice(content: Verdict, words: Vocabulary, out: str) -> list[str]:
     """That adopting goes against the advice of the verdict, where it does, with the line `out` that takes it out."""
     whether = contrary(content, words)
@@ -161,10 +169,10 @@ def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: b
         sizes = f"{size(errors[1][0], unit)} where it errs by {size(errors[0][0], unit)} now"
         wrong = f"is of another run, and would make the simulator of this one worse: {sizes}"
         raise BadInput(path, "run", wrong, "diagnose this run, and adopt that")
-    rows = [["error on this recording, rms of single samples", *columns]]
-    rows.append([f"as {program_name('simulate')} RUN_DIR errs"])
+    rows = [["on this recording, rms of single samples", *columns]]
+    rows.append([f"error of {program_name('simulate')}"])
     if problem.system.free_zero:
-        rows.append(["with the zero of the reading at its best, as in a verdict"])
+        rows.append(["the same with the zero of the reading at its best, as in a verdict"])
     for row, before_and_now in zip(rows[1:], zip(*errors, strict=True), strict=False):
         row += [size(error, unit) for error in before_and_now]
     return aligned(rows)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..ground.kinematics import Array
 from ..run.description import Run
-from .choice.outcome import Study, rms
+from .choice.outcome import rms
 from .document.content import Part
 from .facts import extents, loops
 from .facts.mechanism_entries import parameters_of
@@ -17,12 +17,12 @@ from .words.language.vocabulary import Vocabulary
 from .words.named.effects import sentence
 
 
-def adopted_effects(study: Study, run: Run, ending: str) -> list[Part]:
+def adopted_effects(problem: Problem, run: Run, ending: str) -> list[Part]:
     """An entry each: `id`, its `rms` and `top` (`extents.tops`) in the reading's unit `ending`, `sentence`.
 
     The numbers are held as they were adopted, so that no size has an interval.
     """
-    problem, system, entries = study.problem, study.problem.system, []
+    system, entries = problem.system, list[Part]()
     words, units = Vocabulary.of(system), Units.of(system)
     for act, effect in effects_of(problem, run):
         widest, worth = loops.widest(problem, effect), rms(effect)

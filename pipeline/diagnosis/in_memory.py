@@ -69,7 +69,7 @@ def diagnosed(
     ending = study.problem.system.channel.rpartition("_")[2]
     if step := steps_of(recorded):
         content["evidence"][f"resolution_{ending}"] = tidy(step)
-    if adopted := optional("what was adopted", name, lambda: adopted_effects(study, runs[0], ending)):
+    if adopted := optional("what was adopted", name, lambda: adopted_effects(study.problem, runs[0], ending)):
         content["evidence"]["adopted_effects"] = tidy(adopted)
     if others := optional("why others are not kept", name, lambda: not_kept(study, ending)):
         content["evidence"]["not_kept"] = tidy(others)

@@ -10,6 +10,13 @@ OTHER = 1.25  # times as slow or as fast as any stroke: another speed, where it 
 NEAR = 0.1  # of the recorded range: a reversal so near a recorded one was recorded
 ROOM = 0.05  # of what was recorded, or of a limit: a motion that leaves it by less stays inside, however it was rounded
 
+STILL = 0.02  # of a load: one that varies by less stands still but for noise, and so much is no other load
+
+
+def stands_still(least: float, most: float) -> bool:
+    """Whether what was recorded from `least` to `most`, in one unit, did not vary but for noise; 0 is no value."""
+    return 0.0 < most - least <= STILL * max(abs(least), abs(most)) or least == most != 0.0
+
 
 def share_of_slowest(other: bool) -> float:
     """The speed from which on a plan is inside, as a share of the slowest stroke's; `other`: another speed counts."""

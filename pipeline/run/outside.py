@@ -10,7 +10,19 @@ from ..ground import spans
 from ..ground.units import unit_of
 from .course import Course, Mask, Recorded
 from .description import Run
-from .limits import LONGER, NEAR, ROOM, SHORT_S, from_on, least_speed, longest_stand_s, most_speed, up_to
+from .limits import (
+    LONGER,
+    NEAR,
+    ROOM,
+    SHORT_S,
+    STILL,
+    from_on,
+    least_speed,
+    longest_stand_s,
+    most_speed,
+    stands_still,
+    up_to,
+)
 
 SOME = f"{100.0 * ROOM:.0f} %"  # the room, as a person reads it
 
@@ -60,9 +72,14 @@ def _beyond_range(name: str, samples: pd.DataFrame, recorded: Recorded) -> Part:
     planned = samples[name].to_numpy()
     least = min(float(table[name].min()) for table in recorded.samples)
     most = max(float(table[name].max()) for table in recorded.samples)
+    low, high = float(planned.min()), float(planned.max())
+    if stands_still(least, most):
+        usual = float(np.median(np.concatenate([table[name].to_numpy() for table in recorded.samples])))
+        rows = np.abs(planned - usual) > STILL * abs(usual) + 0.5 * (most - least)
+        about = f"{usual:.3g} was recorded, and it stood still: inside are {100.0 * STILL:.0f} % more or less"
+        return rows, f"{name} of {low:.4g} to {high:.4g} ({about})" if rows.any() else "", f"keep {name} at {usual:.3g}"
     room = ROOM * max(most - least, abs(most) * ROOM)
     rows = (planned < least - room) | (planned > most + room)
-    low, high = float(planned.min()), float(planned.max())
     asks = f"{name} of {low:.4g} to {high:.4g} ({least:.4g} to {most:.4g} were recorded)"
     return rows, asks if rows.any() else "", f"keep {name} within {least:.4g} to {most:.4g}"
 

@@ -39,6 +39,10 @@ MECHANISM = Mechanism(
     id="axial_elasticity",
     driver="load",
     equation="dx = -(F - F_tare)/K - toe(F)",
+    letters={
+        "F_tare": "the load at the tare",
+        "toe": "a stretch that ends as the load grows",
+    },
     source=(
         "Wuertz et al., The twisted string actuation system: modeling and control, IEEE/ASME AIM 2010; toe "
         "region: McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004"

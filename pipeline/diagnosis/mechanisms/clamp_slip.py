@@ -27,6 +27,10 @@ MECHANISM = Mechanism(
     id="clamp_slip",
     driver="sudden events on the length",
     equation="dx = -sum s_i [t >= t_i]",
+    letters={
+        "s_i": "how far it slips",
+        "t_i": "when it slips",
+    },
     source=(
         "McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (terminations that slip); "
         "a step at an unknown time: Basseville and Nikiforov, Detection of Abrupt Changes, 1993"

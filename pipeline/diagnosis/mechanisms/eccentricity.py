@@ -100,6 +100,9 @@ MECHANISM = Mechanism(
     id="eccentricity",
     driver="angle within the turn",
     equation="x_m = x + A sin(theta + p)",
+    letters={
+        "A": "the height of the ripple",
+    },
     source="Slocum, Precision Machine Design, 1992 (error motion once a turn)",
     confused_with="stick_slip, load_swing",
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",

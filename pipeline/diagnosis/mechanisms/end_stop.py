@@ -54,6 +54,9 @@ MECHANISM = Mechanism(
     id="end_stop",
     driver="reading at its end",
     equation="x_m = min(x, x_stop)",
+    letters={
+        "x_stop": "where the reading stops",
+    },
     source=(
         "Brogliato, Nonsmooth Mechanics, 1999 (contact on one side); "
         "a sensor at its range: Khalil, Nonlinear Systems, 2002 (saturation)"

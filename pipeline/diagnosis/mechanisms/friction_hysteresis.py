@@ -145,6 +145,15 @@ MECHANISM = Mechanism(
     id="friction_hysteresis",
     driver="direction x load",
     equation="dx = -(F/K) g(a) s, s: stop operators of the twist (Prandtl-Ishlinskii)",
+    letters={
+        "F_0": "usual_load",
+        "a_i": "share and inner_share",
+        "b_i": "how wide each play is, as a share of w: 1 and 0.4",
+        "g": "how the loop grows with the helix angle: the words `twist` and `steep` in the names",
+        "play": "the twist that follows once the play is taken up",
+        "s": "the sum of stops, each from -1 to 1, which turn with the direction",
+        "w": "play_turns",
+    },
     plain_equation="h s; h: half the loop, s: the direction of motion, from -1 to 1, rounded where it turns",
     source=(
         "Visintin, Differential Models of Hysteresis, 1994 (Prandtl-Ishlinskii); Armstrong-Helouvry, Dupont and "
@@ -164,7 +173,10 @@ MECHANISM = Mechanism(
         "half the width of the loop is {half_loop_turns} at {usual_load_n}",
     ),
     derived={"half_loop_turns": half_loop},
+    variants={"play_turns": "theta_s = theta + sum a_i (play(theta, b_i w F/F_0) - theta)"},
     names={
+        "share": "the play of the whole width (b = 1)",
+        "inner_share": "the play of 0.4 of the width (b = 0.4)",
         "stop": "the state of a stop, from -1 to 1, as wide as that share of the range",
         "dry": "the direction, closed below that share of the highest speed",
         "load": "the load",

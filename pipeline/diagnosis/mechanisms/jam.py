@@ -32,6 +32,9 @@ MECHANISM = Mechanism(
     id="jam",
     driver="high twist",
     equation="theta_s = theta - s max(theta - theta_c, 0)",
+    letters={
+        "s": "share, which the twist beyond the corner loses",
+    },
     source=(
         "Bohr and Olsen, The ancient art of laying rope, EPL 93, 2011 (strands touch at a greatest twist); "
         "how far the displacement falls behind beyond it is no law in print, here a line and a square"

@@ -104,6 +104,12 @@ MECHANISM = Mechanism(
     id="load_swing",
     driver="acceleration",
     equation="q'' + 2 z w q' + w^2 q = -a",
+    letters={
+        "a": "the acceleration of the string's end",
+        "q": "how far the load swings",
+        "w": "how fast it swings: 2 pi x frequency_hz",
+        "z": "damping",
+    },
     source="Den Hartog, Mechanical Vibrations, 1956 (a damped mass on a spring whose support moves)",
     confused_with="sensor_lag, eccentricity",
     told_apart_by="an abrupt stop followed by a hold",

@@ -81,6 +81,9 @@ MECHANISM = Mechanism(
     id="overtwist",
     driver="high twist",
     equation="dx = +k max(theta' - theta_c, 0), theta' the twist or its play",
+    letters={
+        "k": "the strength, from the first rows of the table",
+    },
     source=(
         "Haines et al., Artificial muscles from fishing line and sewing thread, Science 343, 2014 (coils beyond a "
         "critical twist)"

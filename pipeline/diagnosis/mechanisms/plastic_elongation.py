@@ -39,6 +39,11 @@ MECHANISM = Mechanism(
     id="plastic_elongation",
     driver="worked strokes",
     equation="dx = -P, P = P_L (F/F_ref)^m ln(1 + c), or k max T: any sum of saturating growths with work",
+    letters={
+        "P_L": "the strength, from the first rows of the table",
+        "T": "the tension",
+        "m": "load_power",
+    },
     source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (bedding-in)",
     confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
     told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",

@@ -53,6 +53,9 @@ MECHANISM = Mechanism(
     id="radius_compaction",
     driver="twist and tension",
     equation="r_e = r (1 - k(tan a, F)), or r (F/F_ref)^-s",
+    letters={
+        "s": "the power of the load",
+    },
     source="Popov, Gaponov and Ryu, A study on twisted string actuation systems, IEEE/RSJ IROS 2012 (variable radius)",
     confused_with="a wrong radius, shaft_windup, jam",
     told_apart_by="more than 20 turns at two loads; an image of the bundle",

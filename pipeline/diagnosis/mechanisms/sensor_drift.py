@@ -60,6 +60,9 @@ MECHANISM = Mechanism(
     id="sensor_drift",
     driver="absolute time",
     equation="x_m = x + c(t)",
+    letters={
+        "c": "how far the zero has moved by then",
+    },
     source=(
         "JCGM 200:2012, International vocabulary of metrology (instrumental drift: a definition, no law); "
         "zero drift: Doebelin, Measurement Systems: Application and Design, 1966"

@@ -20,6 +20,11 @@ MECHANISM = Mechanism(
     id="sensor_offset",
     driver="nothing: a constant",
     equation="y_m = y + c",
+    letters={
+        "c": "the constant",
+        "y": "the reading, by the dimensions alone",
+        "y_m": "what the sensor reads",
+    },
     source="Joint Committee for Guides in Metrology, International vocabulary of metrology, JCGM 200:2012 (zero error)",
     confused_with="end_stop (which holds at one end only)",
     told_apart_by="a reading at rest without load",

@@ -61,6 +61,12 @@ MECHANISM = Mechanism(
     id="slack",
     driver="low twist",
     equation="theta_s = max(theta - theta_0, 0), or x = max(x_0, x_geo - s), or, of a sag, a sum of such s",
+    letters={
+        "s": "the slack, as a length",
+        "theta_0": "the twist that the slack takes up",
+        "x_0": "the displacement at which the slack ends",
+        "x_geo": "the displacement of a taut string",
+    },
     source="Khalil, Nonlinear Systems, 2002 (dead zone); catenary: Irvine, Cable Structures, 1981",
     confused_with="a wrong separator, backlash",
     told_apart_by="small strokes at low twist",

@@ -93,6 +93,9 @@ MECHANISM = Mechanism(
     id="stick_slip",
     driver="slow motion",
     equation="dx = -(x - s), s sticks until |x - s| > reach, then slips",
+    letters={
+        "s": "where the reading sticks",
+    },
     source=(
         "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, Automatica "
         "30, 1994"

@@ -31,6 +31,10 @@ MECHANISM = Mechanism(
     id="stiffening",
     driver="load x worked strokes",
     equation="dx = +F (1/K_0 - 1/K(c)), K = K_0 (1 + k g(c))",
+    letters={
+        "K_0": "the stiffness before the first stroke",
+        "g": "how it grows with the strokes",
+    },
     source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (stiffness after working)",
     confused_with="plastic_elongation (opposite sign), creep, wear",
     told_apart_by="small load steps at one twist every few strokes",

@@ -68,6 +68,11 @@ MECHANISM = Mechanism(
     id="thermal",
     driver="temperature",
     equation="dx = -a (T - T0), dT/dt = (power - T)/tau where T is not measured",
+    letters={
+        "T0": "the temperature at the start",
+        "a": "the strength, from the first rows of the table",
+        "power": "the heat of the motion, from speed and load",
+    },
     source=(
         "Landau and Lifshitz, Theory of Elasticity, 1959 (thermal expansion); "
         "one heated node: Incropera and DeWitt, Fundamentals of Heat and Mass Transfer, 1996 (lumped capacitance)"

@@ -56,6 +56,9 @@ MECHANISM = Mechanism(
     id="viscous_loss",
     driver="twisting rate",
     equation="dx = -c dtheta/dt",
+    letters={
+        "c": "the strength, from the first rows of the table",
+    },
     plain_equation="c v; v: the speed",
     source=(
         "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, "

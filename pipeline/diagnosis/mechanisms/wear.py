@@ -38,6 +38,9 @@ MECHANISM = Mechanism(
     id="wear",
     driver="travel",
     equation="r_e = r (1 -+ k g(travel))",
+    letters={
+        "g": "how it grows with the travel",
+    },
     source="Archard, Contact and rubbing of flat surfaces, Journal of Applied Physics 24, 1953",
     confused_with="plastic_elongation (which is the same at every twist), count_slip",
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",

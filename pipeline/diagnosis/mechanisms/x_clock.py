@@ -36,6 +36,9 @@ MECHANISM = Mechanism(
     id="x_clock",
     driver="displacement rate and time",
     equation="x_m(t) = x(t - d(t))",
+    letters={
+        "d": "how late the reading is by then",
+    },
     source="Mills and others, Network Time Protocol Version 4, RFC 5905, 2010 (offset and skew of clocks)",
     confused_with="sensor_lag, whose delay stays what it is",
     told_apart_by="fast strokes at the beginning and at the end: a lag is the same in both",

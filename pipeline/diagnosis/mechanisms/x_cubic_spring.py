@@ -25,6 +25,11 @@ MECHANISM = Mechanism(
     id="x_cubic_spring",
     driver="motion cubed",
     equation="F = k x + k3 x^3",
+    letters={
+        "F": "the force",
+        "k": "the stiffness",
+        "k3": "how it grows with the square of x",
+    },
     source=(
         "Duffing, Erzwungene Schwingungen bei veränderlicher Eigenfrequenz, 1918; on a circuit: Wigren and Schoukens, "
         "Three free data sets for development and benchmarking in nonlinear system identification, ECC 2013"

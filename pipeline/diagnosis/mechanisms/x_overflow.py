@@ -58,6 +58,11 @@ MECHANISM = Mechanism(
     id="x_overflow",
     driver="reading at its end",
     equation="x_m = x - d, d' = -d/tau, x_m <= rim",
+    letters={
+        "d": "what has run over",
+        "d'": "how fast that is forgotten",
+        "rim": "rim_mm",
+    },
     source=(
         "Schoukens and Noël, Three benchmarks addressing open challenges in nonlinear system identification, "
         "IFAC-PapersOnLine 50, 2017 (cascaded tanks with overflow)"

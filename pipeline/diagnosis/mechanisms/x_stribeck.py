@@ -36,6 +36,13 @@ MECHANISM = Mechanism(
     id="x_stribeck",
     driver="low speed",
     equation="F = (F_s - F_c) exp(-(v/v_s)^2) sign(v)",
+    letters={
+        "F": "the force of friction",
+        "F_c": "the friction where it slides",
+        "F_s": "the friction where it sticks",
+        "v": "the speed",
+        "v_s": "the speed above which it is gone",
+    },
     source=(
         "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, "
         "Automatica 30, 1994 (Stribeck curve)"

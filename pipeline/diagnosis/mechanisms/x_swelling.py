@@ -22,6 +22,9 @@ MECHANISM = Mechanism(
     id="x_swelling",
     driver="time",
     equation="r_e = r (1 +- k g(t))",
+    letters={
+        "g": "how it grows with time",
+    },
     source="Morton and Hearle, Physical Properties of Textile Fibres, 1962 (swelling with humidity)",
     confused_with="wear, which stands still at rest; sensor_drift, which is the same at every twist",
     told_apart_by="a long rest between two strokes: what the air does goes on in it",

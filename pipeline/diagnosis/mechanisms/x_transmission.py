@@ -63,6 +63,9 @@ MECHANISM = Mechanism(
     id="x_transmission",
     driver="place",
     equation="x_m = x + e(theta), e: any piecewise linear curve",
+    letters={
+        "e": "the error at each place",
+    },
     source="Smith, Gear Noise and Vibration, 2003 (transmission error)",
     confused_with="eccentricity, end_stop, slack (which act at one end, or once a turn)",
     told_apart_by="one slow stroke to and fro over all of the travel: the error is the same at one place both ways",

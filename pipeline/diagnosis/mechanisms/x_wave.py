@@ -63,6 +63,10 @@ MECHANISM = Mechanism(
     id="x_wave",
     driver="time, as a steady oscillation",
     equation="x_m = x + A sin(2 pi f t + p)",
+    letters={
+        "f": "hz",
+        "p": "where the wave begins",
+    },
     source="Den Hartog, Mechanical Vibrations, 1956 (motion of a support)",
     confused_with="load_swing (which follows starts and stops), eccentricity",
     told_apart_by="a rest with the motor off: it goes on",

@@ -53,7 +53,7 @@ def page() -> str:
 def entry(mechanism: Mechanism) -> str:
     """A mechanism's section."""
     rows = {
-        "equation": f"`{mechanism.equation}`",
+        "equation": ", or ".join(f"`{each}`" for each in (mechanism.equation, *mechanism.variants.values())),
         "follows": mechanism.driver,
         "may be taken for": mechanism.confused_with,
         "told apart by": mechanism.told_apart_by,

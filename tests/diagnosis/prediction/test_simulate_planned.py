@@ -309,6 +309,23 @@ def triangle(top: float, speed: float, hold_s: float = 0.0) -> pd.DataFrame:
     return pd.DataFrame({"time_s": time_s, "motor_turns": turns, "load_n": 20.0})
 
 
+def test_a_load_that_stood_still_has_two_per_cent_of_room_and_no_range_of_its_noise(make_run):
+    """A plan under 18 N was outside from its first row on, where noise about 18.2 N had been recorded."""
+    run, recorded, slowest = two_speeds(make_run)
+    noise = np.random.default_rng(1).normal(0.0, 0.04, len(recorded.samples[0]))
+    recorded.samples[0]["load_n"] = 18.2 + noise
+    still = Recorded([recorded.samples[0]], recorded.strokes[:1], "motor_turns")
+    for load_n, is_out in ((18.0, False), (18.5, False), (17.0, True), (36.0, True)):
+        answer = outside(run, triangle(0.95 * recorded.ends[1], slowest).assign(load_n=load_n), still)
+        asks = [asked for asked in answer.asks if asked.startswith("load_n")]
+        assert bool(asks) is is_out
+    assert asks == ["load_n of 36 to 36 (18.2 was recorded, and it stood still: inside are 2 % more or less)"]
+    assert "keep load_n at 18.2" in answer.mends
+    known = {"load": [18.15, 18.25], "speed_per_s": [1.0, 1.0], "longest_hold_s": 1.0, "longest_rest_s": 1.0}
+    said = within(content(evidence__covered=known), Vocabulary.of(SYSTEMS["mm"]))
+    assert " 18.2 N, " in said and "to 18.2" not in said
+
+
 @pytest.mark.parametrize(("paced", "share"), [((), 0.5), (("creep",), 0.8)])
 def test_a_speed_at_a_limit_is_inside_however_it_was_rounded_and_so_is_the_limit_that_is_said(make_run, paced, share):
     run, recorded, slowest = two_speeds(make_run)

@@ -3,7 +3,7 @@
 from typing import Any
 
 from ....run.course import ALIKE
-from ....run.limits import LONGER, SHORT_S, share_of_slowest
+from ....run.limits import LONGER, SHORT_S, share_of_slowest, stands_still
 from ...document.content import Verdict
 from ...mechanisms.library import mechanisms
 from ..language.quantity import at, duration, ends, listing, span
@@ -30,7 +30,8 @@ def within(content: Verdict, words: Vocabulary) -> str:
     parts = [span(low, high, words.motion_unit, high - low), speeds]
     if words.load is not None and known["load"][1] > 0.0:
         least, most = known["load"]
-        parts.append(ends(least, most, words.load_unit))
+        usual = ends(0.5 * (least + most), 0.5 * (least + most), words.load_unit)
+        parts.append(usual if stands_still(least, most) else ends(least, most, words.load_unit))
     stands_s = {name: max(LONGER * known[f"longest_{name}_s"], SHORT_S) for name in ("hold", "rest")}
     parts += [f"{name}s of up to {duration(longest_s)}" for name, longest_s in stands_s.items()]
     if any(library[id_].remembers_turns for id_ in acting if id_ in library):

@@ -9,7 +9,6 @@ from .prediction import OUTSIDE
 
 BEND, CORNERS = 1e-3, 16  # of the highest speed: what changes it by more is a corner; of so many no table is printed
 INSIDE = "inside"
-WAY = f"way to it: how much of the way from the row above is {OUTSIDE} what was recorded"
 
 
 def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
@@ -28,7 +27,9 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
         return [f"the plan turns or stops {len(places)} times, too often for a table: the file has each row", *leaves]
     out = table[OUTSIDE].to_numpy() == 1.0 if OUTSIDE in table else None
     shown = [name for name in (bare,) if name in table]
-    rows = [["time_s", driver, channel, *shown, "nine of ten readings", *(["way to it"] if out is not None else [])]]
+    rows = [
+        ["time_s", driver, channel, *shown, "nine of ten readings", *(["the way there"] if out is not None else [])]
+    ]
     whole = 0.5 * float((table[high] - table[low]).max()) if low in table else np.nan  # the widest band gives decimals
     for before, place in zip([0, *places], places, strict=False):
         row = table.iloc[place]
@@ -41,7 +42,7 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
         if out is not None:
             cells.append(way)
         rows.append(cells)
-    return [*aligned(rows), *([WAY] if out is not None and out.any() else []), *leaves]
+    return [*aligned(rows), *leaves]
 
 
 def _leaves(table: pd.DataFrame) -> list[str]:

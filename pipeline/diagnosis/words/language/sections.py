@@ -6,6 +6,7 @@ import textwrap
 from ....ground.command import START
 
 WIDE = 112
+FEW = 2  # sentences that need no numbers
 Sections = list[tuple[str, list[str]]]  # each a heading and its lines
 
 
@@ -42,3 +43,10 @@ def wrapped(line: str, indent: str) -> list[str]:
         bare, WIDE, initial_indent=own, subsequent_indent=own + " " * (len(hang[0]) if hang else 2),
         break_long_words=False, break_on_hyphens=False,
     )  # fmt: skip
+
+
+def numbered(sentences: list[str]) -> list[str]:
+    """What is to be known of an answer, a line each; of many each with a number, what to report first."""
+    if len(sentences) <= FEW:
+        return sentences
+    return [f"{number}. {sentence}" for number, sentence in enumerate(sentences, start=1)]

@@ -1,7 +1,8 @@
 """What the numbers of adopted effects mean, a row each: what it is, its unit, what it does to the reading."""
 
+import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ...fit.problem import Act
@@ -9,16 +10,17 @@ from ...mechanisms.interface import Mechanism
 from ...mechanisms.library import mechanisms
 from ...recording.drivers import Drivers
 from ..language.explained_words import meaning, on_rig
-from ..language.quantity import at, number, said_unit, size
+from ..language.quantity import at, listing, number, percent, said_unit, size, to_the_band
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from .formulas import direction, does, formula, of_strings_alone
-from .shape_numbers import meaning_of, shape_number
+from .formulas import direction, does, formula, letter_by_letter, of_strings_alone
+from .shape_numbers import meaning_of, shape_number, unit_of_shape
 
 HEAD = (
-    "What each number under simulation means, for who looks: nobody needs them to predict. What a number does is said "
-    "for this recording, all else held. Equations and sources: docs/physics.md."
+    "What each number under simulation means, if you are curious: nobody needs them to predict. What a number does is "
+    "said for this recording, all else held. Sources of the formulas: docs/physics.md."
 )
+NO_SENTENCES: Mapping[str, str] = {}
 UNSEEN = 0.01  # of the rms of an effect: a difference between two motions that is less is none
 OF_NAME = "that share"  # a factor that is said once, above the table: the share is in the name
 BRANCH = re.compile(r"(?:^|_)([0-9.]+)_s_")
@@ -51,19 +53,31 @@ def factors(words: dict[str, str], name: str) -> dict[str, str]:
     return what
 
 
-def lines(acts: Sequence[Act], drivers: Drivers, words: Vocabulary, sizes: Sequence[Sequence[Size]]) -> list[str]:
-    """Each effect with what it does, then a row for each of its numbers, the equation last.
+def lines(
+    acts: Sequence[Act],
+    drivers: Drivers,
+    words: Vocabulary,
+    sizes: Sequence[Sequence[Size]],
+    sentences: Mapping[str, str] = NO_SENTENCES,
+) -> list[str]:
+    """Each effect with what it does, then a table with a row for each of its numbers, the equation last.
 
-    `sizes` has of each act the size of all of it, then that of each coefficient that is not 0.
+    `sizes` has of each act the size of all of it, then that of each coefficient that is not 0; `sentences` says by its
+    id what an effect does in this recording.
     """
-    act_lines = [line for act, own in zip(acts, sizes, strict=True) for line in _block(act, drivers, words, own)]
+    act_lines = [
+        line
+        for act, own in zip(acts, sizes, strict=True)
+        for line in _block(act, drivers, words, own, sentences.get(act.id) or on_rig(meaning(act.id), words))
+    ]
     return [HEAD, *act_lines] if act_lines else []
 
 
-def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size]) -> list[str]:
+def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size], does_here: str) -> list[str]:
+    """An effect: what it does, of how many elements it is made, the table, and its formula letter by letter."""
     mechanism, (whole, *each) = mechanisms()[act.id], sizes
     coefficients, moved = iter(act.coefficients), iter(each)
-    rows, described, names = [], [], list[str]()
+    rows, described, names, shares = list[list[str]](), list[str](), list[str](), list[str]()
     for nonlinear in act.nonlinear:
         for term in mechanism.terms(drivers, nonlinear):
             value = next(coefficients)
@@ -71,22 +85,31 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size])
                 continue
             name, unit = drivers.units.name(term.name), said_unit(drivers.units.unit(term.unit))
             names.append(name)
-            rows.append([f"{name} = {number(value, 3)} {unit or '(a share)'}", *_cells(next(moved), words, whole.rms)])
-            described.append(_what(mechanism, name, does(term.port, DOES[term.port], words)))
-    head, *table = aligned([["number", "reading moved, rms", _between(whole, words)], *rows])
-    written = [f"  {act.id}: {on_rig(meaning(act.id), words)} In all it {_moves(whole, words)}."]
-    written += [*_shares(mechanism, names), f"    {head}"]
-    before = None
-    for row, what in zip(table, described, strict=True):
-        written += [f"    {row}", *([f"      {what}"] if what != before else [])]
-        before = what
+            shares += [] if unit else [percent(value)]
+            rows.append([name, f"{number(value, 3)} {unit}".strip(), *_cells(next(moved), words, whole.rms)])
+            described.append(
+                _what(mechanism, name, does(term.port, DOES[term.port], words), not unit and term.port == "twist")
+            )
     for nonlinear in act.nonlinear:
         for key, value in nonlinear.items():
-            name = drivers.units.name(key)
             if of_strings_alone(meaning_of(key), words):
                 continue
-            written.append(f"    {name} = {number(value, 3)}{shape_number(key, name, words)}")
-    return [*written, f"    Its formula: {formula(mechanism, words)}"]
+            name = drivers.units.name(key)
+            rows.append([name, f"{number(value, 3)} {unit_of_shape(key, name)}".strip(), UNKNOWN, UNKNOWN])
+            described.append(shape_number(key, words))
+    head, *table = aligned([["number", "value", "reading moved, rms", _between(whole, words)], *rows])
+    made = f", of {listing(shares)}" * (len(shares) == len(names))
+    several = [f"    It is made of {len(names)} elements{made}: the first {len(names)} rows."] * (len(names) > 1)
+    written = [f"  {act.id}: {does_here} In all it {_moves(whole, words)}.", *several, *_shares(mechanism, names)]
+    written.append(f"    {head}")
+    for row, what in zip(table, described, strict=True):
+        written += [f"    {row}", f"      {what}"]
+    equation = formula(mechanism, words, [key for nonlinear in act.nonlinear for key in nonlinear])
+    return [
+        *written,
+        f"    Its formula: {equation}",
+        *filter(None, [f"    {letter_by_letter(equation, mechanism.letters, words)}"]),
+    ]
 
 
 def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
@@ -102,15 +125,15 @@ def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
     return list(shares.values())
 
 
-def _what(mechanism: Mechanism, name: str, done: str) -> str:
-    """What a coefficient does, what it multiplies, and its time constant."""
+def _what(mechanism: Mechanism, name: str, done: str, share: bool = False) -> str:
+    """What a coefficient does, what it multiplies, and its time constant; `share`: it has no unit."""
     branch = BRANCH.search(name)
+    multiplied = [_multiplied(name, word, factor) for word, factor in factors(mechanism.names, name).items()]
+    if share and len(multiplied) == 1 and not branch:
+        return f"how much of {multiplied[0]} {done}"
     parts = [
-        done,
-        *(
-            f"it multiplies {_multiplied(name, word, factor)}"
-            for word, factor in factors(mechanism.names, name).items()
-        ),
+        f"how strong it is; {done}" if share and not multiplied else done,
+        *([f"it multiplies {listing(multiplied)}"] if multiplied else []),
         *([f"it acts with a time constant of {branch[1]} s"] if branch else []),
     ]
     return "; ".join(parts)
@@ -120,7 +143,10 @@ def _multiplied(name: str, word: str, factor: str) -> str:
     """What a coefficient multiplies: a factor with a share is said above the table, where the name has its share."""
     if OF_NAME not in factor:
         return factor
-    return word if "*" in word or re.search(rf"{re.escape(word)}_[0-9]", name) else direction(factor)
+    own_share = re.search(re.escape(word).replace(r"\*", "[0-9.]+") + ("" if "*" in word else "_([0-9.]+)"), name)
+    if own_share is None:
+        return direction(factor)
+    return f"{own_share[0] if '*' in word else f'the {word} {own_share[1]}'} (above)"
 
 
 def _between(moved: Size, words: Vocabulary) -> str:
@@ -132,11 +158,17 @@ def _between(moved: Size, words: Vocabulary) -> str:
 
 def _cells(moved: Size, words: Vocabulary, whole_rms: float) -> list[str]:
     """What something does to the reading in cells; a difference that nobody would see beside all of it is left out."""
-    way = f"{'+' if moved.at_top > 0.0 else '-'}{size(abs(moved.at_top), words.unit)}"
-    return [size(moved.rms, words.unit), way if abs(moved.at_top) > UNSEEN * whole_rms else UNKNOWN]
+    least = 10.0 ** math.floor(math.log10(whole_rms)) if whole_rms > 0.0 else 0.0
+    way = f"{'+' if moved.at_top > 0.0 else '-'}{_in_unit(abs(moved.at_top), least, words.unit)}"
+    return [_in_unit(moved.rms, least, words.unit), way if abs(moved.at_top) > UNSEEN * whole_rms else UNKNOWN]
+
+
+def _in_unit(value: float, least: float, unit: str) -> str:
+    """A size in the unit that all of its column have, to a hundredth of `least`: 0.0003 mm beside 0.0268 mm."""
+    return f"{to_the_band(value, 0.1 * least, 3)} {said_unit(unit)}".rstrip()
 
 
 def _moves(moved: Size, words: Vocabulary) -> str:
     """What something does to the reading, without a full stop."""
-    typical, way = _cells(moved, words, moved.rms)
+    typical, way = size(moved.rms, words.unit), _cells(moved, words, moved.rms)[1]
     return f"moves the reading by {typical} rms{f', and by {way} {_between(moved, words)}' if way != UNKNOWN else ''}"

@@ -6,7 +6,8 @@ from ..language.quantity import said_unit
 from ..language.vocabulary import Vocabulary
 
 CHOSEN = "a number in the formula itself, chosen by the search or fitted"
-SCALE = "for scale alone, so that the numbers above are of its size"
+SCALE = "a scale only: the numbers above hold for it"
+LOADS = ("from_load", "usual_load")  # loads, which the library counts in 10 N
 MEANS = {
     "at_s": "when it happens, from the start of the recording; below 0: a little in every stroke",
     "back_share": "how much of the reach is given back at a slip, as a share of it",
@@ -18,7 +19,7 @@ MEANS = {
     "forgets_s": "how long it shows afterwards",
     "frequency_hz": "how fast it swings, under 10 N",
     "fresh": "1 means: the {string} was first loaded at the first sample, and 0: it had been loaded for long before",
-    "from_load": "the load, in 10 N, at which it does nothing",
+    "from_load": "the load at which it does nothing",
     "from_turns": "where the travel begins",
     "half_turns": "half the width of the narrow stop that rounds the loop",
     "half_waves": "by how many half waves over the recording it may wander",
@@ -36,7 +37,7 @@ MEANS = {
     "loop_turns": "over which {motion} the part that rubs turns round",
     "measured": "1 means: it follows the measured temperature, and 0: one that is calculated from the motion",
     "pitch_turns": "how far the {motion} goes from one ripple to the next",
-    "play_turns": "half the width of the loop at the usual load",
+    "play_turns": "half the width of the widest play at the usual load",
     "reach_mm": "how far the reading falls behind before it slips",
     "rim_mm": "the reading at which it overflows, from where the recording begins",
     "sag_mm": "the whole slack, as a length",
@@ -56,7 +57,7 @@ MEANS = {
     "take_up_turns": "the {motion} that the slack takes up",
     "top_turns": "the highest {motion} of the recording, {scale}",
     "travel_turns": "the whole travel of the recording, {scale}",
-    "usual_load": "the usual load, in 10 N, {scale}",
+    "usual_load": "the load at which the widths hold: they grow in proportion to the load",
     "usual_rate": "the usual speed, in {motion_unit}/s: far below it is slow",
     "warming_s": "in which time the zero has moved by 63 % of all that it will",
     "wheel_mm": "the circumference of the sensor's wheel; 0: it follows the motor's own turn",
@@ -76,8 +77,14 @@ def meaning_of(key: str) -> str:
     )
 
 
-def shape_number(key: str, name: str, words: Vocabulary) -> str:
-    """Unit and meaning of the library's number `key`, which is called `name` on this rig; goes after its value."""
-    unit = said_unit(unit_of(name)) if unit_of_nonlinear(key) != "1" else ""
+def shape_number(key: str, words: Vocabulary) -> str:
+    """Meaning of the library's number `key` on this rig."""
     fields = {"scale": SCALE, "motion": words.motion, "string": words.string, "motion_unit": words.motion_unit}
-    return f"{f' {unit}' if unit else ''}: {meaning_of(key).format(**fields) or CHOSEN}."
+    return meaning_of(key).format(**fields) or CHOSEN
+
+
+def unit_of_shape(key: str, name: str) -> str:
+    """Unit of the library's number `key`, which is called `name` on this rig; empty where it has none."""
+    if key in LOADS:
+        return "x 10 N"
+    return said_unit(unit_of(name)) if unit_of_nonlinear(key) != "1" else ""

@@ -33,6 +33,7 @@ FAR = ", some by three times their tolerance: measure them again before you trus
 PARTLY = "explained by {best}{sure}, but something is still missing."
 NOT_SETTLED = "explained, but not settled"
 UNSETTLED = "best explained by {best}{sure}, but not settled: {otherwise}."
+NO_TEST = "{names} {were} fitted to this recording, so this is no test: diagnose another one."
 LEAD = ("ambiguous", "unknown")  # verdicts whose word is said of a run that has adopted effects
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
@@ -79,7 +80,8 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     warning = unfit(content, words)
     state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
     state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
-    about = ": ".join([run, *_lead(verdict, adopted, UNFIT if warning else state)])
+    seen = state in (HOLDS, MAY_HOLD) and holdout.status(content) == holdout.SEEN
+    about = ": ".join([run, *_lead(verdict, adopted, UNFIT if warning else state, seen)])
     sentence, worse = sentence.format(**fields), "" if otherwise else unseen.worse(content, words)
     if warning:
         return f"{about}: {warning}. {first_upper(sentence)}{worse}"
@@ -108,13 +110,20 @@ def _them(adopted: list[str]) -> str:
     return "it" if len(adopted) == 1 else "them"
 
 
-def _lead(verdict: str, adopted: list[str], state: str) -> list[str]:
-    """Which effects are adopted, and the `state` that they are in; else the verdict's word where nothing is named."""
+def _lead(verdict: str, adopted: list[str], state: str, seen: bool) -> list[str]:
+    """Which effects are adopted, and the `state` that they are in; else the verdict's word where nothing is named.
+
+    `seen`: they were fitted to this recording, which is said first: that they hold here is no test of them.
+    """
     if not adopted:
         return [] if verdict in ("explained", "ambiguous") else [verdict]
     single = len(adopted) == 1
     word = f" ({verdict})" if verdict in LEAD else ""
-    return [f"{listing(adopted)} {'was' if single else 'were'} adopted {state.format(s='s' if single else '')}{word}"]
+    were, state = "was" if single else "were", state.format(s="s" if single else "")
+    if seen:
+        no_test = NO_TEST.format(names=listing(adopted), were=were)
+        return [f"{no_test} {'It' if single else 'They'} {were} adopted {state}{word}"]
+    return [f"{listing(adopted)} {were} adopted {state}{word}"]
 
 
 def unfit(content: Verdict, words: Vocabulary) -> str:

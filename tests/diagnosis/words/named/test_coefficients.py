@@ -13,12 +13,13 @@ from pipeline.diagnosis.fit.problem import Act
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
-from pipeline.diagnosis.words.named import coefficients
+from pipeline.diagnosis.words.named import coefficients, formulas
 from pipeline.diagnosis.words.named.coefficients import factors
-from pipeline.diagnosis.words.named.shape_numbers import CHOSEN, shape_number
+from pipeline.diagnosis.words.named.shape_numbers import CHOSEN, shape_number, unit_of_shape
 from pipeline.ground.units import unit_of
 from pipeline.systems import systems
 
+NO_LETTERS = set(["sum", "max", "min", "sin", "tan", "ln", "exp", "sign", "or", "of", "a", "sag", "such", "pi", "dt"])
 NAMES = {"twist": "a", "steep_twist": "b", "load": "c", "dry_*_twist": "d"}
 
 
@@ -42,15 +43,51 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
     assert whole.rms == pytest.approx(rms(effect)) and whole.at_top < 0.0
     top = problem.record.motion >= 0.999 * problem.record.motion.max()
     assert whole.at_top == pytest.approx(np.mean(effect[top]), rel=0.1), "beyond the critical twist it contracts less"
-    _, first, head, number, does, critical, softness, formula = coefficients.lines(
+    _, first, head, number, does, critical, place, softness, _, formula, letters = coefficients.lines(
         state.acts, problem.drivers, words, own
     )
     assert first.startswith("  jam: ") and "In all it moves the reading by " in first and " rms, and by -" in first
     assert head.startswith("    number ") and "reading moved, rms   at " in head and " against " in head
-    assert number.startswith("    share = 0.4 (a share)   ") and does == "      acts on the twist"
-    assert number.split()[5:] == first.split("by ")[1].split()[:2] + first.split("by ")[2].split()[:2]
-    assert critical.endswith(" turns: the twist from which on it acts.") and softness.startswith("    softness_turns")
-    assert formula == f"    Its formula: {mechanisms()['jam'].equation}"
+    assert number.split()[:2] == ["share", "0.4"] and does == "      how strong it is; acts on the twist"
+    moved, way = (float(number.split()[at]) for at in (2, 4))
+    assert moved == pytest.approx(whole.rms, rel=0.05) and way == pytest.approx(whole.at_top, rel=0.05)
+    assert number.split()[3] == number.split()[5] == "mm", "one unit in a column"
+    assert critical.split()[0] == "critical_turns" and place == "      the twist from which on it acts"
+    assert softness.split()[0] == "softness_turns" and formula == f"    Its formula: {mechanisms()['jam'].equation}"
+    assert letters.startswith("    In it: theta_s: the twist that the string sees; theta: ")
+
+
+def test_what_an_effect_does_in_the_recording_stands_first(problem) -> None:
+    """The first lines of `--explain` were of `share` and `multiplies stop`; nobody learnt what the loop is."""
+    words = Vocabulary.of(problem.system)
+    shape = {"play_turns": 0.04, "usual_load": float(np.median(problem.drivers.load))}
+    state = replace(problem.nominal(), acts=(Act("friction_hysteresis", (shape,), (0.42, 0.65)),))
+    own, does = sizes(problem, state), {"friction_hysteresis": "Half the width of the loop is 0.026 turns."}
+    said = coefficients.lines(state.acts, problem.drivers, words, own, does)
+    assert said[1].startswith("  friction_hysteresis: Half the width of the loop is 0.026 turns. In all it moves ")
+    assert said[2] == "    It is made of 2 elements, of 42 % and 65 %: the first 2 rows."
+    rows = said[4:-2]
+    assert len(rows) % 2 == 0 and all(row.startswith("      ") for row in rows[1::2]), "each row has its meaning"
+    assert rows[-2].split()[:4] == ["usual_load", f"{shape['usual_load']:.3g}", "x", "10"]
+    assert said[-2].endswith(mechanisms()["friction_hysteresis"].variants["play_turns"])
+
+
+def test_sizes_of_one_table_have_one_unit(problem) -> None:
+    """0.30 µm stood in a column of mm."""
+    words = Vocabulary.of(problem.system)
+    cells = coefficients._cells(coefficients.Size(0.0003, -0.0002, (0.0, 20.0)), words, 0.0268)
+    assert cells[0] == "0.0003 mm"
+
+
+@pytest.mark.parametrize("id_", list(mechanisms()))
+def test_each_letter_of_a_formula_is_explained(problem, id_: str) -> None:
+    mechanism, words = mechanisms()[id_], Vocabulary.of(problem.system)
+    for equation in (mechanism.equation, *mechanism.variants.values()):
+        formula = re.split(r", (?:s: stop|theta' the|e: any|s sticks)|; half|: any| where ", equation)[0]
+        said = formulas.letter_by_letter(equation, mechanism.letters, words)
+        for letter in set(formulas.LETTER.findall(formula)) - NO_LETTERS:
+            bare = letter if f" {letter}: " in said else re.sub("'+$|^d", "", letter)
+            assert f" {bare}: " in said, letter
 
 
 def test_a_factor_with_a_share_in_the_names_is_said_once_above_the_table(problem) -> None:
@@ -62,7 +99,7 @@ def test_a_factor_with_a_share_in_the_names_is_said_once_above_the_table(problem
     )
     assert stop.endswith(" the share is 0.08.") and dry.endswith(" In dry_0.1_twist_mm_per_10_n the share is 0.1.")
     what = coefficients._what(mechanisms()["friction_hysteresis"], names[0], "is lost")
-    assert what == "is lost; it multiplies stop; it multiplies the load"
+    assert what == "is lost; it multiplies the stop 0.08 (above) and the load"
 
 
 def candidates(mechanism, problem) -> list[dict[str, float]]:
@@ -74,8 +111,8 @@ def test_every_number_in_a_formula_has_its_meaning(problem) -> None:
     words = Vocabulary.of(problem.system)
     keys = {key for one in mechanisms().values() for shape in candidates(one, problem) for key in shape}
     for key in keys | {key for one in mechanisms().values() for key in one.units}:
-        assert CHOSEN not in shape_number(key, key, words) and "{" not in shape_number(key, key, words), key
-    assert CHOSEN in shape_number("of_your_own", "of_your_own", words)
+        assert CHOSEN not in shape_number(key, words) and "{" not in shape_number(key, words), key
+    assert CHOSEN in shape_number("of_your_own", words)
 
 
 def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -> None:
@@ -84,11 +121,12 @@ def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -
     per_s = sorted(key for key in keys if key.endswith("_per_s"))
     assert "fastest_turns_per_s" in per_s
     for key in per_s:
-        assert shape_number(key, key, words).startswith(" turns/s: "), key
-    assert shape_number("fastest_s", "fastest_s", words).startswith(" s: the shortest time constant")
+        assert unit_of_shape(key, key) == "turns/s", key
+    assert unit_of_shape("fastest_s", "fastest_s") == "s"
+    assert shape_number("fastest_s", words).startswith("the shortest time constant")
     drive = rigs["cable_drive"]
     own = Units.of(drive).name("slow_turns_per_s")
-    assert shape_number("slow_turns_per_s", own, Vocabulary.of(drive)).startswith(" deg/s: "), own
+    assert unit_of_shape("slow_turns_per_s", own) == "deg/s", own
     for key in keys:
         assert unit_of_nonlinear(key) in ("1", unit_of(key)), key
 

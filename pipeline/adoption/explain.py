@@ -1,0 +1,34 @@
+"""What the numbers mean that a run has adopted, for who is curious: nobody needs them to predict."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from ..diagnosis.adopted_effects import adopted_effects
+from ..diagnosis.fit.problem import Problem
+from ..diagnosis.prediction.simulation import of_run, state_of
+from ..diagnosis.recording.recorded_run import RecordedRun
+from ..diagnosis.study.own_rate import at_own_rate
+from ..diagnosis.words.language.vocabulary import Vocabulary
+from ..diagnosis.words.named import coefficients
+from ..run.description import Run
+from ..run.samples import read_strokes
+from .block import KEY
+from .number_sizes import sizes
+
+
+def without_effects(run: Run, samples: pd.DataFrame, strokes: pd.DataFrame) -> Problem:
+    """The problem of a recording, as if its run.yaml had adopted nothing."""
+    recorded = RecordedRun(run.model_copy(update={KEY: []}), samples, strokes)
+    return at_own_rate([recorded], thin=run.system.differentiates)
+
+
+def explained(folder: Path) -> list[str]:
+    """What the numbers mean that a run's `run.yaml` has adopted, first what each effect does. Raises BadInput."""
+    (run, samples, strokes), path = read_strokes(folder), folder / "run.yaml"
+    if not run.simulation:
+        return [f"{path} holds nothing that was adopted"]
+    problem, words = without_effects(run, samples, strokes), Vocabulary.of(run.system)
+    state = state_of(of_run(run), problem, path, run.run)
+    does = {entry["id"]: entry["sentence"] for entry in adopted_effects(problem, run, words.ending)}
+    return coefficients.lines(state.acts, problem.drivers, words, sizes(problem, state), does)
