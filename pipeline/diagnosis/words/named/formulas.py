@@ -1,4 +1,4 @@
-"""The formula of an effect in the words of a rig, letter by letter, and what its numbers do where nothing twists."""
+"""The formula of an effect in the words of a rig, letter by letter, and its numbers where nothing is twisted."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -67,16 +67,19 @@ def of_strings_alone(meaning: str, words: Vocabulary) -> bool:
     return not words.twisted and bool(SCALED.search(meaning))
 
 
-def letter_by_letter(equation: str, own: Mapping[str, str], words: Vocabulary) -> str:
+def letter_by_letter(equation: str, mechanism: Mechanism, words: Vocabulary) -> str:
     """Each letter of a formula with what it is, in one sentence; empty where none is known.
 
-    `own` are the letters that mean another thing in it, or stand in it alone. On a rig without a string the formula itself says what its motion and its reading are.
+    On a rig without a string the formula itself says what its motion and its reading are, or all that it has.
     """
-    meanings = {**MEANT, **own}
+    if not words.twisted and mechanism.plain_equation:
+        return ""
+    meanings = {**MEANT, **mechanism.letters}
     letters = dict.fromkeys(_without_rate(letter, meanings) for letter in LETTER.findall(equation))
     known = [letter for letter in letters if letter in meanings]
     known = known if words.twisted else [letter for letter in known if letter not in ("q", "x", "y", "dx")]
-    return f"In it: {'; '.join(f'{letter}: {meanings[letter]}' for letter in known)}." if known else ""
+    line = f"In it: {'; '.join(f'{letter}: {meanings[letter]}' for letter in known)}." if known else ""
+    return line if words.twisted else line.replace("twist", words.motion).replace("displacement", words.reading)
 
 
 def _without_rate(letter: str, meanings: Mapping[str, str]) -> str:

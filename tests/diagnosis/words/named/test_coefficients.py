@@ -84,7 +84,7 @@ def test_each_letter_of_a_formula_is_explained(problem, id_: str) -> None:
     mechanism, words = mechanisms()[id_], Vocabulary.of(problem.system)
     for equation in (mechanism.equation, *mechanism.variants.values()):
         formula = re.split(r", (?:s: stop|theta' the|e: any|s sticks)|; half|: any| where ", equation)[0]
-        said = formulas.letter_by_letter(equation, mechanism.letters, words)
+        said = formulas.letter_by_letter(equation, mechanism, words)
         for letter in set(formulas.LETTER.findall(formula)) - NO_LETTERS:
             bare = letter if f" {letter}: " in said else re.sub("'+$|^d", "", letter)
             assert f" {bare}: " in said, letter
