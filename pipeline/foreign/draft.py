@@ -40,7 +40,7 @@ def _filled(key: str, what: str, indent: int = 2) -> str:
 
 def _actuator(name: str, is_told: bool) -> str:
     """The kind of rig: no file tells it, so it is a guess where no person does."""
-    check = "  # check: a guess, as no file tells it; of two strings without a separator it is twisted_pair"
+    check = "  # check: a guess: write twisted_pair if your rig has no separator"
     return f"actuator: {name}{'' if is_told else check}"
 
 

@@ -1,10 +1,13 @@
 """Numbers as `run.yaml` may have them: plainly written, and of a size that can be measured."""
 
+import re
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field
 
 from .strict_yaml import Unclear, plain_value
+
+COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+")
 
 
 def no_bool(value: Any) -> Any:
@@ -21,6 +24,9 @@ def _plain(value: Any) -> Any:
         except Unclear:
             number = None
         if isinstance(number, bool | str | None):
+            if COMMA.fullmatch(value.strip()):
+                like = value.strip().replace(",", ".")
+                raise ValueError(f"must be a plain number with a point, not a comma, such as {like}")
             raise ValueError("must be a plain number, such as 0.55 or 300")
     return no_bool(value)
 

@@ -73,7 +73,11 @@ def rests_on(answers: list[Answer]) -> list[str]:
     }.get(drift(answers).state, f"{model} may be off by {limit} by then, the lower bound below")
     seen = max(len(answer.n) for answer in answers)
     least = math.floor(min(lows(answers), default=0.0))
-    half = f"half of the {least} strokes that are left at least are done by then" if least > 1 else SOON_PASSED
+    half = (
+        f"at least {least} strokes are left, and half of those {least} strokes are then done"
+        if least > 1
+        else SOON_PASSED
+    )
     again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes seen have doubled then"
     return [f"Why calibrate: {why}.{_cautious(error)}", f"Why ask again: {again}."]
 

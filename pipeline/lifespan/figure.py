@@ -46,8 +46,9 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
         figure, panels = plt.subplot_mosaic(
             grid, figsize=(7.2, 8.2), layout="constrained", height_ratios=heights[: len(grid)]
         )
+        shown = span_of_strokes(answers, level)
         for answer, name in zip(answers, ("loss", "drift"), strict=True):
-            question(panels[name], answer, level)
+            question(panels[name], answer, level, shown)
         for name, label in others:
             axes, table = panels[name], health.strokes
             axes.errorbar(table["stroke"], table[name], table[f"{name}_error"], fmt=".", ms=3, lw=0.6, color=SEEN)
@@ -55,7 +56,7 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             axes.set_xlabel("number of the stroke")
             axes.set_ylabel(label)
             if name == "loop_mm" and float(np.nanmin(table[name])) < 0.0:
-                axes.text(0.98, 0.97, NEGATIVE_LOOP, ha="right", va="top", transform=axes.transAxes, fontsize=7.5)
+                axes.set_title(NEGATIVE_LOOP, fontsize=7.5, loc="left")  # above it: on it lines cross it
         begins = begun(health)
         for number, axes in enumerate(axes for axes in panels.values() if axes.get_xlabel()):
             mark(axes, begins, named=not number)
@@ -81,12 +82,28 @@ def mark(axes: Axes, begins: list[tuple[str, float]], named: bool) -> None:
         if named:
             axes.annotate(
                 f"{run} begins", (at, 0.98), xycoords=("data", "axes fraction"), xytext=(2, 0),
-                textcoords="offset points", fontsize=7, color=BEGINS, rotation=90, va="top", ha="left",
+                textcoords="offset points", fontsize=7, color=BEGINS, rotation=90, va="top", ha="left", zorder=6,
+                bbox={"facecolor": "w", "edgecolor": "none", "pad": 0.8},  # lines go behind it
             )  # fmt: skip
 
 
-def question(axes: Axes, answer: Answer, level: float) -> None:
-    """Indicator, law with its band, limit and interval of one question."""
+def span_of_strokes(answers: list[Answer], level: float) -> tuple[float, float] | None:
+    """The first and the last stroke that both questions show, so that one stroke stands in one line.
+
+    None where nothing is foretold.
+    """
+    foretold = [answer for answer in answers if answer.left.choice and answer.left.band is not None]
+    ends = [
+        float(answer.n[-1]) + farthest(answer.left.span(level).high, float(answer.n[-1]), answer.left.horizon)
+        for answer in foretold
+    ]
+    first = min((float(answer.n[0]) for answer in answers if len(answer.n)), default=0.0)
+    return (first, max(ends)) if ends else None
+
+
+def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[float, float] | None = None) -> None:
+    """Indicator, law with its band, limit and interval of one question, over its own strokes or those given."""
+    shown = strokes_shown or span_of_strokes([answer], level)
     left, span, scale = answer.left, answer.left.span(level), 100.0 if answer.unit == "1" else 1.0
     if not len(answer.n):
         return nothing(axes, answer)
@@ -108,7 +125,7 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
     axes.set_title(head, fontsize=9, loc="left", pad=6.0 if is_open else ABOVE_LEGEND)
     if left.choice and left.band is not None:
         seen = float(answer.n[-1])
-        end = seen + farthest(span.high, seen, left.horizon)
+        end = shown[1] if shown else seen + farthest(span.high, seen, left.horizon)
         past = np.linspace(answer.n[0], seen, 200)
         fitted = scale * left.choice.curve(past - answer.n[0] + 1.0)
         name = left.choice.best.law.name
@@ -124,9 +141,10 @@ def question(axes: Axes, answer: Answer, level: float) -> None:
             n, low, high, color=LAW, alpha=0.18, lw=0,
             label=f"the middle {tail(1.0 - 2.0 * out)} of the futures",
         )  # fmt: skip
-        axes.set_xlim(answer.n[0] - 0.02 * end, end)
         axes.set_ylim(min(0.0, scale * float(np.nanmin(answer.values))) - 0.03 * top, top)
         interval(axes, answer, level, end, scale * answer.limit)
+    if shown:
+        axes.set_xlim(shown[0] - 0.02 * shown[1], shown[1])
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.axvline(answer.n[-1], color="0.7", lw=0.8, label="last stroke seen")
     # beside the axes: on them it would lie over lines

@@ -1,5 +1,7 @@
 """The words of the page of a string's life: what its lines, shades, bars and arrows are."""
 
+from textwrap import fill
+
 from .indicators import REFERENCE
 from .percent import tail
 from .questions import Answer
@@ -11,14 +13,15 @@ HEADS = {
     "stroke_loss": f"How much of the stroke is lost since the first {REFERENCE} strokes (below 0: the stroke grew)",
     "model_error": f"How far a model is off that was calibrated on the first {REFERENCE} strokes (rms over a stroke)",
 }
-NEGATIVE_LOOP = "below 0: at equal twist the string\nis shorter while it unwinds"
+WIDE = 128  # characters of a line at the foot of the page
+NEGATIVE_LOOP = "below 0: at equal twist the string is\nshorter while it unwinds"
 POINTS = "Blue: each stroke as measured, ± 1 standard error. Loop: displacement winding minus unwinding at equal twist."
 FUTURE = (
-    f"Green: the law fitted to the strokes. Orange: {FUTURES:,} ways in which it may go on (futures), half of them\n"
+    f"Green: the law fitted to the strokes. Orange: {FUTURES:,} ways in which it may go on (futures), half of them "
     "above the line. Each counts by its highest value so far; one that ends suddenly counts as above the limit."
 )
 BAR = (
-    "Black bar: where the limit is passed. {0} of the futures pass it before the bar begins (upper edge of the\n"
+    "Black bar: where the limit is passed. {0} of the futures pass it before the bar begins (upper edge of the "
     "shade), {0} after it ends (lower edge)."
 )
 ARROW = "Black arrow: at most {0} of the futures pass the limit before it begins. The forecast looks {1} strokes ahead."
@@ -33,14 +36,14 @@ def footnote(answers: list[Answer], level: float) -> str:
     """What the points are, and each line, shade, bar and arrow where any future is drawn."""
     drawn = [answer.left for answer in answers if answer.left.band is not None]
     if not drawn:
-        return POINTS
+        return fill(POINTS, WIDE)
     spans = [left.span(level) for left in drawn]
     lines = [POINTS, FUTURE]
     if any(span.state == "interval" for span in spans):
         lines.append(BAR.format(tail((1.0 - level) / 2.0)))
     if any(span.state != "interval" for span in spans):
         lines.append(ARROW.format(tail(1.0 - level), at_least(drawn[0].horizon)))
-    return "\n".join(lines)
+    return "\n".join(fill(line, WIDE) for line in lines)
 
 
 def left_out(of_range: int, of_load: int) -> str:

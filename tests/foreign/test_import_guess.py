@@ -256,7 +256,9 @@ def test_a_guessed_actuator_is_marked_and_a_load_of_nobody_is_to_be_filled_in(tm
     PLAIN.to_csv(tmp_path / "log.csv", index=False)
     FORCED.to_csv(tmp_path / "forced.csv", index=False)
     alone = program("log.csv", "--guess", cwd=tmp_path).stdout
-    assert re.search(r"^actuator: separator  # check: a guess, .* it is twisted_pair$", alone, re.M)
+    assert re.search(
+        r"^actuator: separator  # check: a guess: write twisted_pair if your rig has no separator$", alone, re.M
+    )
     assert re.search(r"^  load_n:  # fill in: the load in N .*, 0 for none; if a column has it, name it", alone, re.M)
     pair = program("log.csv", "--guess", "--actuator", "twisted_pair", "--out", "map.yaml", cwd=tmp_path)
     text = (tmp_path / "map.yaml").read_text()

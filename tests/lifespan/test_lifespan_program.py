@@ -19,6 +19,7 @@ from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.claims_held import HELD, measured
 from pipeline.lifespan.figure import page, question
+from pipeline.lifespan.figure_words import WIDE
 from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.laws import LAWS
 from pipeline.lifespan.questions import Answer, first, model_error, stroke_loss
@@ -172,9 +173,13 @@ def test_the_picture_says_what_its_lines_are_and_a_loop_below_0(tmp_path, monkey
         table = health.strokes.assign(loop_mm=sign * health.strokes["loop_mm"].abs())
         one = replace(health, strokes=table)
         page(one, [stroke_loss(one, 0.1), model_error(one, 4.0)], 0.9, tmp_path / "page.png")
-        said = [text.get_text() for axes in plt.gcf().axes for text in axes.texts]
-        assert any("shorter while it unwinds" in text for text in said) == (sign < 0.0)
+        heads = [axes.get_title(loc="left") for axes in plt.gcf().axes]
+        assert any("shorter while it unwinds" in head for head in heads) == (sign < 0.0)
+        assert not any("unwinds" in text.get_text() for axes in plt.gcf().axes for text in axes.texts), (
+            "lines crossed it"
+        )
         foot = plt.gcf().get_supxlabel()
+        assert max(map(len, foot.split("\n"))) <= WIDE and len(foot.split("\n")) <= len(foot) / WIDE + 3
         for word in ("Blue: ", "Green: ", "Orange: ", "Black bar: ", "ends suddenly", "Loop: "):
             assert word in foot
     monkeypatch.undo()
@@ -244,6 +249,8 @@ def test_the_picture_marks_where_each_further_recording_begins(tmp_path, monkeyp
     drawn = plt.gcf().axes
     dotted = [[line.get_xdata()[0] for line in axes.lines if line.get_linestyle() == ":"] for axes in drawn]
     assert len(drawn) > 3 and dotted == [[8.5]] * len(drawn)
+    loss, drift = drawn[:2]
+    assert loss.get_xlim() == drift.get_xlim(), "one stroke stood at two places, one below the other"
     assert [text.get_text() for axes in drawn for text in axes.texts if "begins" in text.get_text()] == ["a-2 begins"]
     monkeypatch.undo()
     plt.close("all")
@@ -428,7 +435,7 @@ FIRST = "a model calibrated on the first 3 strokes"
     ("drift", "said", "why", "again"),
     [
         ([9.5] * 50 + [np.inf] * 50, "calibrate your model again after about 9 strokes, at stroke 33. Ask again after "
-         "4 strokes, at stroke 28.", f"{FIRST} may be off by 0.1 mm by then", "half of the 9 strokes that are left"),
+         "4 strokes, at stroke 28.", f"{FIRST} may be off by 0.1 mm by then", "at least 9 strokes are left, and half of those 9"),
         ([0.4] * 50 + [np.inf] * 50, "calibrate your model again now. Ask again after 1 stroke, at stroke 25.",
          f"{FIRST} may be off", "a limit may be passed within 2 strokes."),
         ([1.4] * 50 + [np.inf] * 50, "calibrate your model again after about 1 stroke, at stroke 25. Ask again after "

@@ -92,6 +92,11 @@ def test_a_good_run_is_taken_as_written():
         (changed("channels", motor_turns={"colum": 1}), "channels.motor_turns.colum", "did you mean 'column'"),
         (changed("string", radius_mm="0300"), "string.radius_mm", "plain number"),
         (changed("string", radius_mm="1_0"), "string.radius_mm", "plain number"),
+        (
+            changed("string", radius_mm="0,45"),
+            "string.radius_mm",
+            "a plain number with a point, not a comma, such as 0.45",
+        ),
         (changed("string", strokes_before="1_0"), "string.strokes_before", "plain number"),
         (content("a-01", string=None), "string", "add the string's material"),
         (content("a-01", actuator="winch"), "actuator", "use one of cable_drive"),
