@@ -435,7 +435,7 @@ FIRST = "a model calibrated on the first 3 strokes"
     ("drift", "said", "why", "again"),
     [
         ([9.5] * 50 + [np.inf] * 50, "calibrate your model again after about 9 strokes, at stroke 33. Ask again after "
-         "4 strokes, at stroke 28.", f"{FIRST} may be off by 0.1 mm by then", "at least 9 strokes are left, and half of those 9"),
+         "4 strokes, at stroke 28.", f"{FIRST} may be off by 0.1 mm by then", "at least 9 strokes are left"),
         ([0.4] * 50 + [np.inf] * 50, "calibrate your model again now. Ask again after 1 stroke, at stroke 25.",
          f"{FIRST} may be off", "a limit may be passed within 2 strokes."),
         ([1.4] * 50 + [np.inf] * 50, "calibrate your model again after about 1 stroke, at stroke 25. Ask again after "
