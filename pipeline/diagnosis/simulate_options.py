@@ -24,8 +24,8 @@ def parsed(description: str) -> argparse.Namespace:
         "--motion", type=Path, metavar="PLAN.csv",
         help="a motion that nobody has recorded, in place of the run's: .csv or .parquet with time_s, "
         "motor_turns and, unless it stands still, load_n (a string's channels), or the names of channels in "
-        "run.yaml; corners will do. The answer has a band too: nine of ten readings lie from low_mm to "
-        "high_mm, if the explanation is right. Where the motion leaves what was recorded the column outside "
+        "run.yaml; corners of a string's motion will do. The answer has a band too: nine of ten readings lie from "
+        "low_mm to high_mm, if the explanation is right. Where the motion leaves what was recorded the column outside "
         "is 1, and the band is empty",
     )  # fmt: skip
     parser.add_argument(

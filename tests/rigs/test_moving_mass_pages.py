@@ -1,6 +1,7 @@
 """What a person reads of a moving mass: its page, its planned motion, its adopted numbers; no word of a string."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -91,7 +92,11 @@ def test_corners_of_a_mass_are_refused_with_what_to_give(rubbing, tmp_path, step
 def test_the_numbers_that_it_adopted_are_explained_without_a_string(rubbing):
     said = program("pipeline.adopt", rubbing.parents[1] / "dia" / rubbing.name / "diagnosis.json", rubbing)
     assert "another run of the rig" in " ".join(said.split())
-    explained = " ".join(program("pipeline.adopt", "--explain", rubbing).split())
+    printed = program("pipeline.adopt", "--explain", rubbing)
+    assert not re.search(r"^ *$", printed.rstrip("\n"), re.M), (
+        "a formula whose letters need no words left an empty line"
+    )
+    explained = " ".join(printed.split())
     program("pipeline.adopt", "--remove", rubbing)
     assert "it multiplies the direction of motion, from -1 to 1" in explained and "twist" not in explained
     assert "Its formula: h s; h: half the loop, s: the direction of motion" in explained

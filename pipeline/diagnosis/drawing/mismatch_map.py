@@ -47,7 +47,7 @@ def begins_of_runs(drivers: Drivers) -> list[int]:
 def map_signs(drivers: Drivers, residual: Array) -> list[Artist]:
     """What the lines and the empty cells of a map mean, for a legend; `residual` of shape (samples,), in any unit."""
     _, down = ways(drivers)
-    signs: list[Artist] = [Line2D([], [], **TURN, label=f"the turn: right of it {down}")]
+    signs: list[Artist] = [Line2D([], [], **TURN, label=f"the turn; right of it: {down}")]
     if begins_of_runs(drivers):
         signs.append(Line2D([], [], **BREAK, label="between two runs"))
     if np.isnan(map_of(drivers, residual)[0]).any():

@@ -68,7 +68,7 @@ def test_a_simulator_has_one_colour_in_every_panel_and_the_signs_of_the_maps_are
         }
     (legend,) = maps.legends
     signs = [text.get_text() for text in legend.get_texts()]
-    assert signs[0] == "the turn: right of it unwinding" and "between two runs" not in signs
+    assert signs[0] == "the turn; right of it: unwinding" and "between two runs" not in signs
     assert legend.get_window_extent().y1 <= min(axes.get_window_extent().y0 for axes in maps.axes)
 
 
@@ -84,7 +84,7 @@ def test_a_cell_of_a_map_without_samples_is_not_white_and_runs_are_parted(studie
     first = int(seen.stroke[begin])
     assert mismatch_map.begins_of_runs(seen) == [] and mismatch_map.begins_of_runs(low) == [first]
     labels = [sign.get_label() for sign in mismatch_map.map_signs(low, problem.measured)]
-    assert labels == ["the turn: right of it unwinding", "between two runs", "nothing recorded"]
+    assert labels == ["the turn; right of it: unwinding", "between two runs", "nothing recorded"]
     _, axes = plt.subplots()
     mismatch_map.mismatch_map(axes, low, problem.measured, "map", 1.0)
     assert axes.get_facecolor()[:3] == (0.8, 0.8, 0.8) and axes.get_lines()[1].get_ydata() == [first - 0.5] * 2

@@ -108,7 +108,7 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
     return [
         *written,
         f"    Its formula: {equation}",
-        *filter(None, [f"    {letter_by_letter(equation, mechanism, words)}"]),
+        *(f"    {letters}" for letters in [letter_by_letter(equation, mechanism, words)] if letters),
     ]
 
 
