@@ -19,7 +19,7 @@ from ..words.language.vocabulary import Vocabulary
 from ..words.measured.dimensions import name_of
 from ..words.measured.to_measure import to_measure
 from ..words.pages import advice
-from ..words.pages.headline import NOT_SETTLED, unfit
+from ..words.pages.headline import NOT_SETTLED, still_holds, unfit
 from . import driver_panels, panels
 from .mismatch_map import map_of, map_signs, mismatch_map
 from .overview import overview
@@ -31,8 +31,11 @@ MOST, WIDEST = 6, 130  # panels of drivers, and letters in a line of the mark
 WIDE = 100  # characters of a line of the title
 
 
-def title(content: Verdict) -> str:
-    """The verdict in at most two lines, none longer than the page is wide: the best explanation, how many more tie."""
+def title(content: Verdict, holds: bool = False) -> str:
+    """The verdict in at most two lines, none longer than the page is wide: the best explanation, how many more tie.
+
+    `holds`: what run.yaml has adopted still explains the recording.
+    """
     runs = [content["run"]] if isinstance(content["run"], str) else content["run"]
     name = " + ".join(runs)
     if len(name) > WIDE // 2:
@@ -40,6 +43,8 @@ def title(content: Verdict) -> str:
     unsettled = content["verdict"] == "explained" and settled_otherwise(content)
     head, held = f"{name}: {NOT_SETTLED if unsettled else content['verdict']}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
+    if holds and len(f"{name}: adopted {TOGETHER.join(held)} still holds") <= WIDE:
+        return f"{name}: adopted {TOGETHER.join(held)} still hold{'s' * (len(held) == 1)}"
     if not ids:
         subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
         return (
@@ -100,8 +105,8 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
             simulations = {"calibrated": simulations["calibrated"], "as adopted": adopted}
     residuals = {name: problem.measured - values for name, values in list(simulations.items())[-2:]}
     figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
-    figure.suptitle(title(content), fontsize=11)
     vocabulary = Vocabulary.of(problem.system)
+    figure.suptitle(title(content, still_holds(content, vocabulary)), fontsize=11)
     warned = "\n".join(filter(None, (textwrap.fill(mark, WIDEST), warning(content, vocabulary))))
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.6 + 0.6 * drivers.loaded, 2.7, 3.6, 2.9]))
     top, maps, middle, bottom = rows

@@ -13,7 +13,7 @@ from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 from ...ground.kinematics import Array
 from ..document.content import Part, Verdict
 from ..recording.drivers import Drivers
-from ..words.explanations import rivals
+from ..words.explanations import probability, rivals
 from ..words.held_out.holdout import included
 from ..words.language.quantity import percent, size, times
 from ..words.language.vocabulary import directions
@@ -23,7 +23,7 @@ COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "li
 SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
 BAND = "0.92"  # the noise
 BINS = 24
-TITLE_WIDE, NAME_WIDE = 34, 20  # characters
+TITLE_WIDE, LEGEND_WIDE = 34, 44  # characters
 HIGHEST = 0.65  # of an axis' height: where the largest error on unseen strokes stands at most
 NAMED = "as diagnosed"
 STANDINGS = {
@@ -34,6 +34,7 @@ STANDINGS = {
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
+KEPT = ("named", "tied")  # the rows that stand first
 MORE_ALONE = "takes away too little to be named"  # where nothing is
 NOT_NAMED = "leaves least, and is not named"  # where none has to be
 WITH_DISCREPANCY = "left if each effect may differ from its formula by 10 %"
@@ -73,7 +74,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     adopted = set(included(content))
     all_explanations = content["evidence"]["explanations"]
     others = [explanation for explanation in all_explanations if not adopted & set(explanation["ids"])]
-    shown = sorted(others, key=lambda explanation: explanation.get("probability") or 0.0)
+    shown = sorted(others, key=lambda each: (each["standing"] in KEPT, each.get("probability") or 0.0))  # from below
     floor = content["evidence"][f"floor_{ending}"]
     left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
     colours = [STANDINGS[explanation["standing"]][0] for explanation in shown]
@@ -85,9 +86,11 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     decide = not rivals.all_below_noise(content, ending)
     if decide:
         axes.plot(with_discrepancy, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
+    weighed = any(explanation.get("probability") is not None for explanation in shown)
     axes.set_yticks(range(len(shown)), [rivals.called(explanation["ids"]) for explanation in shown], fontsize=7)
     for place, (explanation, rms) in enumerate(zip(shown, left, strict=True)):
-        axes.text(1.15 * rms, place, briefly(explanation), va="center", fontsize=6.5, color="0.3")
+        beside = briefly(explanation) or (probability.not_weighed(explanation["ids"]) if weighed else "")
+        axes.text(1.15 * max(rms, 1.0), place, beside, va="center", fontsize=6.5, color="0.3")  # never over its bar
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
     shown_standings = {explanation["standing"] for explanation in shown}
     standings = [name for name in STANDINGS if name in shown_standings]
@@ -105,9 +108,8 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
         xlabel="rms left ÷ noise",
     )
     plain(axes.xaxis)
-    likely = any(explanation.get("probability") is not None for explanation in shown)
     no_more = bool(content.get("simulation")) and not shown_standings & {"named", "tied", "not enough"}
-    title = NO_MORE if no_more else f"explanations: what each leaves{', and its probability' * likely}"
+    title = NO_MORE if no_more else f"explanations: what each leaves{', and its probability' * weighed}"
     axes.set_title(title, fontsize=10)
 
 
@@ -124,8 +126,8 @@ def held_out(
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys.
 
-    `without` is what was named without those strokes, where the verdict names other effects: the last error is its,
-    and bears its name.
+    `without` is what was named without those strokes, where the verdict names other effects: the last error is its, is
+    drawn hollow, and has its name in the legend.
     """
     axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
     if not held:
@@ -135,14 +137,19 @@ def held_out(
     values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
     names = list(SHADES)[skip : 2 if values[2] == values[1] else 3]  # what is the same is drawn once
     values, places = values[skip : skip + len(names)], range(len(names))
-    colours = [TIED if without and name == NAMED else SHADES[name] for name in names]
-    axes.vlines(places, floor, values, colors=colours, lw=2.5)
-    axes.scatter(places, values, c=colours, s=55, zorder=2.5)
+    colours = [SHADES[name] for name in names]
+    hollow = [bool(without) and name == NAMED for name in names]
+    stems = axes.vlines(places, floor, values, colors=colours, lw=2.5)
+    stems.set(linestyle=[":" if is_other else "-" for is_other in hollow])
+    faces = ["white" if other else colour for other, colour in zip(hollow, colours, strict=True)]
+    axes.scatter(places, values, c=faces, edgecolors=colours, linewidths=1.5, s=55, zorder=2.5)
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    below = fill(f"{without}, named without these strokes", NAME_WIDE)  # it is wide: a line below its neighbour
-    other = {NAMED: f"\n{below}"} if without else {}
+    other = {NAMED: "named without\nthese strokes"} if without else {}
+    if any(hollow):
+        called = fill(f"named without these strokes: {without}", LEGEND_WIDE)
+        axes.plot([], [], ls=":", marker="o", mfc="white", color=SHADES[NAMED], label=called)
     axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     low, high = 0.5 * min(*values, floor), max(*values, floor)

@@ -17,6 +17,7 @@ from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.diagnosis.verdict import diagnosis
+from pipeline.diagnosis.words.explanations import probability
 from pipeline.diagnosis.words.held_out.holdout import heading
 from pipeline.diagnosis.words.held_out.unseen import noises
 from pipeline.diagnosis.words.language.quantity import percent
@@ -171,7 +172,11 @@ def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_th
     _, axes = plt.subplots()
     held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
     panels.held_out(axes, held, 0.02, "mm", "mm", without="creep + wear")
-    assert " ".join(axes.get_xticklabels()[2].get_text().split()) == "creep + wear, named without these strokes"
+    assert axes.get_xticklabels()[2].get_text() == "named without\nthese strokes"
+    called = [" ".join(text.get_text().split()) for text in axes.get_legend().get_texts()]
+    assert called == ["named without these strokes: creep + wear", "noise"]
+    faces = axes.collections[-1].get_facecolors()
+    assert [face.tolist() == [1.0] * 4 for face in faces] == [False, False, True], "no colour of an explanation"
 
 
 def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_ruled_out(drawn) -> None:
@@ -183,11 +188,16 @@ def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_rule
     others = [one for one in evidence["explanations"] if one["standing"] in ("beaten", "not needed")]
     assert others and all((one["probability"] or 0.0) <= min(held) for one in others)
     shown = [text.get_text() for text in figure.subfigs[-2].axes[0].texts]
-    likeliest_last = sorted(evidence["explanations"], key=lambda one: one["probability"] or 0.0)
-    assert shown == ["" if one["probability"] is None else percent(one["probability"]) for one in likeliest_last]
-    assert likeliest_last[-1]["standing"] == "named", "the uppermost is the best"
+    kept_last = sorted(
+        evidence["explanations"], key=lambda one: (one["standing"] in panels.KEPT, one["probability"] or 0.0)
+    )
+    assert shown == [
+        probability.not_weighed(one["ids"]) if one["probability"] is None else percent(one["probability"])
+        for one in kept_last
+    ]
+    assert kept_last[-1]["standing"] == "named", "the uppermost is the best"
     names = [label.get_text() for label in figure.subfigs[-2].axes[0].get_yticklabels()]
-    assert names == [" + ".join(one["ids"]) or "calibration alone" for one in likeliest_last]
+    assert names == [" + ".join(one["ids"]) or "calibration alone" for one in kept_last]
 
 
 def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_words(drawn) -> None:
@@ -216,7 +226,7 @@ def test_the_title_of_the_error_on_held_out_strokes_says_whether_a_fit_has_seen_
     made = content | {"adopted": [one], "fit": content["fit"] | {"heldout": held}}
     panels.held_out(axes, held, 0.02, "mm", "mm", title=heading(made))
     said = " ".join(axes.get_title().split())
-    assert said == "Error on the last 2 strokes, which the adopted effects have seen"
+    assert said == "Error on the last 2 strokes (seen before)"
     assert max(map(len, axes.get_title().splitlines())) <= panels.TITLE_WIDE
 
 
@@ -351,10 +361,24 @@ def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_th
     assert figures.as_adopted(studied, {**verdict, "adopted": []}) is None
 
 
-def test_a_long_name_below_the_error_on_unseen_strokes_stands_a_line_below_its_neighbour() -> None:
+def test_a_long_name_of_what_was_named_without_the_last_strokes_hangs_below_no_axis() -> None:
     _, axes = plt.subplots()
     held = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.3}
     panels.held_out(axes, held, 0.031, "mm", "mm", without="plastic_elongation + shaft_windup")
-    first, second, other = (label.get_text().splitlines() for label in axes.get_xticklabels())
-    assert first == ["nominal"] and second == ["calibrated"] and other[:2] == ["", "plastic_elongation +"]
+    assert all(len(label.get_text().splitlines()) <= 2 for label in axes.get_xticklabels())
+    plt.close("all")
+
+
+def test_kept_explanations_stand_first_and_no_word_lies_over_its_bar() -> None:
+    """A kept one stood below one that was left out; `less than 1 %` lay over the bar of one that leaves little."""
+    shown = [
+        {"ids": ["wear"], "left_mm": 0.1, "bent_mm": 0.1, "probability": 0.4, "standing": "beaten"},
+        {"ids": ["creep"], "left_mm": 0.03, "bent_mm": 0.03, "probability": 0.3, "standing": "named"},
+        {"ids": ["stick_slip"], "left_mm": 0.2, "bent_mm": 0.2, "probability": None, "standing": "beaten"},
+    ]
+    _, axes = plt.subplots()
+    panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": []}, "mm")
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["stick_slip", "wear", "creep"]
+    assert [text.get_text() for text in axes.texts] == [probability.NO_MARK, "40 %", "30 %"]
+    assert axes.texts[2].get_position()[0] > 1.0, "its bar goes from 1, the noise, to 0.6"
     plt.close("all")

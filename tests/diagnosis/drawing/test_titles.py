@@ -29,6 +29,7 @@ def test_a_title_has_two_lines_at_most_and_breaks_nowhere_else(others, said):
     adopted_ = made | {"mechanisms": [], "verdict": "parameters", "simulation": [{"id": "wear"}, {"id": "creep"}]}
     said = "a-1: parameters\nbeside what run.yaml has adopted: wear + creep"
     assert title(adopted_).replace("\N{NO-BREAK SPACE}", " ") == said
+    assert title(adopted_, True).replace("\N{NO-BREAK SPACE}", " ") == "a-1: adopted wear + creep still hold"
     many = title(made | {"run": [f"nylon-20261122-{n:02}" for n in range(9)]})
     assert many.startswith("nylon-20261122-00 and 8 more: ambiguous\n") and many.count("\n") == 1
 

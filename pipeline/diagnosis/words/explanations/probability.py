@@ -3,11 +3,13 @@
 from ...choice.judged import HELD, UNKNOWN
 from ...document.content import Part, Verdict
 from ...mechanisms.interface import physics
+from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, percent
 from . import left_out
 
 HELD_STANDINGS = ("named", "tied")
 LARGER_LEAVES_LESS = "the same effects with one more leave less of the recording"  # of a probability of 0
+NO_MARK, ENOUGH_OTHERS = "not weighed: its own mark is missing", "not weighed: others of its size fit better"
 SEEN = 0.005  # a probability that is worth a word
 WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
 OF_NONE = (
@@ -87,3 +89,10 @@ def of_none(content: Verdict) -> list[str]:
         return []
     enough = f"; from {percent(UNKNOWN)} on the verdict is unknown" if none >= UNKNOWN else ""
     return [f"That no physics of the library explains the recording has a probability of {percent(none)}{enough}."]
+
+
+def not_weighed(ids: list[str]) -> str:
+    """Why an explanation has no probability beside others that have one; calibration alone never has."""
+    library = mechanisms()
+    marked = any(library[id_].least_mark for id_ in ids if id_ in library)
+    return "" if not ids else NO_MARK if marked else ENOUGH_OTHERS

@@ -90,6 +90,6 @@ def heading(content: Verdict) -> str:
     last = split(content)
     return {
         UNSEEN: "Error on unseen strokes",
-        SEEN: f"Error on the {last}, which the adopted effects have seen",
-        PERHAPS: f"Error on the {last}, which the adopted effects may have seen",
+        SEEN: f"Error on the {last} (seen before)",
+        PERHAPS: f"Error on the {last} (perhaps seen before)",
     }[status(content)]

@@ -88,6 +88,14 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     return f"{about}: {sentence}{as_it_stands(content, words)}{worse}"
 
 
+def still_holds(content: Verdict, words: Vocabulary) -> bool:
+    """Whether what is adopted still explains the recording, as the first line says it."""
+    if not holdout.included(content) or content["verdict"] not in UNNAMED or unfit(content, words):
+        return False
+    fitted = unseen.fitted_times(content, words, named=False)
+    return bool(kept_times(content, words)) or fitted is None or fitted <= unseen.STILL_MISSING
+
+
 def _otherwise(content: Verdict, words: Vocabulary) -> str:
     """That another explanation was found without the last strokes, and how it did on them; nothing where none was."""
     if not holdout.of_other(content):
