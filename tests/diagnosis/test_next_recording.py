@@ -78,14 +78,14 @@ def test_a_rival_that_is_likelier_than_one_in_the_table_is_said_not_to_be_in_it(
 
 def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
     text = " ".join(full(rubbing()).split())
-    assert "It has no second load: 26 N, twice, parts friction_hysteresis from backlash most" in text
+    assert "It has no second load: 26 N, twice, tells friction_hysteresis from backlash best" in text
     assert "So record: 12 strokes as before, 0 to 30.7 turns under 26 N, at 1 to 2 turns/s" in text
     assert "--like raw/nylon-3 --load-n 26" in text
     near = foretold(0.2, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
     neither = named(["friction_hysteresis"], [near, PLAY], {"backlash": 0.02})
     assert second_load.best(neither, WORDS)[1] < 1.0
     said = " ".join(full(neither).split())
-    assert "neither 26 N nor 6.6 N parts friction_hysteresis from backlash here by more than the plus-minus" in said
+    assert "neither 26 N nor 6.6 N tells friction_hysteresis from backlash here by more than the plus-minus" in said
 
 
 def test_a_load_that_a_column_holds_is_not_typed():

@@ -18,6 +18,9 @@ AT_ONCE = (
     "they can be otherwise."
 )
 STAND = ("change in a hold", "change in a rest")  # rows
+NO_NUMBER = (
+    "No number of one stroke, hold or rest tells the explanations apart: each foretells the same within its plus-minus."
+)
 INDENT = 5  # of the table on the page
 
 
@@ -43,6 +46,8 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
             if parted:
                 break
     best = next((table for table, parted in tables if parted), tables[0][0] if tables else [])
+    if others and content["verdict"] == "ambiguous" and best[-1:] == [NO_NUMBER]:
+        return [NO_NUMBER, *recorded_evidence.lines(content, words), *slow_sign.lines(content, words, weighed)]
     stands = any(parted for _, parted in tables) and any(line.startswith(STAND) for line in best)
     sign = [] if stands or not best else slow_sign.lines(content, words, weighed)
     return [*best, *(_not_in(content) if best else []), *recorded_evidence.lines(content, words), *sign]
@@ -123,7 +128,7 @@ def _untelling(alone: bool, left_out: list[str], known_spread: bool, error: str)
     """What tells nothing: the rows that were left out, all other explanations, or differences in an older file."""
     older = [] if known_spread else [f"Differences of less than {error} tell nothing: the simulator errs by as much."]
     if alone:
-        return [*older, "No number here tells the explanations apart: the others foretell the same within that."]
+        return [*older, NO_NUMBER]
     rows = "; ".join(left_out)
     return [*older, *([f"Left out, since the explanations differ there by less than their ±: {rows}."] if rows else [])]
 

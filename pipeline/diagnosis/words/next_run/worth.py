@@ -24,7 +24,7 @@ MEANT = (
     "Standard deviations say how far apart the two predictions of the run are, in the noise of the recording. They "
     "promise too much: in tests such runs settled 33 of 50 ties rightly, 2 wrongly."
 )
-WRONG = "That is no noise, but a formula that is wrong by a few per cent can make it too"
+WRONG = "Against the noise alone they are far apart, but a formula that is wrong by 10 % could make the same difference"
 
 
 def first(run: NextRun) -> list[str]:
@@ -62,12 +62,18 @@ def gaps(run: NextRun) -> str:
         end = f"{best}, so none decides."
         if raises(run):
             end = "So it need not decide; in tests about half of such runs did."
+        if now > PLAIN:
+            return (
+                f"{WRONG}, so this recording does not decide. {so_far}; with the run by {number(then)}. {end} {MEANT}"
+            )
         return f"{so_far}; with the run by {number(then)}. {who} can make as much. {end} {MEANT}"
     if now <= PLAIN:
         return f"{so_far}; with the run it should be {number(then)}. {MEANT}"
     more = f"{times(then / now)} times as much"
     with_it = f"With the run it should be {number(then)}, {more}: a formula would have to be wrong by {more}"
-    return f"{so_far}. {WRONG}, so it does not decide. {with_it} to make that. So the run can decide. {MEANT}"
+    return (
+        f"{WRONG}, so this recording does not decide. {so_far}. {with_it} to make that. So the run can decide. {MEANT}"
+    )
 
 
 def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:

@@ -27,7 +27,10 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
     gaps = "So far the closest two predictions differ by 53 standard deviations; with the run by 69."
-    assert f"{gaps} A formula that is wrong by a few per cent can make as much." in " ".join(text.split())
+    why = (
+        "Against the noise alone they are far apart, but a formula that is wrong by 10 % could make the same difference"
+    )
+    assert f"{why}, so this recording does not decide. {gaps}" in " ".join(text.split()), "the reason first"
     assert "it need not decide; in tests about half of such runs did." in " ".join(text.split())
     assert "Worth a try if" in text
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=2900.0))
