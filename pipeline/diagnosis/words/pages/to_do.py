@@ -25,17 +25,20 @@ def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | 
 
     `short`: as the page has them; else as the details do, where to predict and to adopt has a section of its own.
     """
-    steps = (
-        _named(content, words, folders, out, short)
-        if content["verdict"] in NAMED
-        else _unnamed(content, words, folders, short)
-    )
-    if len(steps) == 1:
+    steps = _steps(content, words, folders, out, short)
+    if len(steps) == 1 and (short or len(_steps(content, words, folders, out, True)) == 1):
         return steps[0]
     numbered = []
     for place, (first, *rest) in enumerate(steps, start=1):
         numbered += [f"{place}. {first}", *(f"   {line}" for line in rest)]
     return numbered
+
+
+def _steps(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool) -> list[list[str]]:
+    """The steps, each its lines; the details number one step too where the page has several."""
+    if content["verdict"] in NAMED:
+        return _named(content, words, folders, out, short)
+    return _unnamed(content, words, folders, short)
 
 
 def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool) -> list[list[str]]:

@@ -1012,3 +1012,9 @@ def test_a_page_calls_a_size_poorly_known_where_its_interval_is_wide_or_it_is_hi
     assert "Poorly known is how much creep (1.4 to 1.6 mm) does alone" in " ".join(details(copy.deepcopy(made)).split())
     made["mechanisms"][1]["rms_mm"]["low"] = 0.4
     assert "1.5 mm (0.40 to 1.6 mm), poorly known" in row()
+
+
+def test_the_details_number_a_step_where_the_page_does():
+    """The page said "1. Make the run", and the details the same step without a number."""
+    made = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
+    assert steps(made).startswith("1. Make the run") and full_steps(copy.deepcopy(made)).startswith("1. Make the run")
