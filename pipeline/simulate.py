@@ -14,7 +14,15 @@ from .diagnosis.prediction.home import homed
 from .diagnosis.prediction.later_run import before_of, predicted_after, said_of, simulated_before
 from .diagnosis.prediction.planned_motion import Plan, expected_error, recorded_beside, tied_with
 from .diagnosis.prediction.prediction_band import adopted_diagnosis
-from .diagnosis.prediction.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis
+from .diagnosis.prediction.simulation import (
+    compared,
+    has_zero,
+    measured_since,
+    of_run,
+    off,
+    read_diagnosis,
+    to_simulate,
+)
 from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
@@ -75,7 +83,7 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     recorded = RecordedRun(*read_strokes(arguments.run_dir)) if has_samples else None
     run = recorded.run if recorded else read_run(arguments.run_dir)
     samples, drawn = planned(run, arguments.motion, recorded and recorded.samples)
-    content = read_diagnosis(source) if arguments.simulation else of_run(run)
+    content = to_simulate(read_diagnosis(source)) if arguments.simulation else of_run(run)
     tied = tied_with(run, content, arguments.simulation is None)
     beside = recorded_beside(arguments.run_dir, run, content, arguments.simulation is None) if recorded else []
     before = before_of(content, run.run, beside) if arguments.after_recording else []
@@ -151,7 +159,7 @@ def main() -> None:
     else:
         recorded = RecordedRun(*read_strokes(arguments.run_dir))
         run, samples = recorded.run, recorded.samples
-        content = read_diagnosis(source) if arguments.simulation else of_run(run)
+        content = to_simulate(read_diagnosis(source)) if arguments.simulation else of_run(run)
         problem = at_own_rate([recorded], thin=False, to_fit=False)
         if arguments.home:
             content, home = homed(problem, content, source, run.run)
@@ -160,6 +168,9 @@ def main() -> None:
         predicted = predicted_after(before, recorded, problem, content, source)
     columns, words = foretold(plan, arguments) if plan else ({}, [])
     words += said_of(content, run.run, before, source)
+    if closest := cast(Verdict, content).get("closest"):
+        ids = " + ".join(closest["ids"])
+        words.append(f"{ids} comes closest and is no name: the verdict is unknown, and more is missing")
     if arguments.residual:
         more, more_words = black_box(problem, run, plan, arguments.run_dir, source if arguments.simulation else None)
         columns, words = columns | more, words + more_words

@@ -31,7 +31,7 @@ from .numerics.noise import white
 from .proposal import nextrun
 from .study.engine import fine_floor
 from .study.heldout import Errors, worse_than_nominal
-from .study.rivals import rivals
+from .study.rivals import named_simulator, rivals
 from .words.pages.spoken import spoken
 
 HELD_OUT: tuple[Literal["nominal", "calibrated", "explained", "without_physics"], ...] = (
@@ -176,6 +176,8 @@ def diagnosis(
     content["evidence"] = evidence(study) | ({"pattern": pattern} if pattern else {})
     if heldout:
         content["evidence"]["chosen_without_them"] = heldout["chosen"]
+        if heldout["closest"]:
+            content["evidence"]["closest_without_them"] = heldout["closest"]
         content["evidence"]["beyond_seen"] = beyond_seen(problem.record, heldout["until_s"])
     if heldout and "left" in heldout:
         content["evidence"]["left_of_unseen"] = heldout["left"]
@@ -188,6 +190,8 @@ def diagnosis(
         content["of_your_own"] = own | {"simulation": entries(study.best.acts, problem.drivers)}
     tidied: dict[str, Any] = tidy(content)
     tidied |= {"simulation": content["simulation"], "uncertainty": doubts(problem, study.state, known.covariance, unit)}
+    if study.closest:
+        tidied["closest"] = named_simulator(problem, study.closest, list(study.best_ids), unit)
     if study.verdict == "ambiguous":
         tidied["rivals"] = rivals(study, unit)
     for name, interval in known.parameters.items():

@@ -107,9 +107,11 @@ def why_no_number(content: Content | None) -> str:
         (content["fit"]["heldout"] or {}).get(f"explained_{unit}"),
         content["evidence"]["chosen_without_them"],
     )
-    instead = " + ".join(chosen) or "no effect"
-    measured = "" if error is None else f"{_said(error, unit)} with {instead}, which is "
-    return f"{measured}named without these strokes" if measured else f"{instead} is named without these strokes"
+    closest = " + ".join(content["evidence"].get("closest_without_them", []))
+    instead = " + ".join(chosen) or closest or "no effect"
+    does = "comes closest" if closest and not chosen else "is named"
+    measured = "" if error is None else f"{_said(error, unit)} with {instead}, which "
+    return f"{measured or f'{instead} '}{does} without these strokes"
 
 
 def _unit(content: Content) -> str:

@@ -92,6 +92,7 @@ class Verdict(Simulated, total=False):
     without_last_strokes: Unseen
     code: str
     without: list[str]
+    closest: Rival  # of an unknown verdict: what predicts better by far than dimensions alone, though it is no name
     of_your_own: Part
     adopted: list[Adoption]
     zero_jumps: list[Part]  # of the runs of one string

@@ -179,7 +179,8 @@ def _refitted(studied: Study, fine: Problem) -> Study:
     noise = noise_of(fine, studied.best)
     best = calibrate.calibrate(fine, noise, studied.best, acts)
     best = replace(best, acts=(*best.acts, *(act for act in studied.best.acts if act.id in studied.random)))
-    return replace(studied, best=best, state=best if studied.state is studied.best else studied.state)
+    closest = best if studied.closest is studied.best else studied.closest
+    return replace(studied, best=best, state=best if studied.state is studied.best else studied.state, closest=closest)
 
 
 def bic(problem: Problem, noise: Noise, state: State) -> float:

@@ -36,6 +36,7 @@ class Errors(TypedDict):
     without_physics: NotRequired[float]  # with what a regression adds, where it was asked
     left: NotRequired[Left]
     chosen: list[str]  # effects that the procedure named without those strokes
+    closest: list[str]  # effects of which the error is though it named none of them; those of `Study.closest`
     state: State  # the explained simulator that has not seen those strokes
     until_s: float  # where they begin, on the clock of the joined runs
 
@@ -93,14 +94,15 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
         "split": "last 30 % of strokes",
         "nominal": error(studied.nominal),
         "calibrated": error(studied.base),
-        "explained": error(studied.state),
+        "explained": error(studied.simulator),
         "chosen": [act.id for act in studied.state.acts if act not in fine.included],
-        "state": studied.state,
+        "closest": list(studied.best_ids) if studied.closest else [],
+        "state": studied.simulator,
         "until_s": float(problem.record.time_s[row]),
     }
-    if errors["explained"] > LEFT * min(fine_floor(fine, studied), quick(fine, studied.state, unseen)):
+    if errors["explained"] > LEFT * min(fine_floor(fine, studied), quick(fine, studied.simulator, unseen)):
         later = problem.record.time_s >= problem.record.time_s[row]
-        states = [studied.base] if studied.state is studied.base else [studied.base, studied.state]
+        states = [studied.base] if studied.simulator is studied.base else [studied.base, studied.simulator]
         tried = [foretold(problem, fine, state, later) for state in states]
         sizes = [error(state, without.added) for state, without in zip(states, tried, strict=True)]
         without = tried[int(np.argmin(sizes))]

@@ -24,9 +24,14 @@ def rivals(study: Study, ending: str) -> list[Rival]:
     problem, made = study.problem, []
     for explanation in study.sets[1:]:
         state = refitted(study, explanation)
-        parameters, simulation = as_simulator(problem, state, ending)
-        made.append(Rival(ids=list(explanation.ids), parameters=parameters, simulation=simulation))
+        made.append(named_simulator(problem, state, list(explanation.ids), ending))
     return made
+
+
+def named_simulator(problem: Problem, state: State, ids: list[str], ending: str) -> Rival:
+    """A state as a simulator, with the ids of what acts in it beside what run.yaml has; `ending`: of the channel."""
+    parameters, simulation = as_simulator(problem, state, ending)
+    return Rival(ids=ids, parameters=parameters, simulation=simulation)
 
 
 def as_simulator(problem: Problem, state: State, ending: str) -> tuple[dict[str, Part], list[Included]]:

@@ -49,6 +49,9 @@ def tempered(studied: Study, fine: Problem) -> Study:
 
     All samples weigh alike in that fit, and each says as little as what is left allows. Nonlinear parameters are kept.
     """
+    if studied.closest:
+        alone = tempered(replace(studied, state=studied.closest, closest=None), fine)
+        studied = replace(studied, closest=alone.state, best=alone.best)
     if too_sure(studied.problem, studied.noise, studied.state) <= TOO_SURE:
         return studied
     fine, _ = without_outliers(fine, studied.state)

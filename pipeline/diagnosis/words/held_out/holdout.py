@@ -41,6 +41,11 @@ def of_other(content: Verdict) -> str:
     return other if other not in ("", NO_EFFECT) else ""
 
 
+def closest(content: Verdict) -> str:
+    """The effects of which the error on those strokes is, though the verdict without them is unknown; else nothing."""
+    return " + ".join(sorted(set(content["evidence"].get("closest_without_them", []))))
+
+
 def named(content: Verdict) -> str:
     """The best explanation, as its effects are listed everywhere."""
     best = [shown["ids"] for shown in content["evidence"]["explanations"] if shown["standing"] == "named"]
@@ -69,13 +74,16 @@ def not_lasting(content: Verdict, id_: str) -> str:
 def whose(content: Verdict) -> str:
     """Of which effects the last error on those strokes is, where not of those that are named; goes after its size."""
     other = other_name(content)
+    if other == NO_EFFECT and closest(content):
+        return f" (of {closest(content)}, which comes closest without these strokes: no effect is named there)"
     return f" (of {other}, which the procedure names without these strokes)" if other else ""
 
 
 def simulator(content: Verdict) -> str:
     """Of which simulator the last error on those strokes is; goes after `the simulator`."""
     if other_name(content) == NO_EFFECT:
-        return "without an effect (the procedure names none without these strokes)"
+        which = f"with {closest(content)}, which comes closest" if closest(content) else "without an effect"
+        return f"{which} (the procedure names none without these strokes)"
     other = of_other(content)
     return f"with {other} (which the procedure names without these strokes)" if other else "as diagnosed"
 

@@ -44,7 +44,7 @@ def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
     if errors is None:
         return []
     own, without = (f"{size(error, words.unit)} rms" for error in errors)
-    who = holdout.of_other(content) or "calibration"
+    who = holdout.closest(content) or holdout.of_other(content) or "calibration"
     errs = f"{METHOD} errs by {without} on the {holdout.strokes(content)}, {who} by {own}"
     if errors[1] > NO_BETTER * errors[0]:
         return [f"{errs}: it does no better, so what is left there follows none of these as in the strokes before."]

@@ -1,5 +1,6 @@
 """Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
 
+from ....ground.command import program_name
 from ...document.content import Verdict
 from ..held_out import holdout, in_vain
 from ..language.quantity import listing, size
@@ -20,10 +21,19 @@ def worse(content: Verdict) -> str:
     return f"Adopt nothing: on the {holdout.strokes(content)} the explanation makes the simulator worse."
 
 
+def nothing_named(content: Verdict) -> str:
+    """The advice where no effect is named, with what predicts the rig meanwhile, where something does."""
+    if "closest" not in content:
+        return NOTHING_NAMED
+    ids = content["closest"]["ids"]
+    comes = "come" if len(ids) > 1 else "comes"
+    return f"{NOTHING_NAMED} {program_name('simulate')} predicts with {' + '.join(ids)}, which {comes} closest."
+
+
 def against(content: Verdict, words: Vocabulary) -> str:
     """The advice to adopt nothing, where it is given; else nothing."""
     if content["verdict"] == "unknown":
-        return NOTHING_NAMED
+        return nothing_named(content)
     return worse(content) if in_vain.harmful(content, words) else ""
 
 

@@ -17,7 +17,8 @@ HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
 WHOLE = "whole recording (seen by the fit)"
 OTHER = "Other effects: {other}, which the procedure names without these strokes. {best} could not be tried so."
-NONE_NAMED = "Without these strokes the procedure names no effect: the right column has the error of calibration alone."
+NONE_NAMED = "Without these strokes the procedure names no effect: the right column has the error of {which}."
+CLOSEST = "what comes closest, no name"
 OTHER_EFFECTS, NARROW = "other effects, see below", 33  # letters of a row's name: the table is no wider than a page
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
 WHOSE = {
@@ -45,13 +46,17 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     rows = [["simulator", *(head for head, _, _ in columns)]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
-    if rows[-1][1:] == rows[-2][1:] and not content["mechanisms"]:  # nothing is named
-        rows.pop()
+    if not content["mechanisms"] and (rows[-1][1:] == rows[-2][1:] or content["verdict"] == "unknown"):
+        *_, foretold = rows.pop()  # nothing is named
+        if held and (closest := holdout.closest(content)):
+            name = f"closest, no name: {closest}"
+            rows.append([name if len(name) <= NARROW else CLOSEST, UNKNOWN, foretold])
     adopted = content["evidence"].get(f"adopted_{words.ending}")
     if adopted is not None:
         rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])
     if held and content["mechanisms"] and (other := holdout.other_name(content)):
         of_other, rows[-1][-1] = rows[-1][-1], UNKNOWN
+        other = holdout.closest(content) or other
         rows += [] if other == holdout.NO_EFFECT else [[_row_of(other), UNKNOWN, of_other]]
     rows.append(
         [
@@ -96,7 +101,10 @@ def _of_other(content: Verdict) -> list[str]:
     other = holdout.other_name(content)
     if not other or not content["mechanisms"]:
         return []
-    return [NONE_NAMED if other == holdout.NO_EFFECT else OTHER.format(best=holdout.named(content), other=other)]
+    if other == holdout.NO_EFFECT:
+        closest = holdout.closest(content)
+        return [NONE_NAMED.format(which=f"{closest}, which comes closest" if closest else "calibration alone")]
+    return [OTHER.format(best=holdout.named(content), other=other)]
 
 
 def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:

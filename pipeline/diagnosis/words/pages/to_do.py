@@ -89,7 +89,7 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bo
         run = content["next_run"]
         shows = f"Make the run in {DETAILS} under {RUN}: it shows more of what is missing."
         again = _measure(content, words, short, "go on")
-        return [*again, *([[shows]] if run else []), [advice.NOTHING_NAMED]]
+        return [*again, *([[shows]] if run else []), [advice.nothing_named(content)]]
     tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
     if tied and not deciding_run.worth_making(tied):
         count = 1 + max(len(adoption["tied"]) for adoption in tied)
