@@ -11,15 +11,12 @@ from ..mechanisms.interface import Nonlinear, physics
 from ..mechanisms.library import mechanisms
 from ..numerics.noise import Noise
 from . import chance
-from .cross_validation import left_out_errors
 from .judged import UNKNOWN, Judged
 from .search import EXPLAINED, LEAST_EFFECT, Explanation, Search
 
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
 SWALLOWED = 0.1  # of the noise, that the dictionary may take without making its floor doubtful
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
-HALF_TAKEN = 0.75  # of the mismatch's energy, half of its rms: what takes less of it is simulated by nobody
-FORETOLD = 0.7  # of the error of dimensions alone on left-out stretches: who errs by more foretells no better
 HELPED = 0.7  # of the mismatch (half of its energy) that makes a helper the explanation
 CANCELS = 8.0  # times what effects do together: one so much larger is balanced by another
 
@@ -116,26 +113,11 @@ def decide(
     if verdict == "unknown" and mismatch**2 <= max((UNKNOWN_FROM * floor) ** 2, explained):
         verdict = "parameters" if better > (PARAMETERS_FROM * floor) ** 2 else "consistent"
     state = best if verdict in ("explained", "ambiguous") else base
-    closest = best if verdict == "unknown" and foretells(search, sets, share, best) else None
     jerks *= bool(new)
     return Study(
         problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks,
-        judged, closest=closest,
+        judged,
     )  # fmt: skip
-
-
-def foretells(search: Search, sets: list[Explanation], share: float, best: State) -> bool:
-    """Whether an explanation that is no name foretells the reading better by far than dimensions alone.
-
-    It takes half of the mismatch, is physics of the library alone, and misses stretches that it was not fitted to by
-    much less.
-    """
-    if not sets or share < HALF_TAKEN or cancels(search.linear.problem, best):
-        return False
-    if any(mechanisms()[id_].helper for id_ in sets[0].ids) or not physics(sets[0].ids):
-        return False
-    without, with_it = left_out_errors(search.linear, [search.nothing, search.explain(sets[0].ids)])
-    return with_it < FORETOLD * without
 
 
 def bare(problem: Problem, noise: Noise) -> float:

@@ -10,6 +10,7 @@ from ...ground.errors import BadInput
 from ...systems import System
 from ...systems.interface import PORTS
 from ..choice import candidates, chance
+from ..choice.closest import with_closest
 from ..choice.judged import NOTHING, judged
 from ..choice.kept import kept
 from ..choice.outcome import Study, bare, decide, rms
@@ -156,7 +157,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
     best, judgement = kept(search, judgement, base)
     still = chance.seen(problem, best) if random else {}  # what an explanation takes away was not chance
     random = {id_: nonlinear for id_, nonlinear in random.items() if id_ in still}
-    return decide(problem, nominal, base, noise, best, judgement, search, random)
+    return with_closest(decide(problem, nominal, base, noise, best, judgement, search, random))
 
 
 def too_loud(noise: Noise, chosen: Explanation) -> bool:
