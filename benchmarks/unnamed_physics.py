@@ -3,8 +3,9 @@
     python benchmarks/unnamed_physics.py processed/real/raw/RUN [RUN ...]
 
 repeats the held-out part of a diagnosis and prints a line a run: the error (rms, in the reading's unit) of the
-calibrated simulator, of the simulator as diagnosed (the calibrated one where the verdict is `unknown`), of the best
-explanation whatever the verdict, and of that one with what boosted trees add to it; and which driver these follow.
+calibrated simulator, of the simulator as diagnosed (where the verdict is `unknown`, with what comes closest if that
+predicts), of the best explanation whatever the verdict, and of that one with what boosted trees add to it; and which
+driver these follow.
 """
 
 import argparse
@@ -43,7 +44,7 @@ def line(folder: Path) -> str:
         return rms(left[unseen & ~wild(left)[0]])
 
     more = foretold(problem, fine, studied.best, problem.record.time_s >= begins_s)
-    errors = [error(studied.base), error(studied.state), error(studied.best), error(studied.best, more.added)]
+    errors = [error(studied.base), error(studied.simulator), error(studied.best), error(studied.best, more.added)]
     words = "calibrated {:.4g}, as diagnosed {:.4g}, best explanation {:.4g}, with trees {:.4g}".format(*errors)
     ids = " + ".join(studied.best_ids) or "nothing"
     return f"{folder.name}: {words}; {studied.verdict}; best: {ids}; trees follow {more.driver}"

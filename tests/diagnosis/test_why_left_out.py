@@ -63,7 +63,7 @@ def test_an_explanation_that_is_likelier_than_the_best_one_is_named_with_the_rul
     text = " ".join(full(left_out()).split())
     assert "friction_hysteresis + sensor_drift 40 % left out: see below" in text
     assert f"Left out, however probable: friction_hysteresis + sensor_drift (40 %). The reason: {SAID}" in text
-    assert "the best one that can be named has a probability of 30 %" in text
+    assert "30 % the best one" in text
     assert "of what it can tell from moved dimensions the recording agrees best with" in text
     assert "less likely" not in text.partition("How probable each")[2].partition("What is missing")[0]
     details = told(left_out())
