@@ -14,15 +14,8 @@ from .diagnosis.prediction.home import homed
 from .diagnosis.prediction.later_run import before_of, predicted_after, said_of, simulated_before
 from .diagnosis.prediction.planned_motion import Plan, expected_error, recorded_beside, tied_with
 from .diagnosis.prediction.prediction_band import adopted_diagnosis
-from .diagnosis.prediction.simulation import (
-    compared,
-    has_zero,
-    measured_since,
-    of_run,
-    off,
-    read_diagnosis,
-    to_simulate,
-)
+from .diagnosis.prediction.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis
+from .diagnosis.prediction.without_a_name import said_of_no_name, to_simulate
 from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
@@ -83,7 +76,7 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     recorded = RecordedRun(*read_strokes(arguments.run_dir)) if has_samples else None
     run = recorded.run if recorded else read_run(arguments.run_dir)
     samples, drawn = planned(run, arguments.motion, recorded and recorded.samples)
-    content = to_simulate(read_diagnosis(source)) if arguments.simulation else of_run(run)
+    content = to_simulate(read_diagnosis(source), run.run) if arguments.simulation else of_run(run)
     tied = tied_with(run, content, arguments.simulation is None)
     beside = recorded_beside(arguments.run_dir, run, content, arguments.simulation is None) if recorded else []
     before = before_of(content, run.run, beside) if arguments.after_recording else []
@@ -118,8 +111,8 @@ def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array
         print(f"warning: {arguments.motion}: {asks}", file=sys.stderr)
     columns = {OUTSIDE: (~inside).astype(float)} if plan.outside else {}
     columns[f"without_effects_{ending}"] = plan.without_effects
-    read = plan.source, cast(Verdict, plan.content)
-    place, diagnosis = read if arguments.simulation else adopted_diagnosis(plan.run)
+    own = (plan.source, cast(Verdict, plan.content)) if arguments.simulation else None
+    place, diagnosis = own or adopted_diagnosis(plan.run)
     width = plan.band(diagnosis, place) if diagnosis else None
     expected = expected_error(width, inside)
     if diagnosis is None or width is None:
@@ -159,7 +152,7 @@ def main() -> None:
     else:
         recorded = RecordedRun(*read_strokes(arguments.run_dir))
         run, samples = recorded.run, recorded.samples
-        content = to_simulate(read_diagnosis(source)) if arguments.simulation else of_run(run)
+        content = to_simulate(read_diagnosis(source), run.run) if arguments.simulation else of_run(run)
         problem = at_own_rate([recorded], thin=False, to_fit=False)
         if arguments.home:
             content, home = homed(problem, content, source, run.run)
@@ -167,10 +160,7 @@ def main() -> None:
         before = simulated_before(content, run.run, arguments.run_dir)
         predicted = predicted_after(before, recorded, problem, content, source)
     columns, words = foretold(plan, arguments) if plan else ({}, [])
-    words += said_of(content, run.run, before, source)
-    if closest := cast(Verdict, content).get("closest"):
-        ids = " + ".join(closest["ids"])
-        words.append(f"{ids} comes closest and is no name: the verdict is unknown, and more is missing")
+    words += [*said_of(content, run.run, before, source), *said_of_no_name(content)]
     if arguments.residual:
         more, more_words = black_box(problem, run, plan, arguments.run_dir, source if arguments.simulation else None)
         columns, words = columns | more, words + more_words
@@ -184,8 +174,7 @@ def main() -> None:
     print(f"{arguments.out} holds {listing(list(columns))}")
     if plan and plan.drawn:
         print("\n".join(corners(table, problem.system.driver, problem.system.channel)))
-    begins = acting if plan and plan.recorded and not plan.after else None
-    called = Vocabulary.of(problem.system)
+    begins, called = acting if plan and plan.recorded and not plan.after else None, Vocabulary.of(problem.system)
     loops = loop_table.printed(table, called, problem.system.channel, begins) if plan else []
     if plan and problem.system.free_zero:
         as_there = plan.after or has_zero(content, problem.system, run.run, problem.runs)

@@ -10,7 +10,8 @@ from typing import Protocol
 import pandas as pd
 
 from ..diagnosis.document.content import Simulated
-from ..diagnosis.prediction.simulation import of_run, tared, to_simulate
+from ..diagnosis.prediction.simulation import of_run, tared
+from ..diagnosis.prediction.without_a_name import to_simulate
 from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.study.own_rate import at_own_rate
 from ..ground import schemas
@@ -89,9 +90,9 @@ class Recording:
         measured channel serves for the zero alone. Raises BadInput where a diagnosis gives no number.
         """
         problem = at_own_rate([RecordedRun(self.run, self.samples, self.strokes)], thin=False)
-        values = tared(
-            problem, to_simulate(diagnosis.content) if diagnosis else of_run(self.run), self.folder, self.run.run
-        )
+        name = self.run.run
+        content = to_simulate(diagnosis.content, name) if diagnosis else of_run(self.run)
+        values = tared(problem, content, self.folder, name)
         return pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: values})
 
     def save(self, raw: Path | str) -> Path:

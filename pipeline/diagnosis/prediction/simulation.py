@@ -62,15 +62,6 @@ def read_diagnosis(path: Path) -> Verdict:
     return cast(Verdict, content)
 
 
-def to_simulate(content: Simulated) -> Simulated:
-    """A diagnosis whose `simulation` and `parameters` are what predicts the rig: of `unknown` its `closest`."""
-    closest = cast(Verdict, content).get("closest")
-    if not closest:
-        return content
-    parameters = {**content["parameters"], **closest["parameters"]}
-    return {**content, "parameters": parameters, "simulation": closest["simulation"]}
-
-
 def of_run(run: Run) -> Simulated:
     """What a run's own `run.yaml` simulates, as a diagnosis would say it: what it has adopted, effects and dimensions.
 

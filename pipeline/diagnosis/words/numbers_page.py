@@ -19,7 +19,7 @@ DECIDE_NOTHING = (
     *("adopt", "aspects", "bounds", "closest", "covered", "design", "evidence", "expected", "foretold"),
     *("legs", "loops", "mechanism_entries", "nextrun", "not_kept", "own_rate", "planned_motion", "prediction_band"),
     *("problem", "products", "recursions", "residual", "simulation", "tidy", "uncertainty", "verdict"),
-    *("without_last",),
+    *("without_a_name", "without_last"),
 )
 HEAD = """# Numbers that decide a verdict
 

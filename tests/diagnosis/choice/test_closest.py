@@ -10,6 +10,7 @@ import programs
 import pytest
 
 from pipeline.diagnosis.choice import closest
+from pipeline.diagnosis.prediction.without_a_name import said_of_no_name, to_simulate
 from pipeline.run.samples import read_samples
 
 DIRECTED = ("friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip", "x_clock", "load_swing")
@@ -72,3 +73,12 @@ def test_what_may_predict_without_a_name(monkeypatch, ids, share, errors, predic
     sets = [SimpleNamespace(ids=ids)] if ids else []
     study = SimpleNamespace(sets=sets, share=share, problem=None, best=None, search=search)
     assert closest.foretells(study) == predicts
+
+
+def test_of_another_run_the_dimensions_alone_are_simulated():
+    diagnosis = {"run": "a-1", "parameters": {"radius_mm": {"value": 0.5}}, "simulation": [], "closest": {
+        "ids": ["creep"], "parameters": {"radius_mm": {"value": 0.6}}, "simulation": [{"id": "creep"}]}}  # fmt: skip
+    own = to_simulate(diagnosis, "a-1")
+    assert own["simulation"] == [{"id": "creep"}] and own["parameters"]["radius_mm"] == {"value": 0.6}
+    assert said_of_no_name(own) and not said_of_no_name(diagnosis)
+    assert to_simulate(diagnosis, "a-2") == diagnosis
