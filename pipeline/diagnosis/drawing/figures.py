@@ -12,7 +12,7 @@ from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..prediction.simulation import at_its_best_zero
-from ..words.held_out.holdout import heading, included, other_name, settled_otherwise
+from ..words.held_out.holdout import closest, heading, included, other_name, settled_otherwise
 from ..words.held_out.unseen import noises
 from ..words.language.quantity import listing
 from ..words.language.vocabulary import Vocabulary
@@ -124,8 +124,8 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     panels.ranking(ranked, content, ending, compared)
     floor_here = content["fit"][f"noise_floor_{ending}"]
     skip = int("as adopted" in simulations)
-    without = other_name(content)
-    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, without)
+    names = other_name(content), closest(content)
+    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, *names)
     ripple = next(
         (own["pitch_turns"] for act in study.state.acts for own in act.nonlinear if "pitch_turns" in own), 0.0
     )

@@ -35,7 +35,8 @@ STANDINGS = {
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
 KEPT = ("named", "tied")  # the rows that stand first
-MORE_ALONE = "takes away too little to be named"  # where nothing is
+MORE_ALONE = "with a further effect that adds too little"  # where nothing is named
+UNLIKELY, WORSE = "less likely", "fits worse"  # where the details have no table of them, and where nobody is likely
 NOT_NAMED = "leaves least, and is not named"  # where none has to be
 WITH_DISCREPANCY = "left if each effect may differ from its formula by 10 %"
 NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
@@ -96,7 +97,9 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     standings = [name for name in STANDINGS if name in shown_standings]
     meanings = {name: STANDINGS[name][1] for name in STANDINGS}
     meanings |= {} if "named" in shown_standings else {"not needed": MORE_ALONE}
-    meanings |= {} if content.get("verdict") == "unknown" else {"not enough": NOT_NAMED}
+    unknown = content.get("verdict") == "unknown"
+    meanings |= {"beaten": UNLIKELY if weighed else WORSE} if unknown or not weighed else {}
+    meanings |= {} if unknown else {"not enough": NOT_NAMED}
     handles: list[Any] = [Patch(color=STANDINGS[name][0], label=meanings[name]) for name in standings]
     if decide:
         handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=WITH_DISCREPANCY))
@@ -122,12 +125,13 @@ def plain(axis: Axis) -> None:
 
 def held_out(
     axes: Axes, held: Part | None, floor: float, ending: str, unit: str, noise: str = "noise",
-    title: str = "Error on unseen strokes", skip: int = 0, without: str = "",
+    title: str = "Error on unseen strokes", skip: int = 0, without: str = "", closest: str = "",
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys.
 
     `without` is what was named without those strokes, where the verdict names other effects: the last error is its, is
-    drawn hollow, and has its name in the legend.
+    drawn hollow, and has its name in the legend. `closest` is what predicts them where nothing was named without them:
+    the last error is its then.
     """
     axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
     if not held:
@@ -137,8 +141,8 @@ def held_out(
     values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
     names = list(SHADES)[skip : 2 if values[2] == values[1] else 3]  # what is the same is drawn once
     values, places = values[skip : skip + len(names)], range(len(names))
-    colours = [SHADES[name] for name in names]
-    hollow = [bool(without) and name == NAMED for name in names]
+    hollow = [bool(without or closest) and name == NAMED for name in names]
+    colours = [TIED if closest and name == NAMED else SHADES[name] for name in names]
     stems = axes.vlines(places, floor, values, colors=colours, lw=2.5)
     stems.set(linestyle=[":" if is_other else "-" for is_other in hollow])
     faces = ["white" if other else colour for other, colour in zip(hollow, colours, strict=True)]
@@ -146,11 +150,13 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    other = {NAMED: "named without\nthese strokes"} if without else {}
+    below = "closest,\nno name" if closest else "named without\nthese strokes" if without else NAMED.replace(" ", "\n")
     if any(hollow):
-        called = fill(f"named without these strokes: {without}", LEGEND_WIDE)
-        axes.plot([], [], ls=":", marker="o", mfc="white", color=SHADES[NAMED], label=called)
-    axes.set(xticks=places, xticklabels=[other.get(name, name) for name in names], xlim=(-0.6, len(names) - 0.4))
+        which = f"closest, no name: {closest}" if closest else f"named without these strokes: {without}"
+        axes.plot([], [], ls=":", marker="o", mfc="white", color=colours[-1], label=fill(which, LEGEND_WIDE))
+    axes.set(
+        xticks=places, xticklabels=[below if name == NAMED else name for name in names], xlim=(-0.6, len(names) - 0.4)
+    )
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     low, high = 0.5 * min(*values, floor), max(*values, floor)
     room = low * (high / low) ** (1.0 / HIGHEST)  # for the label of the highest point, and the legend above that

@@ -290,7 +290,7 @@ def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best
     panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": []}, "mm")
     said = [text.get_text() for text in axes.get_legend().get_texts()]
     assert ("less likely, with more effects" in said) is named
-    assert ("takes away too little to be named" in said) is not named
+    assert ("with a further effect that adds too little" in said) is not named
 
 
 @pytest.mark.parametrize(("bent", "below"), [(0.04, True), (0.06, False)])
@@ -366,6 +366,16 @@ def test_a_long_name_of_what_was_named_without_the_last_strokes_hangs_below_no_a
     held = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.3}
     panels.held_out(axes, held, 0.031, "mm", "mm", without="plastic_elongation + shaft_windup")
     assert all(len(label.get_text().splitlines()) <= 2 for label in axes.get_xticklabels())
+    plt.close("all")
+
+
+def test_what_comes_closest_is_drawn_hollow_and_called_no_name() -> None:
+    _, axes = plt.subplots()
+    held = {"nominal_mm": 0.35, "calibrated_mm": 0.32, "explained_mm": 0.073}
+    panels.held_out(axes, held, 0.019, "mm", "mm", without="no effect", closest="viscous_loss")
+    assert axes.get_xticklabels()[-1].get_text() == "closest,\nno name"
+    assert "closest, no name: viscous_loss" in [text.get_text() for text in axes.get_legend().get_texts()]
+    assert axes.collections[-1].get_facecolor()[-1].tolist() == [1.0, 1.0, 1.0, 1.0]
     plt.close("all")
 
 

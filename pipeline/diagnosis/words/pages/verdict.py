@@ -123,7 +123,9 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
     lies = "spread over the whole range" if where == EVERYWHERE else f"mostly {where}"
-    missing = f"{size(rms, words.unit)} rms is missing after calibration ({times(rms / floor)} times the noise)"
+    missing = (
+        f"{size(rms, words.unit)} rms is missing after calibration, noise taken off ({times(rms / floor)} times it)"
+    )
     return [
         f"{missing}, {lies}. It follows {mismatch['driver']}.",
         "What comes closest, and does not do:",
