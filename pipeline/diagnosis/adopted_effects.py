@@ -24,6 +24,10 @@ def adopted_effects(problem: Problem, run: Run, ending: str) -> list[Part]:
     """
     system, entries = problem.system, list[Part]()
     words, units = Vocabulary.of(system), Units.of(system)
+    values = state_of(of_run(run), problem, Path("run.yaml"), run.run).values
+    mass_kg = {parameter.name: value for parameter, value in zip(problem.parameters, values, strict=True)}.get(
+        "mass_kg"
+    )
     for act, effect in effects_of(problem, run):
         widest, worth = loops.widest(problem, effect), rms(effect)
         parameters = parameters_of(problem, act, (1.0, 1.0), {}, widest.width / 2 if widest else None)
@@ -31,9 +35,9 @@ def adopted_effects(problem: Problem, run: Run, ending: str) -> list[Part]:
         opened = {f"width_{ending}": widest.width, system.driver: widest.motion} if widest else None
         by_id = {act.id: effect}
         span, trend = extents.spans(by_id)[act.id], extents.trends(by_id)[act.id]
-        does = sentence(mechanisms()[act.id], entry, span, words, units, opened, trend) if worth else ""
+        says = sentence(mechanisms()[act.id], entry, span, words, units, opened, trend, mass_kg=mass_kg)
         top = extents.tops(by_id, problem.record).get(act.id)
-        entries.append({"id": act.id, f"rms_{ending}": worth, "sentence": does, f"top_{ending}": top})
+        entries.append({"id": act.id, f"rms_{ending}": worth, "sentence": says if worth else "", f"top_{ending}": top})
     return entries
 
 

@@ -83,6 +83,7 @@ MECHANISM = Mechanism(
     meaning="the displacement is read late, or the twist.",
     sentence="The {reading} and the {motion} are read at different moments, which is worth {size} at these speeds.",
     details=(
+        "the delay of the {motion} is {late_ms}",
         "the moving mass times the delay of the {motion} is {late_mm_s3_per_turn}; divided by "
         "the mass that is the delay in seconds",
     ),

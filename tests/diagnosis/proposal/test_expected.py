@@ -140,6 +140,17 @@ def test_of_columns_that_do_not_all_fit_those_stand_that_a_row_tells_apart():
     assert "thermal" in table[0] and "plastic_elongation" not in table[0], "it foretells the same as the best"
 
 
+def test_where_the_one_explanation_stands_alone_the_page_says_which_loop_speaks_against_it():
+    both = [with_spread(CREEP, 0.3), with_spread(HEAT, 0.3)]
+    text = " ".join(
+        lines(
+            content(verdict="explained", alternatives=[], evidence__expected=EXPECTED | {"explanations": both}), WORDS
+        )
+    )
+    assert "tells the explanations apart" not in text
+    assert "Speaks against the name: the loop" in text and ", outside " in text
+
+
 def test_where_no_number_tells_the_explanations_apart_no_table_stands_and_one_sentence_says_so():
     """A table "What to expect of" stood there, and below it that no number of it tells them apart."""
     both = [with_spread(CREEP, 0.3), with_spread(HEAT, 0.3)]

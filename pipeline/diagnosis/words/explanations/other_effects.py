@@ -6,13 +6,12 @@ from ...document.content import Part, Verdict
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, percent, size, times
 from ..language.vocabulary import Vocabulary
-from .rivals import ALIKE, called
+from .rivals import ALIKE, LITTLE, NO_LESS, called
 
 HEADING = "Why it is none of the other effects"
 CLEAR, MORE = 3.0, 2.0  # standard errors that are no chance; times the best one's change: what is less is like it
 VISIBLE = 0.1  # noise floors: a change in a stand that is less is worth no word
 WORTH = 0.01  # of a probability: what is less is not said
-LITTLE = 0.98  # times what calibration alone leaves: who leaves more explains nothing
 ADDS = 0.2  # noise floors: what takes away less adds nothing
 CONSTANT = "nothing: a constant"  # what such an effect follows, by `Mechanism.driver`
 SEVERAL = 3  # effects that add nothing: from so many on it is said once
@@ -68,13 +67,25 @@ def _why(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
     leaves = f"{instead} leaves {size(left, words.unit)} ({times(left / floor)} times the noise)"
     alone = content["evidence"].get(f"calibrated_{words.ending}")
     if alone and left >= LITTLE * alone and len(entry["instead"]) == 1:
-        leaves = "alone leaves as much as no effect does"
+        leaves = f"alone {NO_LESS}"
+    elif without := _not_better(entry, content, words):
+        leaves = f"{instead} leaves no less than {without}"
     if left <= ALIKE * first[f"left_{words.ending}"]:
         leaves += ", hardly more than the best one, but is less likely by its other signs"
     parts = [leaves]
     wrong = wrong_standing(entry, first, floor, words)
     parts += [f"wrong while the motor stands, by {listing(wrong)}"] if wrong else []
     return "; ".join([*parts, *_beside(entry, first, floor, words)])
+
+
+def _not_better(entry: Part, content: Verdict, words: Vocabulary) -> str:
+    """The part of an explanation without this effect that leaves no more than it; nothing where the effect helps it."""
+    rest, key = set(entry["instead"]) - {entry["id"]}, f"left_{words.ending}"
+    smaller = [
+        each for each in content["evidence"]["explanations"]
+        if rest and set(each["ids"]) == rest and entry[key] > ALIKE * each[key]
+    ]  # fmt: skip
+    return called(smaller[0]["ids"]) if smaller else ""
 
 
 def _not_shown(driver: str, words: Vocabulary) -> str:

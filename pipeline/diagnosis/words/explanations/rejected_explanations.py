@@ -11,7 +11,7 @@ from ..language.quantity import listing, percent, size, times
 from ..language.vocabulary import Vocabulary
 from . import left_out, less_likely, probability
 from .reasons import why
-from .rivals import ALIKE, ALLOWED, called, entries, left, told
+from .rivals import ALIKE, ALLOWED, called, entries, left, no_less, told
 
 CLOSEST = 4  # explanations that are shown where none does
 SHOWN = 8  # of those that were beaten
@@ -115,6 +115,8 @@ def _beaten(explanation: Part, first: Part, content: Verdict, words: Vocabulary)
     """What a beaten explanation leaves, and how its prediction differs from the best one."""
     summary = told(explanation, content, words)
     if explanation.get("probability") is not None and explanation["probability"] < RARE:
+        return f"{summary}."
+    if no_less(explanation, content, words):
         return f"{summary}."
     if explanation[f"left_{words.ending}"] <= ALIKE * first[f"left_{words.ending}"] and (
         explanation["worse"] > 0.0 or not explanation.get("balanced")

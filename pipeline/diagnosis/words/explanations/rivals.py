@@ -8,6 +8,8 @@ from ..language.vocabulary import Vocabulary
 from . import probability
 from .reasons import why
 
+LITTLE = 0.98  # times what calibration alone leaves: who leaves more explains nothing
+NO_LESS = "leaves as much as no effect does"  # a fit that leaves more did not find its best
 ALIKE = 1.05  # times what the best leaves: less is the same to the eye
 MORE, LARGER = 1.1, 3.0  # times the mismatch: an effect that calibration hides in part, and for the most part
 NOISY = 1.1  # noise floors: who leaves less has no more to explain
@@ -45,7 +47,14 @@ def left(explanation: Part, content: Verdict, words: Vocabulary) -> str:
 def told(explanation: Part, content: Verdict, words: Vocabulary) -> str:
     """An explanation by its name with its probability, if it has one, and what it leaves; without a full stop."""
     likely = probability.said(explanation)
-    return f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}leaves {left(explanation, content, words)}"
+    leaves = NO_LESS if no_less(explanation, content, words) else f"leaves {left(explanation, content, words)}"
+    return f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}{leaves}"
+
+
+def no_less(explanation: Part, content: Verdict, words: Vocabulary) -> bool:
+    """Whether an explanation leaves as much as calibration alone, or even more; False in an older file."""
+    alone, ids = content["evidence"].get(f"calibrated_{words.ending}"), explanation["ids"]
+    return bool(alone and ids and explanation[f"left_{words.ending}"] >= LITTLE * alone)
 
 
 def shared(content: Verdict) -> str:

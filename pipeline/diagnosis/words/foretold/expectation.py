@@ -109,7 +109,25 @@ def _table(
         *([AT_ONCE] if not all(map(_is_loop, keys)) else []),
         *_untelling(alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)),
     ]
+    against = _against(names, cells, keys, words) if len(columns) == 1 and content["verdict"] == "explained" else ""
+    if against:
+        remarks = [*(line for line in remarks if line != NO_NUMBER), against]
     return aligned([["What to expect of", *heads], *rows]), remarks, bool(telling) and not alone
+
+
+def _against(names: dict[str, str], cells: dict[str, list[Number | None]], keys: list[str], words: Vocabulary) -> str:
+    """Which loops would speak against the one explanation in the table; nothing where no loop has a plus-minus."""
+    outside = []
+    for key in keys:
+        cell = cells[key][0]
+        if cell is None or not cell.known or not _is_loop(key):
+            continue
+        value, _, rest = plus_minus(cell.value, cell.half_width, words.unit).replace(",", "").partition(" ± ")
+        half, _, unit = rest.partition(" ")
+        places = len(half.partition(".")[2])
+        low, high = (f"{max(float(value) + way * float(half), 0.0):,.{places}f}" for way in (-1.0, 1.0))
+        outside.append(f"{names[key]}, outside {low} to {high} {unit}")
+    return f"Speaks against the name: {'; '.join(outside)}." if outside else ""
 
 
 def _loop(words: Vocabulary) -> str:

@@ -121,10 +121,14 @@ def from_to(content: Verdict, name: str) -> tuple[str, str]:
 
 
 def decimals(content: Verdict, name: str) -> int:
-    """After how many decimals a dimension is known: to a third of its tolerance; four digits where that is unknown."""
+    """After how many decimals a dimension is said: to a third of its tolerance, finer where its ends read alike."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
     known = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
-    return max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
+    places = max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
+    low, high = (content["parameters"][name].get(end, 0.0) for end in ("low", "high"))
+    while low < high and places < FINEST and round(low, places) == round(high, places):
+        places += 1
+    return places
 
 
 def likely_range(content: Verdict, name: str) -> str:
@@ -133,8 +137,6 @@ def likely_range(content: Verdict, name: str) -> str:
     if not known.get("low", 0.0) < known.get("high", 0.0):
         return ""
     places, unit = decimals(content, name), said_unit(unit_of(re.sub(r"_\d+$", "", name)))
-    while places < FINEST and round(known["low"], places) == round(known["high"], places):
-        places += 1
     low, high = (number(round(known[end], places), 12) for end in ("low", "high"))
     return f" (90 % interval {low} to {high} {unit}".rstrip() + ")"
 

@@ -18,6 +18,7 @@ PROBABLY = "probable"
 OF_IT, OF_IT_SHORT = "share no dimension can imitate", "beyond dimensions"  # the latter where the page is too narrow
 INDENT = 2  # of a section's lines
 HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
+NO_PERCENTAGE = "No percentage is known on this rig."
 NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = (
     "Poorly known is the size of {}: dimensions or other effects can take over much of it, however sure the effect is."
@@ -74,6 +75,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         against = cancelling.lines(content, entries, words)
         return [
             *table_lines,
+            *([] if certainty.known(content) else [NO_PERCENTAGE]),
             *_in_one([*needed.lines(content), *larger, *whose, *against]),
             *certainty.than_the_explanation(content),
             *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first

@@ -9,6 +9,7 @@ from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units
 from ..language.quantity import duration, listing, place_near, quantity, size
 from ..language.vocabulary import Vocabulary
+from . import ends
 from .certainty import SURE
 
 CALCULATED = (
@@ -29,12 +30,13 @@ CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
 
 def sentence(
     mechanism: Mechanism, entry: Part, span: float | None, words: Vocabulary, units: Units,
-    opened: Part | None = None, trend: float | None = None, whole: float = 0.0,
+    opened: Part | None = None, trend: float | None = None, whole: float = 0.0, mass_kg: float | None = None,
 ) -> str:  # fmt: skip
     """What a mechanism does on this rig, in one sentence; `entry` is its own of `mechanisms`, `span` low to high.
 
     `opened` is its loop: the width, and the motion where it is so wide; None where no whole strokes show one. `trend`:
     by how much it moves the reading in the course of the recording; None in an older file. `whole`: the motion's range.
+    `mass_kg`: what moves, if the rig knows it.
     """
     worth = entry[f"rms_{words.ending}"]["value"]
     if not worth:
@@ -47,7 +49,7 @@ def sentence(
     fields["times"] = time_constants(entry["parameters"])
     fields["temperature"] = CALCULATED if calculated(mechanism, entry) else "the measured temperature"
     phrase = filled(mechanism.sentence, fields).rstrip(".")
-    detail = details(mechanism, entry["parameters"], words, units)
+    detail = details(mechanism, entry["parameters"] | _late(entry["parameters"], units, mass_kg), words, units)
     phrase = phrase.replace(" once per turn", "") if detail.startswith(EVERY) else phrase
     return f"{phrase}{': ' if detail else ''}{detail}."
 
@@ -74,9 +76,8 @@ def interval(entry: Part, words: Vocabulary, best: str, limit: str = "") -> str:
         return ""
     if known["high"] <= known["low"]:
         return "Its rms has no interval: the fit gives it one value alone."
-    low, high = (size(known[end], words.unit) for end in ("low", "high"))
-    unit = high.partition(" ")[2]
-    phrase = f"90 % interval of its rms, if {best} is right: {low.removesuffix(f' {unit}')} to {high}."
+    _, span = ends.sized(known["value"], known["low"], known["high"], words)
+    phrase = f"90 % interval of its rms, if {best} is right: {span}."
     if known["low"] > 0.0 or entry.get("confidence", 0.0) < SURE:
         return phrase
     sure = f"no more than probable, since {limit}" if limit else "sure"
@@ -134,6 +135,14 @@ def _usual_load(parameters: Part, units: Units) -> Part:
         return {}
     ends = {key: units.load_size * known[key] for key in ("value", "low", "high")}
     return {units.name("usual_load_n"): {**ends, "unit": units.load}}
+
+
+def _late(parameters: Part, units: Units, mass_kg: float | None) -> Part:
+    """The delay of a moving mass, from its product with that mass; nothing where one of them is unknown."""
+    known = parameters.get(units.name("late_mm_s3_per_turn"))
+    if known is None or not mass_kg or (units.reading, units.motion) != ("N", "m"):
+        return {}
+    return {"late_ms": {**{key: 1e3 * known[key] / mass_kg for key in ("value", "low", "high")}, "unit": "ms"}}
 
 
 def with_interval(known: Part) -> str:

@@ -26,6 +26,7 @@ def spoken(content: Verdict, system: System) -> Verdict:
             opened.get(entry["id"]),
             trends.get(entry["id"]),
             whole(evidence, words),
+            content["parameters"].get("mass_kg", {}).get("value"),
         )
     if content["mismatch"]:
         driver = followed(content["mismatch"]["driver"], words, evidence["loaded"])

@@ -1,6 +1,11 @@
 """What ties, what was beaten, and why."""
 
-from made_content import content, told
+from made_content import SYSTEMS, content, told
+
+from pipeline.diagnosis.words.explanations import rivals
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+
+WORDS = Vocabulary.of(SYSTEMS["mm"])
 
 
 def test_what_all_ties_share_and_why_each_rival_was_beaten():
@@ -48,3 +53,11 @@ def test_what_most_explanations_share_is_said():
     assert "3 of the 4 explanations have creep; no mechanism is in all of them." in text
     text = told(content(alternatives=[["friction_hysteresis"], ["wear"], ["slack"]]))
     assert "The 4 explanations have no mechanism in common: any of these effects may be the missing one." in text
+
+
+def test_of_no_explanation_is_said_that_it_leaves_more_than_no_effect_does():
+    """`end_stop: leaves 26 N rms` stood above `calibration alone: leaves 15 N rms`."""
+    made = content(evidence__calibrated_mm=0.4)
+    worst = {"ids": ["end_stop"], "left_mm": 0.7}
+    assert rivals.told(worst, made, WORDS) == "end_stop: leaves as much as no effect does"
+    assert "0.30 mm rms" in rivals.told(worst | {"left_mm": 0.3}, made, WORDS)

@@ -5,9 +5,11 @@ import re
 from made_content import SYSTEMS
 
 from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.words.language import explained_words
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
-from pipeline.diagnosis.words.measured.dimensions import likely_range
+from pipeline.diagnosis.words.measured.dimensions import from_to, likely_range
+from pipeline.diagnosis.words.named.effects import interval, sentence
 from pipeline.diagnosis.words.pages.adoption import columns_of_plan, hung
 
 MASS, STRING = Vocabulary.of(SYSTEMS["n"]), Vocabulary.of(SYSTEMS["mm"])
@@ -41,5 +43,27 @@ def test_a_plan_asks_for_no_load_where_none_was_recorded_and_a_lag_says_how_to_g
     assert "load_n" not in columns_of_plan(MASS, hung(none, MASS))
     assert "unless it stands still, load_n" in columns_of_plan(STRING, hung(some, STRING))
     assert hung({"evidence": {}}, MASS) == "load_n", "an older file does not say"
-    (lag,) = mechanisms()["sensor_lag"].details
+    *_, lag = mechanisms()["sensor_lag"].details
     assert "divided by the mass that is the delay in seconds" in lag
+
+
+def test_the_lag_of_a_mass_that_is_known_is_said_as_a_delay() -> None:
+    late = {"value": 0.35, "low": 0.3, "high": 0.4, "unit": "N s^3/m"}
+    entry = {"rms_n": {"value": 5.1, "low": 5.0, "high": 5.4}, "parameters": {"late_n_s3_per_m": late}}
+    mechanism, units = mechanisms()["sensor_lag"], Units.of(SYSTEMS["n"])
+    known = sentence(mechanism, entry, None, MASS, units, mass_kg=100.0)
+    assert known.endswith("the delay of the position is 3.5 ms (3 to 4).")
+    assert "divided by the mass" in sentence(mechanism, entry, None, MASS, units)
+
+
+def test_a_dimension_is_said_with_the_digits_of_its_interval_and_lies_in_it() -> None:
+    known = {"nominal": 100.0, "value": 110.74, "low": 110.66, "high": 110.9}
+    made = {"parameters": {"mass_kg": known}, "evidence": {"tolerance": {"mass_kg": 10.0}}}
+    assert from_to(made, "mass_kg") == ("100 kg", "110.7 kg")
+    assert likely_range(made, "mass_kg") == " (90 % interval 110.7 to 110.9 kg)"
+
+
+def test_the_interval_in_a_sentence_has_the_digits_that_it_has_in_the_table() -> None:
+    entry = {"rms_n": {"value": 14.8, "low": 14.2, "high": 15.3}, "confidence": 0.0}
+    text = interval(entry, MASS, "friction_hysteresis")
+    assert text == "90 % interval of its rms, if friction_hysteresis is right: 14.2 to 15.3 N."

@@ -793,6 +793,7 @@ def test_each_effect_that_is_not_kept_has_a_sentence_why_also_by_what_goes_on_wh
         entry,
         {**entry, "id": "viscous_loss", "likely": 0.02, "left_mm": 0.09, "stands": stands(-0.05), "beside_mm": 0.02},
         {**entry, "id": "jam", "instead": ["creep", "jam"], "left_mm": 0.031, "beside_mm": None},
+        {**entry, "id": "stiffening", "instead": ["creep", "stiffening"], "left_mm": 0.44, "beside_mm": None},
         {**entry, "id": "axial_elasticity", "possible": False, "left_mm": None, "beside_mm": None, "stands": None},
     ]
     first = {"id": None, "left_mm": 0.03, "stands": stands(0.001), "tied": [{"ids": ["slack"], "stands": stands(0.0)}]}
@@ -807,6 +808,7 @@ def test_each_effect_that_is_not_kept_has_a_sentence_why_also_by_what_goes_on_wh
     assert "viscous_loss (2 %): alone leaves 0.090 mm (3.0 times the noise); wrong while the motor stands, by" in text
     assert "by 0.050 mm in a hold; added to the best one takes away 0.022 mm more, too little for one" in text
     assert "jam: creep + jam leaves 0.031 mm (1.0 times the noise), hardly more than the best one, but is less" in text
+    assert "stiffening: creep + stiffening leaves no less than creep" in text
     assert text.endswith("axial_elasticity: this recording could not show it (it follows the load).")
     made["evidence"]["not_kept"][0]["tied"][0]["stands"] = stands(0.05)
     assert "speaks against slack, though likely and against viscous_loss." in details(copy.deepcopy(made))
