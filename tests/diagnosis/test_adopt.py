@@ -17,10 +17,12 @@ from pipeline.diagnosis.document.adopted_run import as_list
 from pipeline.diagnosis.fit.adopt import fitted
 from pipeline.diagnosis.in_memory import described
 from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.next_run import commands
 from pipeline.ground.errors import BadInput
 from pipeline.ground.strict_yaml import parse_yaml
 from pipeline.run.folder import read_run
+from pipeline.systems import systems
 
 ROOT = Path(__file__).resolve().parents[2]
 LAG = [{"id": "sensor_lag", "parameters": {"late_s": 0.02}}, {"id": "backlash", "parameters": {"width": 1e-07}}]
@@ -427,7 +429,10 @@ def test_another_runs_diagnosis_is_adopted_with_a_warning_unless_it_makes_things
 def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_old_one(folder: Path) -> None:
     made, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
     new, log = folder.with_name(f"{folder.name}-next"), folder / "recording.parquet"
-    assert made.endswith(" --recording FILE.parquet"), "as the old one came"
+    assert made.endswith(" --recording FILE.csv"), "what every logger writes, though the old one came as parquet"
+    assert commands.remark(folder, Vocabulary.of(systems()["separator"])) == (
+        "FILE.csv is the new file of your logger, with the columns time_s, motor_turns, displacement_mm and load_n."
+    )
     done = programs.run(*shlex.split(made)[2:-1], log)
     assert done.returncode == 0, done.stderr
     old, fresh = read_run(folder), read_run(new)

@@ -154,9 +154,16 @@ def test_where_the_one_explanation_stands_alone_the_page_says_which_loop_speaks_
 def test_where_no_number_tells_the_explanations_apart_no_table_stands_and_one_sentence_says_so():
     """A table "What to expect of" stood there, and below it that no number of it tells them apart."""
     both = [with_spread(CREEP, 0.3), with_spread(HEAT, 0.3)]
-    table = lines(content(evidence__expected=EXPECTED | {"explanations": both}), WORDS)
+    known = EXPECTED | {"explanations": both}
+    whole = "A single number does not decide. Only the fit of the whole run together with this one does."
+    assert lines(content(evidence__expected=known), WORDS) == [whole], "a run that can decide is advised"
+    table = lines(content(evidence__expected=known, next_run=None), WORDS)
     assert len(table) == 2 and table[0].startswith("No number of one stroke, hold or rest tells the explanations apart")
     assert table[-1] == "A hold and a rest of 2 min do not tell creep from thermal here.", "said plainly"
+    more = with_spread(CREEP | {"ids": [*BOTH, "sensor_drift"]}, 0.3)
+    table = lines(content(evidence__expected=EXPECTED | {"explanations": [both[0], more]}, next_run=None), WORDS)
+    best = "friction_hysteresis + creep"
+    assert table[-1].endswith(f"do not tell {best} from {best} + sensor_drift here."), "one is part of the other"
 
 
 @pytest.mark.parametrize(

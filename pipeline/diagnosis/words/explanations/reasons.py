@@ -26,6 +26,7 @@ SPEAKS_FOR = {  # whether an aspect's sign is larger, where a reader would take 
 }  # fmt: skip
 TAUGHT = "though {}: such explanations were right less often in the simulated recordings that taught the judge"
 NOT_OF_THIS = ("names",)  # aspects that say nothing of this recording: told where nothing else is
+NEARLY_0 = 0.01  # log odds: an aspect that counts less is no reason
 LEAST = 1.05  # times less likely: less is alike
 
 
@@ -46,7 +47,8 @@ def less_often(explanation: Part, best: Part | None) -> str:
 
 def chiefly(explanation: Part) -> str:
     """What counts most against an explanation, as a part of a sentence; nothing where no reason is known."""
-    because = explanation.get("because") or []
+    known = explanation.get("because") or []
+    because = [cause for cause in known if abs(cause.get("log_odds", 1.0)) >= NEARLY_0] or known
     seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS and not speaks_for(cause)]
     if because and not seen and speaks_for(because[0]):
         return TAUGHT.format(" and ".join(reason(cause) for cause in because if speaks_for(cause)))

@@ -47,7 +47,9 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
                 break
     best = next((table for table, parted in tables if parted), tables[0][0] if tables else [])
     if others and content["verdict"] == "ambiguous" and best[-1:] == [NO_NUMBER]:
-        return [NO_NUMBER, *recorded_evidence.lines(content, words), *slow_sign.lines(content, words, weighed)]
+        seen = recorded_evidence.lines(content, words)
+        whole = slow_sign.of_whole_run(content)
+        return [*whole, *seen] if whole else [NO_NUMBER, *seen, *slow_sign.lines(content, words, weighed)]
     stands = any(parted for _, parted in tables) and any(line.startswith(STAND) for line in best)
     sign = [] if stands or not best else slow_sign.lines(content, words, weighed)
     return [*best, *(_not_in(content) if best else []), *recorded_evidence.lines(content, words), *sign]

@@ -78,7 +78,8 @@ def probability(content: Verdict, ids: list[str]) -> float | None:
 
 
 def apart(first: Part, other: Part) -> tuple[str, str]:
-    """The names of two explanations without what both have, where something is left then."""
+    """The names of two explanations without what both have, or in full where nothing is left of one of them then."""
     both = set(first["ids"]) & set(other["ids"])
-    names = [rivals.called([id_ for id_ in each["ids"] if id_ not in both] or each["ids"]) for each in (first, other)]
+    cut = set() if both in (set(first["ids"]), set(other["ids"])) else both
+    names = [rivals.called([id_ for id_ in each["ids"] if id_ not in cut]) for each in (first, other)]
     return names[0], names[1]

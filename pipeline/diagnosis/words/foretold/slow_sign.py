@@ -3,11 +3,13 @@
 from dataclasses import dataclass
 
 from ...document.content import Part, Verdict
+from ...proposal import design
 from ..language.quantity import duration, listing, size
 from ..language.vocabulary import Vocabulary
 from .foretold_numbers import Number, apart, of_explanation
 
 STANDS = ("hold", "rest")
+WHOLE_RUN = "A single number does not decide. Only the fit of the whole run together with this one does."
 
 
 @dataclass(frozen=True)
@@ -21,6 +23,13 @@ class _Sign:
     stands: tuple[str, ...]
     still: float
     firm: bool
+
+
+def of_whole_run(content: Verdict) -> list[str]:
+    """That the run to make decides as a whole, though none of its numbers does; nothing where it need not decide."""
+    run = content["next_run"]
+    decides = run is not None and "parts" in run and design.decides(run["gap_now"], run["gap_then"])
+    return [WHOLE_RUN] if decides else []
 
 
 def lines(content: Verdict, words: Vocabulary, compared: list[Part]) -> list[str]:

@@ -55,6 +55,11 @@ def plus_minus(value: float, half_width: float, unit: str) -> str:
     return f"{value:,.{decimals}f} ± {half_width:,.{decimals}f} {said_unit(unit)}".strip()
 
 
+def to_tell(value: float, apart: float, unit: str) -> str:
+    """A number to the second digit of how far it is from another, and to no more than four digits."""
+    return quantity(round(value, 1 - math.floor(math.log10(apart))) if apart > 0.0 else value, unit, 4)
+
+
 def to_the_band(value: float, half_width: float, digits: int = 6) -> str:
     """A number with one decimal more than the first digit of half of its interval; with so many digits without one."""
     if not half_width > 0.0:

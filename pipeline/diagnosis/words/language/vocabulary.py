@@ -30,6 +30,7 @@ class Vocabulary:
     shares: Mapping[str, float] = field(default_factory=dict)  # those that are shares
     measured: Mapping[str, str] = field(default_factory=dict)  # how a dimension is measured, by its name
     differentiates: bool = False  # whether the reading follows derivatives of the motion
+    channel: str = ""  # column of the reading
 
     @classmethod
     def of(cls, system: System) -> "Vocabulary":
@@ -43,7 +44,7 @@ class Vocabulary:
             unit_of(system.load) if system.load else "", system.driver, system.load,
             system.channel.rpartition("_")[2], twisted, system.tolerance,
             {key: usual for key, usual in system.tolerance.items() if key not in system.absolute}, system.measured,
-            system.differentiates,
+            system.differentiates, system.channel,
         )  # fmt: skip
 
     @property

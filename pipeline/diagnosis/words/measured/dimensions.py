@@ -180,6 +180,8 @@ def each_moved(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> 
         far = f"{number(abs(sigma))} times its tolerance{f' of {known}' if known else ''}"
         first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
         lines.append(f"{name_of(name)}: from {first} to {value}{likely_range(content, name)}, {far}.")
+    stayed = listing([name_of(name) for name, sigma in sigmas.items() if abs(sigma) < HARDLY])
+    lines += [f"Stayed (moved by less than a hundredth of the tolerance): {stayed}."] * bool(lines and stayed)
     if moved and not but and all(abs(sigma) < 1.0 for sigma in moved.values()):
         right = content["verdict"] == "parameters"
         lines.append(

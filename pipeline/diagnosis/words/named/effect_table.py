@@ -15,7 +15,7 @@ from .own_size import HIDDEN, PARTLY, in_columns, own_part, own_size, own_with_i
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
-OF_IT, OF_IT_SHORT = "share no dimension can imitate", "beyond dimensions"  # the latter where the page is too narrow
+OF_IT = ("share no dimension", "can imitate")  # the head of a column, on two lines where the page is too narrow
 INDENT = 2  # of a section's lines
 HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
 NO_PERCENTAGE = "No percentage is known on this rig."
@@ -56,14 +56,14 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
     parts = any(own_part(entry, content, words) for entry in entries)
     sizes = {entry["id"]: in_columns(entry, content, words, parts, short) for entry in entries}
-    columns = [*HEAD, *([OF_IT] if parts else [])]
+    columns = [*HEAD, *([" ".join(OF_IT)] if parts else [])]
     rows = [[id_, how_sure(content, id_, words), *cells] for id_, cells in sizes.items()]
     elsewhere = only_elsewhere(content)
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
     head, *table = aligned([columns, *rows])
-    head = head if len(head) <= WIDE - INDENT else head.replace(OF_IT, OF_IT_SHORT)
+    heads = [head] if len(head) <= WIDE - INDENT else _on_two_lines(head)
     does = {entry["id"]: of_effect(entry, words) if short else entry["sentence"] for entry in entries}
-    table_lines = [head]
+    table_lines = heads
     for (id_, *_), row in zip(rows, table, strict=True):
         what = does.get(id_) or on_rig(meaning(id_), words)
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}"]
@@ -93,6 +93,12 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in thought for thought in thoughts) else []),
         *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in thought for thought in thoughts) else []),
     ]
+
+
+def _on_two_lines(head: str) -> list[str]:
+    """The heads of a table, the last one broken."""
+    start = head.index(OF_IT[0])
+    return [head[: start + len(OF_IT[0])], " " * start + OF_IT[1]]
 
 
 def _in_all(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:

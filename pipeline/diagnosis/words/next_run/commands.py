@@ -7,13 +7,15 @@ from ....ground.command import command
 from ....ground.errors import BadInput
 from ....run.folder import read_run
 from ....run.whence import mapping_of, own_log
+from ..language.quantity import listing
+from ..language.vocabulary import Vocabulary
 
 DIAGNOSE = command("diagnose")
 CAPTURE = (
     "PORT is the rig's; --text where it prints lines of numbers. With a file of your own logger give new_run "
     "--recording FILE instead, and leave the capture line out."
 )
-OWN_LOG = "{file} is the new file of your logger, with the columns of the one that {old} was made of."
+OWN_LOG = "{file} is the new file of your logger, with the columns {columns}."
 IMPORTED = "{file} is the new file of your logger. The mapping says the load too: where it changes, copy and change it."
 
 
@@ -58,19 +60,28 @@ def _of_string(old: Path) -> str:
 
 def _file(old: Path, ending: str = "") -> str:
     """What stands for a logger's new file; one that was imported may end in anything."""
-    return f"FILE{ending}{'' if mapping_of(old) else own_log(old)}"
+    return f"FILE{ending}{'.csv' * (bool(own_log(old)) and not mapping_of(old))}"
 
 
-def remark(old: Path) -> str:
+def remark(old: Path, words: Vocabulary) -> str:
     """What to fill into the commands that make a run as `old` was made."""
     if mapping_of(old):
         return IMPORTED.format(file=_file(old))
-    return OWN_LOG.format(file=_file(old), old=old.name) if own_log(old) else CAPTURE
+    return OWN_LOG.format(file=_file(old), columns=listing(_columns(old, words))) if own_log(old) else CAPTURE
 
 
-def block(commands: list[str], old: Path, twisted: bool) -> list[str]:
+def _columns(old: Path, words: Vocabulary) -> list[str]:
+    """The columns of a recording; that of the load is needed where the run.yaml of `old` has no constant one."""
+    try:
+        constant = words.load in read_run(old).rig
+    except BadInput:
+        constant = False
+    return ["time_s", words.driver, words.channel, *([words.load] if words.load and not constant else [])]
+
+
+def block(commands: list[str], old: Path, words: Vocabulary) -> list[str]:
     """The commands as a verdict shows them, with what they take from the run `old` and what to fill in."""
-    taken = f"--like takes the dimensions{' and the string id' if twisted else ''} from {old.name}"
+    taken = f"--like takes the dimensions{' and the string id' if words.twisted else ''} from {old.name}"
     if mapping_of(old):
-        taken = f"the mapping {'and the string id are those' if twisted else 'is that'} of {old.name}"
-    return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), remark(old)]
+        taken = f"the mapping {'and the string id are those' if words.twisted else 'is that'} of {old.name}"
+    return [f"The commands, in this order; {taken}:", *(f"  {line}" for line in commands), remark(old, words)]

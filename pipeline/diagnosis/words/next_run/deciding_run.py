@@ -39,7 +39,7 @@ def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | 
     last = next(filter(None, reversed(held)), "")
     to_type = commands.lines(folders, out, loads(last) if words.twisted else [""] * len(loads(last)))
     remove = [f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders]
-    return [*runs, FIRST, *remove, *commands.block(to_type, folders[-1], words.twisted)]
+    return [*runs, FIRST, *remove, *commands.block(to_type, folders[-1], words)]
 
 
 def worth_making(tied: list[Adoption]) -> bool:

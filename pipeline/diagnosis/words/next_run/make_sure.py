@@ -65,8 +65,8 @@ def of_what_is_missing(
     again = commands.lines(folders, out, [""])
     printed = {line.strip() for step in of_names(content, words, folders, out, False) for line in step}
     above = set(again) <= printed  # the step before has them
-    where = f" (commands: {DETAILS}, {RUN})" if shown else ABOVE if above else ""
-    typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1])]
+    where = f" (commands: below, {RUN})" if shown else ABOVE if above else ""
+    typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1], words)]
     return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
 
 
@@ -117,7 +117,7 @@ def of_names(
         known = recorded_so_far.lines(content, words, tests)
         more = [SO_FAR * bool(known), NUMBERS * bool(numbers), "the commands" * bool(numbers)]
         return [[head, *tests, *([_where(more)] if any(more) else [])]]
-    again = [_again(folders[-1], load), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
+    again = [_again(folders[-1], load, words), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
     made = [*([run] if run else []), *other, *again, BEFORE] if numbers or run else []
     return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *made]]
 
@@ -153,9 +153,9 @@ def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:
     return [OTHER_LOAD.format(half=half, twice=twice)] if base > 0.0 else []
 
 
-def _again(old: Path, load: str) -> str:
+def _again(old: Path, load: str, words: Vocabulary) -> str:
     """What to fill into the commands that record what tells an effect from others, as the run `old` was recorded."""
-    remark = commands.remark(old)
+    remark = commands.remark(old, words)
     return AGAIN if remark == commands.CAPTURE and not load else remark
 
 
@@ -176,7 +176,7 @@ def of_adopted(
     *made, diagnose = commands.lines(folders, None, [load])
     runs = [*folders, folders[-1].with_name(f"{folders[-1].name}-next")]
     removed = [f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in runs]
-    typed = [*(f"  {line}" for line in (*made, *removed, diagnose)), _again(folders[-1], load)]
+    typed = [*(f"  {line}" for line in (*made, *removed, diagnose)), _again(folders[-1], load, words)]
     run = recipe.sentence(content, words, list(lacking))
     typed = ["The commands are in details.txt."] if short else typed
     return [[f"{head} {lacked}.", *lines, *([run] if run else []), ANEW, *typed]]

@@ -9,7 +9,7 @@ from ...proposal import design
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
 from ..held_out import in_vain
-from ..language.quantity import listing, number, place_near, quantity, size, times
+from ..language.quantity import listing, number, place_near, size, times, to_tell
 from ..language.vocabulary import Vocabulary
 from . import parting
 
@@ -85,7 +85,8 @@ def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     most = size(known[f"by_{words.ending}"], words.unit)
     near = place_near(known[words.driver], words.motion_unit, high - low)
     names = [rivals.called(ids) for ids in run["parts"]]
-    both = [quantity(known[f"{which}_{words.ending}"], words.unit, 4) for which in ("first", "second")]
+    differ = known[f"by_{words.ending}"]
+    both = [to_tell(known[f"{which}_{words.ending}"], differ, words.unit) for which in ("first", "second")]
     return (
         f"In it, if it follows this recording at once, the two predicted readings differ by up to {most}, most near "
         f"{near}: {both[0]} if it is {names[0]}, {both[1]} if it is {names[1]}."

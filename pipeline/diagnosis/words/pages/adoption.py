@@ -117,7 +117,7 @@ def predictions(source: Path, folders: list[Path], ids: Sequence[str]) -> list[s
     """
     starts = [f"{SIMULATE} {shlex.quote(str(folder))} --simulation {shlex.quote(str(source))}" for folder in folders]
     planned = f"--motion PLAN.csv {f'{AFTER_RECORDING} ' * bool(staying(ids))}--out FILE.csv"
-    return [line for start in starts for line in (f"{start} --out FILE", f"{start} {planned}")]
+    return [line for start in starts for line in (f"{start} --out FILE.csv", f"{start} {planned}")]
 
 
 def staying(ids: Sequence[str]) -> list[str]:
@@ -183,7 +183,7 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
     if content["verdict"] == "ambiguous":
         run = content["next_run"]
         can = run is not None and "parts" in run and worth.decides(run)
-        mend = "make the run above first" if can else "no run that was tried is sure to decide between them"
-        lines.append(f"Another explanation may be the right one: {mend}.")
+        before = f"Make the run above first, if you need to know {worth.question(content)}." if can else ""
+        lines.append(before or "No run that was tried is sure to decide between the explanations.")
     lines.append("Diagnose again into another folder (--out): in the same one this verdict is replaced.")
     return lines

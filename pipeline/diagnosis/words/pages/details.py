@@ -14,7 +14,7 @@ from ..explanations import (
     rivals,
     unexplained_pattern,
 )
-from ..held_out import holdout, level, unseen
+from ..held_out import holdout, in_vain, level, unseen
 from ..held_out.without_name import moved_in_vain
 from ..language import explained_words
 from ..language.places import EVERYWHERE, place
@@ -178,11 +178,13 @@ def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Pat
     if not run:
         sure = bool(make_sure.of_names(content, words, folders, out, False))
         steps = bool(to_do.lines(content, words, folders, out, short=False))
-        return deciding_run.lines(content, words, folders, out) or no_run(content, words, sure, steps)
+        again = commands.lines(folders, out, [""]) if in_vain.harmful(content, words) else []
+        to_record = no_run(content, words, sure, steps) + (commands.block(again, folders[-1], words) if again else [])
+        return deciding_run.lines(content, words, folders, out) or to_record
     if worth.first(run):
         return experiment.brief(content, words)
     lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
     lines += [worth.care(content, words), worth.purpose(content, words)]
     to_type = commands.lines(folders, out, experiment.loads(run, words))
-    return [line for line in (*lines, *commands.block(to_type, folders[-1], words.twisted)) if line]
+    return [line for line in (*lines, *commands.block(to_type, folders[-1], words)) if line]

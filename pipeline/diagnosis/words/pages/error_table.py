@@ -16,7 +16,10 @@ from ..measured.dimensions import LEAVES, far_moved, from_to, name_of
 HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
 WHOLE = "whole recording (seen by the fit)"
-OTHER = "Other effects: {other}, which the procedure names without these strokes. {best} could not be tried so."
+OTHER = (
+    "Other effects: {other}, which the procedure names without these strokes. {best} was not fitted without them, "
+    "because the procedure fits only what it names."
+)
 NONE_NAMED = "Without these strokes the procedure names no effect: the right column has the error of {which}."
 CLOSEST = "what comes closest, no name"
 OTHER_EFFECTS, NARROW = "other effects, see below", 33  # letters of a row's name: the table is no wider than a page

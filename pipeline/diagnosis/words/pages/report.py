@@ -54,13 +54,15 @@ def _unseen(content: Verdict, words: Vocabulary) -> str:
 
 
 def _sure(content: Verdict, words: Vocabulary) -> list[str]:
-    """Which effects are at work, where that is sure."""
+    """Which effects are at work, where that is sure; not settled where the page says that none is proved."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     shares = certainty.known(content)
     word = {id_: "probable" if certainty.held_back(content, words, id_) else "sure" for id_ in sure}
     named = listing([f"{id_} ({word[id_]}, {percent(shares[id_])})" for id_ in sure])
     remark = slow_look_alikes.remark(content, words, sure)
     vain = in_vain.said(content, words)
+    if in_vain.harmful(content, words):
+        return [f"not settled: {named}, for {vain}{remark}"] if sure else []
     remark = f", though {vain}{remark}" if vain else remark
     return [f"at work: {named}{remark}"] if sure else []
 

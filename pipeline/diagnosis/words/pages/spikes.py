@@ -4,8 +4,6 @@ from ...document.content import Part, Verdict
 from ..language.quantity import listing, number
 from ..language.vocabulary import Vocabulary
 
-HANDFUL = 5  # spikes that are not worth a word on the page
-
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """One sentence with the count and the first time of each channel; nothing where there is no spike."""
@@ -20,12 +18,6 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     )
     far = "stands far from its neighbours" if whole == 1 else "stand far from their neighbours"
     return [f"{head} that {far}: {each}. {'It does' if whole == 1 else 'They do'} not count."]
-
-
-def on_page(content: Verdict, words: Vocabulary) -> list[str]:
-    """The same where there are more than a handful."""
-    whole = sum(entry["count"] for entry in content["evidence"].get("spikes", []))
-    return lines(content, words) if whole > HANDFUL else []
 
 
 def _of(entry: Part, words: Vocabulary, several: bool) -> str:

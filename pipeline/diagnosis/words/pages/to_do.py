@@ -10,7 +10,7 @@ from ..language.quantity import listing
 from ..language.vocabulary import Vocabulary
 from ..measured import to_measure
 from ..measured.dimensions import far_moved, name_of
-from ..next_run import deciding_run, make_sure, to_decide
+from ..next_run import deciding_run, make_sure, to_decide, worth
 from ..next_run.make_sure import DETAILS, RUN
 from ..next_run.run_asked import more_strokes
 from . import advice, to_use
@@ -18,6 +18,7 @@ from .adoption import dimensions_came, predictions
 
 HEADING = "What to do, in this order"
 NAMED = ("explained", "ambiguous")
+COMMANDS = (f" Commands: {RUN}.", f" Commands: {DETAILS}, {RUN}.")  # where they stand, for the details and the page
 
 
 def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool) -> list[str]:
@@ -44,8 +45,10 @@ def _steps(content: Verdict, words: Vocabulary, folders: list[Path], out: Path |
 def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool) -> list[list[str]]:
     """The steps where something is named."""
     if in_vain.harmful(content, words):
+        run = content["next_run"]
+        idle = run is not None and worth.first(run)  # such a run has no commands
         return [
-            [f"{advice.worse(content)} {more_strokes(content, words)}"],
+            [f"{advice.worse(content)} {more_strokes(content, words)}{'' if idle else COMMANDS[short]}"],
             *_measure(content, words, short, "leave it, and take this verdict as provisional"),
             *to_decide.step(content, words, folders, short),
         ]
@@ -70,6 +73,11 @@ def asks_to_measure(content: Verdict, words: Vocabulary) -> bool:
     return not unseen.left_over(content, words) and (adopted or not moved_for_nothing)
 
 
+def _where(short: bool) -> str:
+    """Where the details stand, for the page, and for themselves."""
+    return f"in {DETAILS}" if short else "below"
+
+
 def _measure(content: Verdict, words: Vocabulary, short: bool, then: str = "go on with step 2") -> list[list[str]]:
     """What to measure again, and what then; nothing where no dimension moved far."""
     if not far_moved(content):
@@ -86,8 +94,8 @@ def _measure(content: Verdict, words: Vocabulary, short: bool, then: str = "go o
 def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
     """The steps where nothing is named."""
     if content["verdict"] == "unknown":
-        run = content["next_run"]
-        shows = f"Make the run in {DETAILS} under {RUN}: it shows more of what is missing."
+        run, where = content["next_run"], _where(short)
+        shows = f"Make the run {where} under {RUN}: it shows more of what is missing."
         again = _measure(content, words, short, "go on")
         return [*again, *([[shows]] if run else []), [advice.nothing_named(content)]]
     tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
@@ -99,14 +107,16 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bo
         return [
             *_anew(content, words, folders, short),
             [
-                "Decide between what was adopted and what was likely as well, if you need to know: the run is in "
-                f"{DETAILS} under {RUN}. Take out what was adopted first, for it is not weighed again:",
+                "Decide between what was adopted and what was likely as well, if you need to know: the run is "
+                f"{_where(short)} under {RUN}. Take out what was adopted first, for it is not weighed again:",
                 *to_use.remove(folders, short),
             ],
             *make_sure.of_what_is_left(content, words),
         ]
     if unseen.left_over(content, words):
-        return [[f"Record the rig in other ways, as {DETAILS} says under {RUN}, and diagnose the runs together."]]
+        return [
+            [f"Record the rig in other ways, as it stands {_where(short)} under {RUN}, and diagnose the runs together."]
+        ]
     if holdout.included(content) and far_moved(content):
         return _anew(content, words, folders, short)
     if asks_to_measure(content, words):

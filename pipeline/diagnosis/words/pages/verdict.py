@@ -38,7 +38,7 @@ def verdict_text(
     first = [shortened(line, LONG) for line in first]
     sections = [
         (headline(content, words), []),
-        (DOUBTS, [*doubts, *first, *spikes.on_page(content, words)]),
+        (DOUBTS, [*doubts, *first, *spikes.lines(content, words)]),
         (effect_table.HEADING, acts),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
         (chances.HEADING, chances.lines(content, words, short=True)),

@@ -93,5 +93,7 @@ def test_what_a_reader_takes_for_a_merit_is_no_reason_against_an_explanation() -
         "though it has fewer free numbers: such explanations were right less often in the simulated recordings that "
         "taught the judge"
     )
+    hardly = {"aspect": "more", "log_odds": -7e-5, "more": 4e-4}
     names = {"aspect": "names", "log_odds": -1.0, "more": -1.0}
+    assert chiefly({"because": [names, hardly]}) == f"chiefly since {NAMES}", "what counts nothing is no reason"
     assert chiefly({"because": [names]}) == f"chiefly since {NAMES}"

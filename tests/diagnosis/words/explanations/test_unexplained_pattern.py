@@ -57,3 +57,15 @@ def test_the_pattern_that_the_best_explanation_leaves_is_told_with_place_and_dri
     who = "What friction_hysteresis + creep leaves"
     line = f"{who} holds a pattern of 0.021 mm rms beside the noise. It lies mostly at 20 to 26 turns, in strokes 1 "
     assert (f"{line}to 2, while winding, and follows the time." in " ".join(told(made).split())) is said
+
+
+def test_a_range_that_holds_the_pattern_and_half_of_it_is_said_once():
+    box = {"motor_turns": [0.0, 20.0], "strokes": [1, 12], "phase": "all", "share": 0.8}
+    made = content(evidence__pattern={"location": box, "driver": ["time"], "rms_mm": 0.021})
+    made["evidence"]["pattern"]["half"] = {**box, "strokes": [7, 12], "share": 0.5}
+    made["evidence"]["explanations"][-1]["left_mm"] = 0.04
+    text = " ".join(told(made).split())
+    assert (
+        "beside the noise. Half of its energy lies at 0 to 20 turns, in strokes 7 to 12; it follows the time." in text
+    )
+    assert text.count("at 0 to 20 turns") == 1

@@ -1,6 +1,6 @@
 """Where other effects are named without the last strokes: one statement of it, in every place."""
 
-from made_content import confident, content, page, told
+from made_content import confident, content, full, page, told
 
 ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
 
@@ -11,8 +11,8 @@ def test_the_first_line_says_with_the_probability_that_the_name_is_not_settled()
     other = confident(0.93, 0.96, **ALONE, evidence__chosen_without_them=["creep"])
     first = " ".join(page(other).split("\n\n")[0].split())
     assert first == (
-        "nylon-3: best explained by friction_hysteresis + creep (52 %), but not settled: without the last 30 % of "
-        "strokes another explanation was found."
+        "nylon-3: friction_hysteresis + creep explains the whole recording best (52 %). It is not settled: without "
+        "the last 30 % of strokes another explanation was found."
     )
 
 
@@ -21,7 +21,7 @@ def test_the_first_sentence_says_the_outcome_and_the_page_says_once_that_the_oth
     made = confident(0.93, 0.96, **ALONE, **failing, fit__worse_than_nominal=["explained"])
     text = page(made)
     first = " ".join(text.split("\n\n")[0].split())
-    outcome = "nylon-3: best explained by friction_hysteresis + creep (52 %), but not settled: "
+    outcome = "nylon-3: friction_hysteresis + creep explains the whole recording best (52 %). It is not settled: "
     assert first.startswith(outcome) and len(outcome) <= 100
     assert first.endswith("which failed on them (4.3 mm rms; the nominal simulator: 1.9 mm).")
     assert "slack" not in first, "the first names that a reader meets are those of the verdict"
@@ -30,7 +30,19 @@ def test_the_first_sentence_says_the_outcome_and_the_page_says_once_that_the_oth
     assert "misses them by" not in text, "the first line says that it failed"
     why = "Adopt nothing: the names change when the last 30 % of strokes are left out, so none is proved."
     asked = "Record the rig once more, with at least 12 strokes, and diagnose all runs together."
-    assert f"1. {why} {asked}" in " ".join(text.split())
+    assert f"1. {why} {asked} Commands: details.txt, The run to make next." in " ".join(text.split())
+    details = " ".join(full(made).split())
+    assert f"The run to make next {asked} The commands, in this order; " in details
+    assert "python -m pipeline.new_run nylon-3-next --like raw/nylon-3 python -m pipeline.capture PORT" in details
+    assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together" in details
+
+
+def test_what_is_not_proved_is_not_reported_as_at_work() -> None:
+    failing = {"evidence__chosen_without_them": ["slack"], "fit__heldout__explained_mm": 4.3}
+    details = " ".join(full(confident(0.93, 0.96, **ALONE, **failing)).split())
+    named = "friction_hysteresis (probable, 93 %) and creep (probable, 96 %)"
+    assert f"- not settled: {named}, for on the unseen strokes slack makes the simulator worse;" in details
+    assert "- at work: " not in details
 
 
 def test_an_effect_that_is_not_named_without_the_last_strokes_is_called_probable_and_the_other_one_sure() -> None:

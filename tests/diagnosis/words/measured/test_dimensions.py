@@ -73,3 +73,11 @@ def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig()
         "where measuring again changes none, physics that the library lacks may have moved them, or run.yaml describes"
     )
     assert said in text
+
+
+def test_a_dimension_that_stayed_is_in_the_list_too():
+    known = {"nominal": 100.0, "value": 100.001}
+    moved = {"radius_mm": 0.9, "torsion_zone_mm": -0.006, "length_mm": 0.001}
+    made = content(evidence__moved_sigma=moved, parameters__torsion_zone_mm=known, parameters__length_mm=known)
+    stayed = "Stayed (moved by less than a hundredth of the tolerance): torsion zone and length."
+    assert stayed in told(made) and "Stayed" not in told(content(evidence__moved_sigma={"radius_mm": 0.9}))

@@ -24,6 +24,9 @@ def test_a_wide_table_of_effects_breaks_no_line() -> None:
     own = {"evidence__beyond_dimensions_mm": {"friction_hysteresis": 0.01, "creep": 0.01}, "evidence__moved_sigma": {}}
     made = confident(0.997, 0.996, verdict="explained", alternatives=[], next_run=None, **own)
     made["mechanisms"][0]["rms_mm"] = {"value": 0.082, "low": 0.0123, "high": 0.123}
-    head = next(line for line in page(made).splitlines() if line.startswith("  effect "))
-    assert head.endswith("  beyond dimensions") and len(head) <= 112
+    rows = page(made).splitlines()
+    at = next(at for at, line in enumerate(rows) if line.startswith("  effect "))
+    head, below = rows[at : at + 2]
+    assert head.endswith("  share no dimension") and len(head) <= 112
+    assert below == " " * head.index("share") + "can imitate", "one heading on every page, on two lines where it must"
     assert "share no dimension can imitate" in page(confident(0.9, 0.9, **own))

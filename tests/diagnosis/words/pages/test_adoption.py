@@ -12,12 +12,13 @@ from pipeline.diagnosis.words.pages.spoken import spoken
 def test_what_is_named_comes_with_the_command_that_adopts_it():
     near = {"evidence__moved_sigma": {"radius_mm": 0.4}}
     assert "  python -m pipeline.adopt reports/nylon-3/diagnosis.json raw/nylon-3\n" in to_adopt(**near)
-    assert "Another explanation may be the right one: make the run above first." in to_adopt(**near)
+    need = "Make the run above first, if you need to know which is at work: creep or thermal."
+    assert need in to_adopt(**near), "the page says no more"
     tried = to_adopt(next_run__gap_then=9.0, **near).replace("\n    ", " ")
-    assert "Another explanation may be the right one: no run that was tried is sure to decide between them." in tried
-    simulate = "python -m pipeline.simulate raw/nylon-3 --simulation reports/nylon-3/diagnosis.json --out FILE"
+    assert "No run that was tried is sure to decide between the explanations." in tried
+    simulate = "python -m pipeline.simulate raw/nylon-3 --simulation reports/nylon-3/diagnosis.json --out FILE.csv"
     assert f"  {simulate}\n" in to_adopt()
-    assert "Another explanation" not in to_adopt(verdict="explained", next_run=None)
+    assert "explanation" not in to_adopt(verdict="explained", next_run=None)
     assert to_adopt(fit__heldout__explained_mm=0.95).strip().startswith("Adopt nothing: on the unseen strokes")
     assert not to_adopt(verdict="unknown", mechanisms=[], alternatives=[], next_run=None)
 

@@ -421,7 +421,7 @@ def test_a_good_error_of_other_effects_is_said_to_be_of_these():
     )
     assert error and re.search(rf"thermal, see below – {error[1]} \([0-9.]+ times the noise\)", shown)
     assert re.search(r"as diagnosed: effects added [0-9.]+ mm \([0-9.]+ times the noise\) – ", shown)
-    tried = "friction_hysteresis + creep could not be tried so"
+    tried = "friction_hysteresis + creep was not fitted without them, because the procedure fits only what it names"
     assert f"Other effects: thermal, which the procedure names without these strokes. {tried}." in shown
 
 
@@ -492,7 +492,7 @@ def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_ado
     assert "too much for your use" not in full_steps()
     changes = full_steps(content(fit__heldout__explained_mm=0.06))
     many = "record as many strokes again in the same way, and diagnose the runs together"
-    assert f"{many} (commands: details.txt, The run to make next). If the error" in changes
+    assert f"{many} (commands: below, The run to make next). If the error" in changes
     assert "-next" not in changes, "no command is printed twice"
     without = full_steps(content(fit__heldout__explained_mm=0.06, next_run=None))
     assert f"{many}. If the error" in without and "new_run nylon-3-next --like raw/nylon-3" in without
@@ -735,13 +735,13 @@ def test_a_hidden_effect_says_how_large_it_is_in_all_and_which_dimensions_could_
     assert both in " ".join(full(made).split())
 
 
-def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page_where_they_are_many():
+def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page():
     assert "spike" not in details(content()) and "spike" not in page()
     first = {"run": "nylon-3", "column": "displacement_mm", "count": 4, "first_s": 12.34567}
     few = content(evidence__spikes=[first, {**first, "column": "motor_turns", "count": 1, "first_s": 1234.5}])
     told = "5 spikes were found, single samples that stand far from their neighbours: 4 of the displacement (the first "
     told += "at time_s = 12.34567) and 1 of the twist (at time_s = 1234.5). They do not count."
-    assert told in details(copy.deepcopy(few)) and "spike" not in page(few)
+    assert told in details(copy.deepcopy(few)) and told in " ".join(page(few).split()), "both alike"
     many = content(evidence__spikes=[first, {**first, "column": "load_n", "count": 2}])
     assert "2 of the load (the first at" in " ".join(page(many).split())
     assert "neighbours: all of the displacement (the first at" in details(content(evidence__spikes=[first]))
