@@ -33,6 +33,7 @@ from .diagnosis.words.foretold.prediction import (
     of_half_speed,
     of_rivals,
     of_state,
+    of_ties,
     stretches,
 )
 from .diagnosis.words.foretold.residual import RESIDUAL
@@ -181,10 +182,8 @@ def main() -> None:
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
         state = "as the recording left it" if plan.after else "as it was before its first stroke"
         words.append(f"its zero is {zero}; the string is taken to be {state}")
-    if tied := plan.tied if plan else tied_with(run, content, arguments.simulation is None):
-        words.append(
-            f"beware: {acting} is one of {1 + len(tied)} likely explanations, and another may say otherwise here"
-        )
+    tied = plan.tied if plan else tied_with(run, content, arguments.simulation is None)
+    words += of_ties(acting, len(tied), list(columns))
     for line in (*loops, *numbered(words)):
         print(line)
     if plan is None:

@@ -21,7 +21,7 @@ from .numerics.noise import resolution
 from .prediction import without_last
 from .prediction.simulation import at_its_best_zero, of_run
 from .proposal import apart, expected
-from .recording.covered import pauses, reversals
+from .recording.covered import paces, pauses, reversals
 from .recording.recorded_run import RecordedRun
 from .recording.spikes_found import spikes_found
 from .study import engine, heldout, own_rate
@@ -63,7 +63,7 @@ def diagnosed(
     if earlier:
         content["adopted"] = [adoption for place, adoption in enumerate(earlier) if adoption not in earlier[:place]]
     content["evidence"] |= of_run_yaml(study, runs)
-    content["evidence"]["covered"] |= tidy(pauses(recorded) | reversals(recorded))
+    content["evidence"]["covered"] |= tidy(pauses(recorded) | reversals(recorded)) | paces(recorded)
     if lonely := spikes_found(recorded):
         content["evidence"]["spikes"] = lonely
     ending = study.problem.system.channel.rpartition("_")[2]

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
-from ...run.course import Course, longest_s
+from ...run.course import Course, Recorded, longest_s
 from ...run.limits import NEAR
 from ...run.strokes import label, of_samples
 from .recorded_run import RecordedRun
@@ -43,6 +43,18 @@ def pauses(recorded: Sequence[RecordedRun]) -> dict[str, float]:
         for name, lasted_s in longest.items():
             lasted_s.append(longest_s(time_s, phase == name))
     return {f"longest_{name}_s": max(lasted_s) for name, lasted_s in longest.items()}
+
+
+def paces(recorded: Sequence[RecordedRun]) -> dict[str, Any]:
+    """The usual speeds of the slowest and the fastest stroke, and the highest speed of a moment, as a plan meets them.
+
+    In the motion's unit per second; nothing of runs that nobody cut into strokes.
+    """
+    cut = [each.strokes for each in recorded if each.strokes is not None]
+    if len(cut) < len(recorded):
+        return {}
+    known = Recorded([each.samples for each in recorded], cut, recorded[0].run.system.driver)
+    return {"strokes_per_s": [min(known.speeds), max(known.speeds)], "fastest_per_s": known.fastest}
 
 
 def reversals(recorded: Sequence[RecordedRun]) -> dict[str, dict[str, list[list[float]]]]:

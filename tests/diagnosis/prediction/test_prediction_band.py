@@ -16,7 +16,7 @@ from pipeline.diagnosis.prediction.simulation import tared
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.own_rate import at_own_rate
 from pipeline.diagnosis.study.rivals import refitted
-from pipeline.diagnosis.words.foretold.prediction import in_one_number, of_rivals
+from pipeline.diagnosis.words.foretold.prediction import in_one_number, of_rivals, of_ties
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 
@@ -83,16 +83,27 @@ def test_the_one_number_says_over_what_it_holds_and_on_which_condition():
     assert "within 4.3 mm" in said(inside, gaps, 2)
     assert "over the 46 % of the plan within what was recorded, whichever of the 3 likely" in said(inside, gaps, 2)
     assert not said(np.zeros(100, bool), gaps, 2)
+    few = said(np.arange(100) < 5, gaps, 2)
+    assert few == "nothing to report: the plan is outside what was recorded but for 5 % of it"
 
 
 def test_by_how_much_another_explanation_differs_is_said_within_what_was_recorded_and_beyond():
     inside, curves = np.arange(10) < 5, {"creep + wear": np.where(np.arange(10) < 5, 0.1, -2.0)}
-    line, meaning = of_rivals(np.zeros(10), curves, inside, "displacement_mm", "mm")
-    assert meaning == "an if_ column is no error, but another reading"
-    assert line.startswith("if_creep_and_wear_mm: the reading if creep and wear acted instead, at most 0.10 mm from")
-    assert line.endswith("from displacement_mm within what was recorded and 2.0 mm outside")
-    line, meaning = of_rivals(np.zeros(10), curves, np.ones(10, bool), "displacement_mm", "mm")
-    assert line.endswith("at most 2.0 mm from displacement_mm")
+    (line,) = of_rivals(np.zeros(10), curves, inside, "displacement_mm", "mm")
+    reading = (
+        "if_creep_and_wear_mm: the reading if the other explanation is right (creep + wear). It differs by at most"
+    )
+    near = "0.10 mm from displacement_mm within what was recorded and 2.0 mm outside"
+    assert line == f"{reading} {near}, and note 1 includes it"
+    (line,) = of_rivals(np.zeros(10), curves, np.ones(10, bool), "displacement_mm", "mm")
+    assert line == f"{reading} 2.0 mm from displacement_mm, and note 1 includes it"
+    (line,) = of_rivals(np.zeros(10), curves, np.zeros(10, bool), "displacement_mm", "mm")
+    assert line == f"{reading} 2.0 mm from displacement_mm", "there is nothing to report"
+
+
+def test_that_others_are_likely_is_a_warning_only_where_not_each_has_its_column():
+    assert not of_ties("creep", 1, ["time_s", "if_wear_mm"]) and not of_ties("creep", 0, ["time_s"])
+    assert of_ties("creep", 2, ["if_wear_mm"])[0].startswith("beware: creep is one of 3 likely explanations")
 
 
 def test_a_doubt_of_one_dimension_moves_the_band_by_what_that_dimension_moves(creep):
@@ -178,9 +189,10 @@ def test_simulate_gives_the_band_and_the_rivals_of_a_planned_motion_and_says_wha
         "expected error",
     ]
     places = [done.stdout.index(words_there) for words_there in order]
-    assert places == sorted(places) and "an if_ column is no error" in done.stdout, "five lines stood before the answer"
-    assert "expected error, only to compare" in done.stdout and "They cover no wrong explanation" in done.stdout
-    assert "the reading if thermal and x_fit acted instead, at most " in done.stdout
+    assert places == sorted(places) and "and note 1 includes it" in done.stdout, "five lines stood before the answer"
+    assert "expected error, only to compare" in done.stdout and "They cover no other explanation" in done.stdout
+    assert "the reading if the other explanation is right (thermal + x_fit). It differs by at most " in done.stdout
+    assert "another may say otherwise" not in done.stdout
     apart = np.abs(answer["if_thermal_and_x_fit_mm"] - answer["displacement_mm"])[answer["outside"] == 0]
     near, share = re.search(r"to report: .* within (\S+) mm of displacement_mm over (.*)", done.stdout).groups()
     assert float(near) > np.quantile(apart, 0.8) > floor, "what another likely explanation says is in it"

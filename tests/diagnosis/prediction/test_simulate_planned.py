@@ -14,7 +14,7 @@ from made_recording import recording
 
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.proposal.legs import Rig
-from pipeline.diagnosis.recording.covered import covered, pauses, reversals
+from pipeline.diagnosis.recording.covered import covered, paces, pauses, reversals
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.own_rate import at_own_rate
 from pipeline.diagnosis.words.foretold import loop_table
@@ -373,6 +373,13 @@ def test_a_plan_at_the_ends_of_the_range_that_the_page_says_has_a_band_everywher
     assert slow == pytest.approx((0.8 if paced else 0.5) * min(recorded.speeds), rel=0.03)
     for speed in (slow, fast):
         assert not outside(run, triangle(recorded.ends[1], speed, holds_s), recorded, True, paced).asks
+    known |= paces([one])
+    said = within(made | {"evidence": evidence}, Vocabulary.of(SYSTEMS["mm"]))
+    slow, fast = re.search(r"a speed of (\S+) to (\S+) turns/s in each stroke \(its median; recorded: ", said).groups()
+    asks = outside(run, triangle(recorded.ends[1], 0.9 * float(slow)), recorded, True, paced).asks
+    assert f"Inside from {slow} on" in asks[0], "the page and the warning give one limit"
+    for speed in (slow, fast):
+        assert not outside(run, triangle(recorded.ends[1], float(speed), holds_s), recorded, True, paced).asks
 
 
 def test_where_half_the_speed_is_outside_what_the_verdict_foretells_of_it_is_said():
@@ -425,6 +432,9 @@ def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_l
     )
     row = re.split(r" {2,}", loop_table.lines(small, words, "displacement_mm")[5])
     assert row == ["2 and 3", "2.5", "0.471", "0.671", "+0.200 mm"], "the digits of a band of ±0.054 mm"
+    coarse = strokes_table().assign(outside=1.0, displacement_mm=lambda made: 20.0 + 0.26 * made["displacement_mm"])
+    row = re.split(r" {2,}", loop_table.lines(coarse, words, "displacement_mm")[6])
+    assert row[-1] == "+0.052 mm" and float(row[-2]) - float(row[-3]) == pytest.approx(0.052, abs=2e-3), "to be checked"
     flat = strokes_table().assign(
         displacement_mm=lambda made: made["motor_turns"] + 3.5e-4 * (made["time_s"] % 20.0 > 10.0)
     )

@@ -3,7 +3,7 @@
 from typing import Any
 
 from ....run.course import ALIKE
-from ....run.limits import LONGER, SHORT_S, share_of_slowest, stands_still
+from ....run.limits import LONGER, SHORT_S, from_on, least_speed, most_speed, share_of_slowest, stands_still, up_to
 from ...document.content import Verdict
 from ...mechanisms.library import mechanisms
 from ..language.quantity import at, duration, ends, listing, span
@@ -15,18 +15,19 @@ WIDER = "speeds, holds and rests reach further than recorded"
 def within(content: Verdict, words: Vocabulary) -> str:
     """Motion, speeds, loads and stands within which a plan has a band; nothing where an older file lacks them.
 
-    These are the limits of the warning that a plan gets which leaves them, without its room: what is rounded here is
-    inside there.
+    Speeds are the limits of the warning that a plan gets which leaves them, rounded so that they are inside; the other
+    limits lack its room.
     """
     known = content["evidence"].get("covered")
     if known is None:
         return ""
-    (low, high), (slow, fast) = content["evidence"][words.driver], known["speed_per_s"]
+    low, high = content["evidence"][words.driver]
+    slow, fast = known.get("strokes_per_s") or known["speed_per_s"]
     acting = [entry["id"] for entry in content["mechanisms"]]
     likely = {*acting, *(id_ for ids in content["alternatives"] for id_ in ids)}
     library = mechanisms()
     other = fast < ALIKE * slow or any(library[id_].paced for id_ in likely if id_ in library)
-    speeds = ends(share_of_slowest(other) * slow, fast, f"{words.motion_unit}/s")
+    speeds = _speeds(known, other, words) or ends(share_of_slowest(other) * slow, fast, f"{words.motion_unit}/s")
     parts = [span(low, high, words.motion_unit, high - low), speeds]
     if words.load is not None and known["load"][1] > 0.0:
         least, most = known["load"]
@@ -37,6 +38,16 @@ def within(content: Verdict, words: Vocabulary) -> str:
     if any(library[id_].remembers_turns for id_ in acting if id_ in library):
         parts.append(f"reversals near {_turned(known, words, high - low)}")
     return f"{listing(parts)} ({WIDER})"
+
+
+def _speeds(known: dict[str, Any], other: bool, words: Vocabulary) -> str:
+    """How slow and how fast a planned stroke may be, as a plan is told it; nothing where an older file lacks that."""
+    if "strokes_per_s" not in known:
+        return ""
+    (slow, fast), unit = known["strokes_per_s"], f"{words.motion_unit}/s"
+    least = from_on(least_speed(slow, other))
+    most = up_to(most_speed(fast, known["fastest_per_s"], other))
+    return f"a speed of {least} to {most} {unit} in each stroke (its median; recorded: {ends(slow, fast, unit)})"
 
 
 def _turned(known: dict[str, Any], words: Vocabulary, whole: float) -> str:

@@ -15,6 +15,7 @@ from .prediction import AFTER_RECORDING, OUTSIDE
 
 SHARES = (0.25, 0.5, 0.75)  # of the way of a stroke
 REVERSAL = 0.1  # of the plan's range: a smaller way back is no stroke
+FINEST = 3  # decimals of readings that a difference beside them may ask for
 ALIKE, AT = 1e-4, 0.01  # of the reading's range: strokes that differ by less are the same; of the motion's: one place
 DIGITS, FAR_DIGITS = 6, 4  # of a reading: within what was recorded its hundredths count, outside it is a guess
 MOST = 3  # strokes that differ; the others are counted
@@ -84,7 +85,7 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
             kinds.append((stroke, [str(count)]))
     if not kinds:
         return []
-    (up, down), places = words.ways, _decimals([stroke for stroke, _ in kinds[:MOST]])
+    (up, down), places = words.ways, _decimals([stroke for stroke, _ in kinds[:MOST]], words.unit)
     rows = [["stroke", words.driver, f"{channel}, {up}", down, "difference"]]
     for stroke, numbers in kinds[:MOST]:
         for share, motion, rising, falling in zip(SHARES, stroke.motion, stroke.up, stroke.down, strict=True):
@@ -105,14 +106,19 @@ def _outside(out: Mask) -> str:
     return OUTSIDE if out.all() else f"{percent(float(out.mean()))} {OUTSIDE}"
 
 
-def _decimals(strokes: list[_Stroke]) -> int:
-    """The decimals of all readings in a table: the fewest that a band, or the digits of a reading, lets one have."""
+def _decimals(strokes: list[_Stroke], unit: str) -> int:
+    """The decimals of all readings in a table: the fewest that a band, or the digits of a reading, lets one have.
+
+    As many as the differences beside them have, though no more than `FINEST`, or nobody could check these.
+    """
+    gaps = [_gap(float(gap), stroke.half, unit).split()[0] for stroke in strokes for gap in stroke.down - stroke.up]
     texts = [
         to_the_band(float(value), stroke.half, FAR_DIGITS if stroke.out else DIGITS)
         for stroke in strokes
         for value in (np.abs([stroke.up, stroke.down]).max(),)
     ]
-    return min(len(text.partition(".")[2]) for text in texts)
+    asked = max(len(text.partition(".")[2]) for text in gaps)
+    return max(min(len(text.partition(".")[2]) for text in texts), min(asked, FINEST))
 
 
 def _gap(gap: float, half: float, unit: str) -> str:

@@ -15,10 +15,11 @@ from ..language.vocabulary import Vocabulary
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
 STRETCHES = 3  # of time, that are said; the others are counted
+REPORTED = 0.2  # of a plan's rows: where fewer are inside, one error is none of the plan
 MOSTLY = 0.8  # of the rms: a mean so far from 0 tells the way
 COVERS = (
     "{low} and {high}: nine of ten single readings lie between them, if the explanation is right. They cover how well "
-    "its numbers are known, and {missed}. They cover no wrong explanation, no other {string}, and no motion beyond "
+    "its numbers are known, and {missed}. They cover no other explanation, no other {string}, and no motion beyond "
     "what was recorded"
 )
 
@@ -55,6 +56,8 @@ def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int
     """
     if not inside.any():
         return []
+    if inside.mean() < REPORTED:
+        return [f"nothing to report: the plan is outside what was recorded but for {percent(inside.mean())} of it"]
     share = "the whole plan" if inside.all() else f"the {percent(inside.mean())} of the plan within what was recorded"
     known = f"whichever of the {1 + tied} likely explanations is right" if tied else "if the explanation is right"
     if len(gaps) < tied:
@@ -140,11 +143,19 @@ def of_rivals(predicted: Array, curves: dict[str, Array], inside: Mask, channel:
         near, far = (size(float(gap[rows].max()), unit) for rows in (inside, ~inside))
         return f"{near} from {channel} within what was recorded and {far} outside"
 
-    rivals = [
-        f"{column_of(ids, channel)}: the reading if {listing(ids.split(' + '))} acted instead, at most {most(curve)}"
+    also = ", and note 1 includes it" * bool(inside.mean() >= REPORTED)
+    which = "the other explanation" if len(curves) == 1 else "another explanation"
+    return [
+        f"{column_of(ids, channel)}: the reading if {which} is right ({ids}). It differs by at most {most(curve)}{also}"
         for ids, curve in curves.items()
     ]
-    return [*rivals, *(["an if_ column is no error, but another reading"] if rivals else [])]
+
+
+def of_ties(acting: str, tied: int, columns: list[str]) -> list[str]:
+    """That others are likely beside what acts, where not each has its column; `tied` is how many they are."""
+    if tied <= sum(name.startswith("if_") for name in columns):
+        return []
+    return [f"beware: {acting} is one of {1 + tied} likely explanations, and another may say otherwise here"]
 
 
 def column_of(ids: str, channel: str) -> str:
