@@ -117,8 +117,8 @@ def _decimals(strokes: list[_Stroke], unit: str) -> int:
         for stroke in strokes
         for value in (np.abs([stroke.up, stroke.down]).max(),)
     ]
-    asked = max(len(text.partition(".")[2]) for text in gaps)
-    return max(min(len(text.partition(".")[2]) for text in texts), min(asked, FINEST))
+    of_gaps = max(len(text.partition(".")[2]) for text in gaps)
+    return max(min(len(text.partition(".")[2]) for text in texts), min(of_gaps, FINEST))
 
 
 def _gap(gap: float, half: float, unit: str) -> str:
