@@ -43,8 +43,9 @@ def title(content: Verdict, holds: bool = False) -> str:
     unsettled = content["verdict"] == "explained" and settled_otherwise(content)
     head, held = f"{name}: {NOT_SETTLED if unsettled else content['verdict']}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
-    if holds and len(f"{name}: adopted {TOGETHER.join(held)} still holds") <= WIDE:
-        return f"{name}: adopted {TOGETHER.join(held)} still hold{'s' * (len(held) == 1)}"
+    still = f"{name}: adopted {TOGETHER.join(held)} still hold{'s' * (len(held) == 1)}"
+    if holds and len(still) <= WIDE:
+        return still
     if not ids:
         subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
         return (

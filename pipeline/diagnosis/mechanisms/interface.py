@@ -76,9 +76,7 @@ class Mechanism:
     details: tuple[str, ...] = ()
     meaning: str = ""
     remembers_turns: bool = False  # acts otherwise after a way back from the middle than after one from an end
-    letters: dict[str, str] = field(
-        default_factory=dict
-    )  # of the equation, where they mean what they mean nowhere else
+    letters: dict[str, str] = field(default_factory=dict)  # of the equation, that mean nothing or otherwise elsewhere
     variants: dict[str, str] = field(default_factory=dict)  # other equations, by the nonlinear parameter of their kind
     plain_equation: str = ""  # where nothing is twisted, if `equation` is one of a string
     twisted: bool = False  # of a string alone: where nothing is wound it is no candidate, and worth no word

@@ -49,11 +49,13 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     rows = [["simulator", *(head for head, _, _ in columns)]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
-    if not content["mechanisms"] and (rows[-1][1:] == rows[-2][1:] or content["verdict"] == "unknown"):
-        *_, foretold = rows.pop()  # nothing is named
-        if held and (closest := holdout.closest(content)):
-            name = f"closest, no name: {closest}"
-            rows.append([name if len(name) <= NARROW else CLOSEST, UNKNOWN, foretold])
+    if not content["mechanisms"]:  # nothing is named
+        closest = holdout.closest(content) if held else ""
+        name = f"closest, no name: {closest}"
+        if closest:
+            rows[-1] = [name if len(name) <= NARROW else CLOSEST, UNKNOWN, rows[-1][-1]]
+        elif rows[-1][1:] == rows[-2][1:]:
+            rows.pop()
     adopted = content["evidence"].get(f"adopted_{words.ending}")
     if adopted is not None:
         rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])

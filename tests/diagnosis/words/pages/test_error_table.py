@@ -2,6 +2,10 @@
 
 from made_content import content, told
 
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.pages import error_table
+from pipeline.systems import systems
+
 
 def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhere():
     text = told(content(evidence__calibrated_mm=0.4410, evidence__floor_mm=0.018))
@@ -18,3 +22,17 @@ def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhe
     assert "single samples" not in told().split("What is missing")[1]
     single = "Of single samples, as pipeline.simulate and pipeline.adopt count, 0.030 mm would be about 0.039 mm."
     assert f"The left column is of averages. {single}" in averaged
+
+
+def test_where_nothing_is_named_the_last_error_keeps_its_row_and_says_of_what_it_is():
+    """Without the last strokes effects were named, or came closest: what they err by was on no page once."""
+    made = content(verdict="unknown", mechanisms=[], alternatives=[])
+    made["evidence"]["explanations"] = [each for each in made["evidence"]["explanations"] if not each["ids"]]
+    made["fit"]["heldout"] |= {"calibrated_mm": 0.4, "explained_mm": 0.123}
+    words = Vocabulary.of(systems()["separator"])
+    made["evidence"] |= {"chosen_without_them": ["creep"]}
+    (row,) = [line for line in error_table.lines(made, words) if "0.12 mm" in line]
+    assert row.startswith("as diagnosed")
+    made["evidence"] |= {"chosen_without_them": [], "closest_without_them": ["creep"]}
+    (row,) = [line for line in error_table.lines(made, words) if "0.12 mm" in line]
+    assert row.startswith("closest, no name: creep")
