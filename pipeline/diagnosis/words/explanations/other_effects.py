@@ -1,12 +1,13 @@
-"""Why each effect of the library is none of the likely explanations', a short sentence each: why is it not friction?"""
+"""Why each effect of the library is none of the likely explanations', a row each: why is it not friction?"""
 
 import math
 
 from ...document.content import Part, Verdict
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, percent, size, times
+from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from .rivals import ALIKE, LITTLE, NO_LESS, called
+from .rivals import ALIKE, LITTLE, called
 
 HEADING = "Why it is none of the other effects"
 CLEAR, MORE = 3.0, 2.0  # standard errors that are no chance; times the best one's change: what is less is like it
@@ -14,108 +15,97 @@ VISIBLE = 0.1  # noise floors: a change in a stand that is less is worth no word
 WORTH = 0.01  # of a probability: what is less is not said
 ADDS = 0.2  # noise floors: what takes away less adds nothing
 CONSTANT = "nothing: a constant"  # what such an effect follows, by `Mechanism.driver`
-SEVERAL = 3  # effects that add nothing: from so many on it is said once
-NOTHING_ADDED = "added to the best one takes away nothing"
-NOTHING_MORE = " Where a line does not say more, the effect takes away nothing when it is added."
 STANDS = {"hold": "in a hold", "rest": "in a rest"}
-HEAD = "Each effect was tried instead of the best explanation ({best}, which leaves {left}), and added to it."
-BRACKETS = " In brackets after its name: how likely the effect is at work."
+TRIED = (
+    "Each effect was tried in place of a part of the best explanation, which leaves {left}, and added to all of it. "
+    "What it takes away there is too little for one effect more."
+)
+WRONG = "Wrong: by how much what is left changes while the motor stands ({counted}), beyond chance."
+NEVER = "The motor never stood long enough in this recording to say what goes on while it stands."
+ALONE, NO_LESS, NOTHING = "all of it", "as much as without it", "nothing"
+SAME = "{}: hardly more than the best one leaves, but less likely by other signs."
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """The head, what the stands of the motor say, then a sentence an effect; nothing where an older file has none."""
+    """What was tried, a row an effect, the nearest first, and what no row can say; nothing where a file has none."""
     first, *others = content["evidence"].get("not_kept") or [None]
     others = [entry for entry in others if words.twisted or not mechanisms()[entry["id"]].twisted]
     if first is None or not others:
         return []
-    best = called([entry["id"] for entry in content["mechanisms"]])
-    left = size(first[f"left_{words.ending}"], words.unit)
-    why = {_name(entry): _why(entry, first, content, words) for entry in _nearest_first(others, words)}
-    often = sum(reason.endswith(NOTHING_ADDED) for reason in why.values()) >= SEVERAL
-    likely = any(entry["likely"] >= WORTH for entry in others)
-    alike: dict[str, list[str]] = {}
-    for name, reason in why.items():
-        alike.setdefault(reason.removesuffix(f"; {NOTHING_ADDED}") if often else reason, []).append(name)
+    key = f"left_{words.ending}"
+    tried = sorted((each for each in others if each["possible"] and each[key] is not None), key=lambda each: each[key])
+    counted = listing([f"{known['count']} {phase}s" for phase, known in first["stands"].items()])
+    stands = [phase for phase in STANDS if phase in first["stands"]]
+    head = [
+        "effect",
+        "in place of",
+        "leaves (× noise)",
+        *(f"wrong {STANDS[phase]}" for phase in stands),
+        "added, takes away",
+    ]
+    rows = [_row(entry, first, stands, content, words) for entry in tried]
+    alike = [entry["id"] for entry in tried if entry[key] <= ALIKE * first[key]]
+    likely = [f"{entry['id']} {percent(entry['likely'])}" for entry in others if entry["likely"] >= WORTH]
+    wrong = [called(entry["ids"]) for entry in first["tied"] if _wrong(entry, first, content, words)]
     return [
-        f"{HEAD.format(best=best, left=left)}{BRACKETS * likely}{NOTHING_MORE * often}",
-        *_standing(content, first, others, words),
-        *(f"{listing(names)}: {'each ' * _several(names, reason)}{reason}." for reason, names in alike.items()),
+        TRIED.format(left=size(first[key], words.unit)),
+        *(aligned([head, *rows]) if rows else []),
+        WRONG.format(counted=counted) if stands else NEVER,
+        *([f"Wrong while the motor stands, though likely: {listing(wrong)}."] if wrong else []),
+        *([SAME.format(listing(alike))] if alike else []),
+        *([f"How likely at work: {listing(likely)}; each other one less than 1 %."] if likely else []),
+        *_not_shown([entry["id"] for entry in others if entry not in tried], words),
     ]
 
 
-def _several(names: list[str], reason: str) -> bool:
-    """Whether a reason is that of several effects, each of them alone."""
-    return len(names) > 1 and reason.startswith("alone")
-
-
-def _nearest_first(entries: list[Part], words: Vocabulary) -> list[Part]:
-    """The entries by what the best explanation with each leaves; those that no recording like this can show last."""
-    key = f"left_{words.ending}"
-    return sorted(entries, key=lambda entry: math.inf if entry[key] is None else entry[key])
-
-
-def _name(entry: Part) -> str:
-    return f"{entry['id']} ({percent(entry['likely'])})" if entry["likely"] >= WORTH else str(entry["id"])
-
-
-def _why(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> str:
-    """Why an effect is not kept, without a full stop."""
+def _row(entry: Part, first: Part, stands: list[str], content: Verdict, words: Vocabulary) -> list[str]:
+    """In whose place an effect was tried, what is left with it, where that is wrong, and what it adds."""
     floor, left = content["evidence"][f"floor_{words.ending}"], entry[f"left_{words.ending}"]
-    if not entry["possible"] or left is None:
-        return _not_shown(mechanisms()[entry["id"]].driver, words)
-    instead = called(entry["instead"]) if len(entry["instead"]) > 1 else "alone"
-    leaves = f"{instead} leaves {size(left, words.unit)} ({times(left / floor)} times the noise)"
+    best = [each["id"] for each in content["mechanisms"]]
+    replaced = [id_ for id_ in best if id_ not in entry["instead"]]
+    place = ALONE if len(replaced) == len(best) > 1 else listing(replaced) or UNKNOWN
+    if beside_it := [id_ for id_ in entry["instead"] if id_ not in (entry["id"], *best)]:
+        place += f", with {listing(beside_it)}"
+    leaves = NO_LESS if _helps_nothing(entry, content, words) else f"{size(left, words.unit)} ({times(left / floor)})"
+    known = wrong_by(entry, first, floor, words)
+    beside = entry[f"beside_{words.ending}"]
+    saved = 0.0 if beside is None else math.sqrt(max(first[f"left_{words.ending}"] ** 2 - beside**2, 0.0))
+    takes = UNKNOWN if beside is None else NOTHING if saved < ADDS * floor else size(saved, words.unit)
+    return [entry["id"], place, leaves, *(known.get(phase, UNKNOWN) for phase in stands), takes]
+
+
+def _helps_nothing(entry: Part, content: Verdict, words: Vocabulary) -> bool:
+    """Whether what is left with an effect is no less than without it: by calibration alone, or by the others alone."""
+    rest, left = set(entry["instead"]) - {entry["id"]}, entry[f"left_{words.ending}"]
     alone = content["evidence"].get(f"calibrated_{words.ending}")
-    if alone and left >= LITTLE * alone and len(entry["instead"]) == 1:
-        leaves = f"alone {NO_LESS}"
-    elif without := _not_better(entry, content, words):
-        leaves = f"{instead} leaves no less than {without}"
-    if left <= ALIKE * first[f"left_{words.ending}"]:
-        leaves += ", hardly more than the best one, but is less likely by its other signs"
-    parts = [leaves]
-    wrong = wrong_standing(entry, first, floor, words)
-    parts += [f"wrong while the motor stands, by {listing(wrong)}"] if wrong else []
-    return "; ".join([*parts, *_beside(entry, first, floor, words)])
+    if not rest:
+        return alone is not None and bool(left >= LITTLE * alone)
+    smaller = [each for each in content["evidence"]["explanations"] if set(each["ids"]) == rest]
+    return any(left > ALIKE * each[f"left_{words.ending}"] for each in smaller)
 
 
-def _not_better(entry: Part, content: Verdict, words: Vocabulary) -> str:
-    """The part of an explanation without this effect that leaves no more than it; nothing where the effect helps it."""
-    rest, key = set(entry["instead"]) - {entry["id"]}, f"left_{words.ending}"
-    smaller = [
-        each for each in content["evidence"]["explanations"]
-        if rest and set(each["ids"]) == rest and entry[key] > ALIKE * each[key]
-    ]  # fmt: skip
-    return called(smaller[0]["ids"]) if smaller else ""
+def _not_shown(ids: list[str], words: Vocabulary) -> list[str]:
+    """Which effects no recording like this can show, each with the reason, in one line."""
+    drivers = {id_: mechanisms()[id_].driver for id_ in ids}
+    why = [
+        f"{id_} (a constant cannot be told from the zero of the sensor)"
+        if driver == CONSTANT
+        else f"{id_} (it follows {words.follows(driver)})"
+        for id_, driver in drivers.items()
+    ]
+    return [f"This recording could not show {listing(why, 'or')}."] if why else []
 
 
-def _not_shown(driver: str, words: Vocabulary) -> str:
-    """Why no recording like this can show an effect that follows `driver`, without a full stop."""
-    if driver == CONSTANT:
-        return "this recording could not show it: a constant cannot be told from the zero of the sensor"
-    return f"this recording could not show it (it follows {words.follows(driver)})"
-
-
-def wrong_standing(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[str]:
-    """By how much an effect is wrong while the motor stands, in holds and in rests; nothing where it is not.
+def wrong_by(entry: Part, first: Part, floor: float, words: Vocabulary) -> dict[str, str]:
+    """By how much an effect is wrong while the motor stands, by `hold` and `rest`; nothing where it is not.
 
     `first` is the entry of the best explanation.
     """
-    return [
-        f"{size(abs(known['change']), words.unit)} {STANDS[phase]}"
+    return {
+        phase: size(abs(known["change"]), words.unit)
         for phase, known in (entry["stands"] or {}).items()
         if _contradicts(phase, entry, first, floor)
-    ]
-
-
-def _beside(entry: Part, first: Part, floor: float, words: Vocabulary) -> list[str]:
-    """What an effect adds to the best explanation; nothing where it was not tried beside it."""
-    beside = entry[f"beside_{words.ending}"]
-    if beside is None:
-        return []
-    saved = math.sqrt(max(first[f"left_{words.ending}"] ** 2 - beside**2, 0.0))
-    if saved < ADDS * floor:
-        return [NOTHING_ADDED]
-    return [f"added to the best one takes away {size(saved, words.unit)} more, too little for one effect more"]
+    }
 
 
 def _contradicts(phase: str, entry: Part, first: Part, floor: float) -> bool:
@@ -127,23 +117,7 @@ def _contradicts(phase: str, entry: Part, first: Part, floor: float) -> bool:
     return bool(change > max(CLEAR * known["error"], VISIBLE * floor, MORE * abs(best["change"])))
 
 
-def _standing(content: Verdict, first: Part, others: list[Part], words: Vocabulary) -> list[str]:
-    """What the recording says while the motor stands: for the best explanation, and against which effects."""
-    floor = content["evidence"][f"floor_{words.ending}"]
-    if not first["stands"]:
-        return ["The motor never stood long enough in this recording to say what goes on while it stands."]
-    counted = listing([f"{known['count']} {phase}s" for phase, known in first["stands"].items()])
-    likely = [called(entry["ids"]) for entry in first["tied"] if _wrong(entry, first, floor)]
-    against = [entry["id"] for entry in others if _wrong(entry, first, floor)]
-    stands = f"While the motor stands ({counted}), the reading"
-    if not against and not likely:
-        return [f"{stands} speaks against none of them."]
-    best = called([entry["id"] for entry in content["mechanisms"]])
-    sure = [f"against {listing(likely)}, though likely"] if likely else []
-    others_against = [f"against {listing(against)}"] if against else []
-    return [f"{stands} fits {best}, and speaks {' and '.join([*sure, *others_against])}."]
-
-
-def _wrong(entry: Part, first: Part, floor: float) -> bool:
+def _wrong(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> bool:
     """Whether the stands of the motor speak against an effect, or an explanation."""
+    floor = content["evidence"][f"floor_{words.ending}"]
     return any(_contradicts(phase, entry, first, floor) for phase in (entry["stands"] or {}))

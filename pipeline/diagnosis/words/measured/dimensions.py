@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from ....ground.units import unit_of
 from ...document.bounds import BOUND, at_bound, of_later_run
 from ...document.content import Verdict
-from ..held_out.without_name import LITTLE, moved_in_vain
+from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing, number, said_unit, size, times
+from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from . import exactness, tolerances
 
@@ -16,6 +17,7 @@ LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
 FINEST = 12  # decimals
 MANY = 4  # that leave at once: then it is no measuring error
+HEAD = ["dimension", "as measured", "calibrated (90 % interval)", "tolerance", "moved by"]
 CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of the motor"}
 
 
@@ -34,42 +36,30 @@ def adopted_fit(content: Verdict) -> bool:
     )
 
 
-def remeasured(
-    content: Verdict, words: Vocabulary, adopted: list[str], inexact: bool = False, in_vain: bool = False
+def cautions(
+    content: Verdict, words: Vocabulary, adopted: list[str], inexact: bool = False, in_step: bool = False
 ) -> list[str]:
-    """A line for each dimension to measure again, and what else may have bent it.
+    """How to measure the dimensions again that moved far, and what else may have bent them; nothing where none did.
 
-    `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_vain`: moving
-    the dimensions explains next to nothing.
+    `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_step`: a step
+    asks to measure them, and says how exactly.
     """
     moved = far_moved(content)
+    if not moved:
+        return []
+    names = {name: name_of(name) for name in moved}
     lines = []
-    for name, sigma in ({} if in_vain else moved).items():
-        nominal, value = from_to(content, name)
-        known = tolerances.said(content, name, words)
-        far = f"{abs(sigma):.1f} times its tolerance{f' of {known}' if known else ''} away"
-        far += ", as far as calibration may move it" if abs(sigma) >= BOUND else ""
-        exact = exactness.cell(content, name)
-        exactly = f", to {exact}"
-        best = f"but {value} fits best{likely_range(content, name)}, {far}"
-        if exactness.assumed(name):
-            lines.append(f"Measure the {name_of(name)}{exactly}: {nominal} was {whence(content, name)}, {best}.")
-        else:
-            lines.append(f"Measure the {name_of(name)} again{exactly}: run.yaml says {nominal}, {best}.")
-    if lines:
-        lines += exactness.mistakes(content, {name: name_of(name) for name in moved}) or [
-            "A measurement as exact as that tells the two values apart."
-        ]
-        if any(beyond(content, name) for name in moved):
-            lines.append("Intervals are those of the fit: they may reach beyond what calibration may do.")
-        if adopted:
-            lines.append("They are narrow only because the adopted effects are held fixed: nothing new was measured.")
-    if moved and in_vain:
-        names = listing([f"the {name_of(name)}" for name in moved])
-        lines.append(f"Measure {names} again before you believe any of these values.")
-    if moved and adopted:
+    if content["verdict"] == "parameters" and moved_in_vain(content, words):
+        lines.append(f"Measure {the(moved)} again before you believe any of these values.")
+    elif not in_step:
+        exactly = listing([f"the {called} to {exactness.cell(content, name)}" for name, called in names.items()])
+        lines += [f"Measure again {exactly}.", *exactness.mistakes(content, names)]
+    if any(beyond(content, name) for name in moved):
+        lines.append("Intervals are those of the fit: they may reach beyond what calibration may do.")
+    if adopted:
+        lines.append("They are narrow only because the adopted effects are held fixed: nothing new was measured.")
         lines.append(f"Adopted effects bend dimensions as well ({listing(adopted)}). {do_not_copy(moved)}")
-    elif moved and inexact:
+    elif inexact:
         lines.append(f"What the simulation still misses bends dimensions as well. {do_not_copy(moved)}")
     if len(moved) >= MANY:
         lines.append(
@@ -79,10 +69,14 @@ def remeasured(
     return lines
 
 
+def the(names: Iterable[str]) -> str:
+    """Dimensions as a list: the radius and the length."""
+    return listing([f"the {name_of(name)}" for name in names])
+
+
 def do_not_copy(moved: Iterable[str]) -> str:
     """What to do about dimensions that moved far."""
-    names = listing([f"the {name_of(name)}" for name in moved])
-    return f"Do not copy calibrated values into run.yaml: measure {names} again and write what you measured."
+    return f"Do not copy calibrated values into run.yaml: measure {the(moved)} again and write what you measured."
 
 
 def suspicious(content: Verdict) -> list[str]:
@@ -132,13 +126,13 @@ def decimals(content: Verdict, name: str) -> int:
 
 
 def likely_range(content: Verdict, name: str) -> str:
-    """The 90 % interval of a dimension, in brackets; nothing where it has none."""
+    """The 90 % interval of a dimension, in brackets, in its unit; nothing where it has none."""
     known = content["parameters"][name]
     if not known.get("low", 0.0) < known.get("high", 0.0):
         return ""
-    places, unit = decimals(content, name), said_unit(unit_of(re.sub(r"_\d+$", "", name)))
+    places = decimals(content, name)
     low, high = (number(round(known[end], places), 12) for end in ("low", "high"))
-    return f" (90 % interval {low} to {high} {unit}".rstrip() + ")"
+    return f" ({low} to {high})"
 
 
 def beyond(content: Verdict, name: str) -> bool:
@@ -149,7 +143,7 @@ def beyond(content: Verdict, name: str) -> bool:
 
 
 def corrected(content: Verdict, words: Vocabulary) -> list[str]:
-    """Where only dimensions moved: the misfit before and after, then each dimension, from what to what."""
+    """Where only dimensions moved: the misfit before and after, then the table of them; for the page."""
     shown, lines = content["evidence"], []
     if content["verdict"] != "parameters":
         return []
@@ -157,39 +151,40 @@ def corrected(content: Verdict, words: Vocabulary) -> list[str]:
         before, after, floor = (shown[f"{name}_{words.ending}"] for name in ("nominal", "calibrated", "floor"))
         sizes = [f"{size(value, words.unit)} rms ({times(value / floor)} times the noise)" for value in (before, after)]
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
-        if before <= LITTLE * after:
-            lines.append("So moving them explains next to nothing: these values are no better than the measured ones.")
-    return [*lines, *each_moved(content, words, () if moved_in_vain(content, words) else far_moved(content))]
+    return [*lines, *table(content, words, () if moved_in_vain(content, words) else far_moved(content))]
 
 
-def each_moved(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[str]:
-    """Each dimension that moved, the farthest first: from what to what, by how much of which tolerance.
+def table(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[str]:
+    """A row for each dimension that moved, the farthest first, then what to think of them all.
 
-    `but` are those that are told elsewhere.
+    `but` are those that another table of the page has.
     """
-    sigmas = content["evidence"]["moved_sigma"]
-    moved = {name: sigma for name, sigma in sigmas.items() if abs(sigma) >= HARDLY and name not in but}
-    measured = [name for name in moved if not name.startswith("stiffness")]
-    lines, within = [], [name for name in measured if but and abs(moved[name]) < 1.0]
-    if within:
-        lines.append(f"Within tolerance: {listing([name_of(name) for name in within])}.")
-        moved = {name: sigma for name, sigma in moved.items() if name not in within}
-    for name, sigma in sorted(moved.items(), key=lambda item: -abs(item[1])):
-        nominal, value = from_to(content, name)
-        known = tolerances.said(content, name, words)
-        far = f"{number(abs(sigma))} times its tolerance{f' of {known}' if known else ''}"
-        first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
-        lines.append(f"{name_of(name)}: from {first} to {value}{likely_range(content, name)}, {far}.")
-    stayed = listing([name_of(name) for name, sigma in sigmas.items() if abs(sigma) < HARDLY])
-    lines += [f"Stayed (moved by less than a hundredth of the tolerance): {stayed}."] * bool(lines and stayed)
-    if moved and not but and all(abs(sigma) < 1.0 for sigma in moved.values()):
-        right = content["verdict"] == "parameters"
-        lines.append(
-            f"Every dimension stays within its tolerance{': nothing says that one was measured wrong' * right}."
-        )
-    if not moved and not but:
-        lines.append("No dimension moved by a hundredth of its tolerance: only the zero of the reading did.")
+    sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
+    known = [name for name in sorted(sigmas, key=lambda name: -sigmas[name]) if name in content["parameters"]]
+    moved = [name for name in known if sigmas[name] >= HARDLY]
+    if not moved:
+        return ["No dimension moved by a hundredth of its tolerance: only the zero of the reading did."]
+    rows = [_row(content, name, words) for name in moved if name not in but]
+    lines = aligned([HEAD, *rows]) if rows else []
+    if stayed := [name_of(name) for name, sigma in sigmas.items() if sigma < HARDLY]:
+        lines.append(f"Stayed (moved by less than a hundredth of the tolerance): {listing(stayed)}.")
+    if content["verdict"] == "parameters" and moved_in_vain(content, words):
+        return [*lines, "Moving them explains next to nothing: these values are no better than the measured ones."]
+    if all(sigmas[name] < 1.0 for name in moved):
+        right = ": nothing says that one was measured wrong" * (content["verdict"] == "parameters")
+        return [*lines, f"Every dimension stays within its tolerance{right}."]
+    if not far_moved(content):
+        lines.append(f"Only a dimension that moves by more than {LEAVES:g} tolerances is to be measured again.")
     return lines
+
+
+def _row(content: Verdict, name: str, words: Vocabulary) -> list[str]:
+    """From what to what a dimension moved, and by how much of which tolerance."""
+    nominal, value = from_to(content, name)
+    first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
+    far = f"{number(abs(content['evidence']['moved_sigma'][name]), whole=True)} times it"
+    known = tolerances.said(content, name, words) or UNKNOWN
+    return [name_of(name), first, f"{value}{likely_range(content, name)}", known, far]
 
 
 def name_of(parameter: str) -> str:

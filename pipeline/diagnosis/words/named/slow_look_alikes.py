@@ -8,24 +8,25 @@ from ..language.vocabulary import Vocabulary
 from . import certainty
 
 EXCLUDED = (
-    "An excluded effect cannot be what is called {} here: you may write so in a paper. It may still act beside {}, but "
-    "too little to be named."
+    "Excluded in the place of {named}, for each is wrong while the motor stands: {out}. By how much stands under "
+    f"{other_effects.HEADING}. You may write so in a paper. Beside {{named}} each may still act, but too little to be "
+    "named."
 )
 
 
-def excluded(content: Verdict, words: Vocabulary) -> dict[str, str]:
-    """The look-alikes that this recording excludes, each with by what: whatever its law, it is still while others act.
+def excluded(content: Verdict, words: Vocabulary) -> list[str]:
+    """The look-alikes that this recording excludes: whatever its law, such an effect is still while others act.
 
     Nothing where the motor never stood long enough, and of a file that does not say what each effect leaves.
     """
     first, *others = content["evidence"].get("not_kept") or [None]
     if first is None:
-        return {}
-    floor, out = content["evidence"][f"floor_{words.ending}"], {}
-    for entry in others:
-        if entry["id"] in _all(content, words) and (wrong := other_effects.wrong_standing(entry, first, floor, words)):
-            out[str(entry["id"])] = f"while the motor stands it is wrong by {listing(wrong)}"
-    return out
+        return []
+    alike, floor = _all(content, words), content["evidence"][f"floor_{words.ending}"]
+    return [
+        entry["id"] for entry in others
+        if entry["id"] in alike and other_effects.wrong_by(entry, first, floor, words)
+    ]  # fmt: skip
 
 
 def still_open(content: Verdict, words: Vocabulary) -> list[str]:
@@ -35,17 +36,15 @@ def still_open(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """A sentence for each look-alike, for the details; nothing where no slow effect is named under one load."""
+    """Which look-alikes are excluded, then a sentence for each open one; nothing where no slow effect is named so."""
     slow = certainty.slow_alike(content, words)
     if not slow:
         return []
-    named, out = listing(slow), excluded(content, words)
-    sentences = [f"- {id_}: excluded in the place of {named} by this recording: {why}." for id_, why in out.items()]
-    sentences += [f"- {id_}: open{_why_open(content, id_, words)}" for id_ in still_open(content, words)]
-    meant = [EXCLUDED.format(named, named)] if out else []
-    sure = f" {_how_sure(content, slow)}" if still_open(content, words) else ""
-    head = f"Under one load slow effects look alike.{sure} What {named} could be instead:"
-    return [head, *sentences, *meant]
+    named, out, may_be = listing(slow), excluded(content, words), still_open(content, words)
+    head = f"Under one load slow effects look alike.{f' {_how_sure(content, slow)}' if may_be else ''}"
+    meant = f" {EXCLUDED.format(named=named, out=listing(out))}" if out else ""
+    could = f" What {named} could be instead:" if may_be else ""
+    return [f"{head}{meant}{could}", *(f"- {id_}{_why_open(content, id_, words)}" for id_ in may_be)]
 
 
 def doubts(content: Verdict, words: Vocabulary) -> list[str]:
@@ -68,7 +67,7 @@ def _how_sure(content: Verdict, slow: list[str]) -> str:
 def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
     """What a report must add to the slow effects among those at work that are `sure`; ends a statement."""
     slow = [id_ for id_ in certainty.slow_alike(content, words) if id_ in sure]
-    may_be, out = still_open(content, words), list(excluded(content, words))
+    may_be, out = still_open(content, words), excluded(content, words)
     if not slow:
         return ""
     if may_be:

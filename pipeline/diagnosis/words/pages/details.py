@@ -15,14 +15,13 @@ from ..explanations import (
     unexplained_pattern,
 )
 from ..held_out import holdout, in_vain, level, unseen
-from ..held_out.without_name import moved_in_vain
 from ..language import explained_words
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import duration, size, times
 from ..language.sections import text
 from ..language.vocabulary import Vocabulary
 from ..measured import in_run_yaml, to_measure, tolerances
-from ..measured.dimensions import corrected, each_moved, far_moved, remeasured, suspicious
+from ..measured.dimensions import cautions, far_moved, suspicious, table
 from ..named import adopted_table, certainty, effect_table, effects, logged, needed, slow_look_alikes
 from ..next_run import commands, deciding_run, experiment, make_sure, signs, worth
 from ..next_run.run_asked import no_run
@@ -159,17 +158,15 @@ def weighed(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def moved(content: Verdict, words: Vocabulary) -> list[str]:
-    """The dimensions that calibration moved, and which to measure again."""
-    in_vain = content["verdict"] == "parameters" and moved_in_vain(content, words)
-    again = remeasured(content, words, holdout.included(content), unseen.inexact(content, words), in_vain)
-    named = content["verdict"] in ("explained", "ambiguous")
-    hiding = each_moved(content, words, far_moved(content)) if named else []
-    written = (
-        in_run_yaml.lines(content, to_measure.to_measure(content))
-        if content["verdict"] in ("explained", "ambiguous")
-        else []
-    )
-    return [*corrected(content, words), *again, *hiding, *written, *tolerances.in_force(content, words)]
+    """The dimensions that calibration moved, how to measure them again, and how run.yaml says it."""
+    named, far = content["verdict"] in to_do.NAMED, far_moved(content)
+    in_step = to_do.asks_to_measure(content, words)
+    return [
+        *(table(content, words) if named or far or content["verdict"] == "parameters" else []),
+        *cautions(content, words, holdout.included(content), unseen.inexact(content, words), in_step),
+        *(in_run_yaml.lines(content, to_measure.to_measure(content)) if named else []),
+        *tolerances.in_force(content, words),
+    ]
 
 
 def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:

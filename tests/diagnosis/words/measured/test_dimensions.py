@@ -1,5 +1,7 @@
 """Dimensions that calibration moved."""
 
+import re
+
 from made_content import CONTENT, LEFT, adopted, content, told
 
 from pipeline.diagnosis.document.bounds import at_bound
@@ -15,11 +17,12 @@ def corrected(value, sigma):
 
 def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
     text = corrected(0.5612, 2.1)
-    assert "The misfit was 0.45 mm rms (15 times the noise) with the dimensions of run.yaml." in text
-    assert "It is 0.033 mm rms (1.1 times the noise) once they move." in text
-    assert "radius: from 0.55 mm to 0.5612 mm, 2.1 times its tolerance." in text
+    errors = " ".join(text.partition("\nError, rms\n")[2].split())
+    assert "nominal 0.45 mm (15 times the noise)" in errors and "calibrated 0.033 mm (1.1 times the noise)" in errors
+    assert re.search(r"\n  radius +0\.55 mm +0\.5612 mm +– +2\.1 times it\n", text)
+    assert "Only a dimension that moves by more than 2.5 tolerances is to be measured again." in text
     assert "stays within its tolerance" not in text
-    assert "radius: from 0.55 mm to 0.55001 mm, 0.02 times its tolerance." in corrected(0.55001, 0.02)
+    assert re.search(r"radius +0\.55 mm +0\.55001 mm +– +0\.020 times it\n", corrected(0.55001, 0.02))
     assert "Every dimension stays within its tolerance: nothing says that one was measured wrong." in corrected(
         0.551, 0.2
     )
@@ -35,8 +38,8 @@ def test_a_dimension_at_the_bound_of_its_tolerance_is_called_suspicious_before_a
             in (doubts)
         )
         assert "bound 0.5612 mm (run.yaml says 0.55 mm). The best value may lie beyond." in doubts
-        assert f"{abs(sigma):.1f} times its tolerance away, as far as calibration may move it." in text
-    assert "Suspicious" not in told() and "as far as calibration" not in told()
+        assert f"radius 0.55 mm 0.5612 mm (0.56 to 0.563) – {abs(sigma):.1f} times it" in text
+    assert "Suspicious" not in told() and "as far as it may" not in told()
     both = {"radius_mm": 3.0, "scale": -3.0}
     known = CONTENT["parameters"] | {"scale": {"nominal": 1.0, "value": 0.985, "low": 0.98, "high": 0.99}}
     text = " ".join(told(content(evidence__moved_sigma=both, parameters=known)).split())
@@ -49,13 +52,13 @@ def test_a_dimension_at_the_bound_of_its_tolerance_is_called_suspicious_before_a
 
 def test_dimensions_that_move_in_vain_explain_nothing():
     text = adopted("parameters", **LEFT)
-    assert "So moving them explains next to nothing" in text and "fits best" not in text
-    assert "Measure the radius again before you believe any of these values." in text
-    assert "fits best" in adopted("parameters", **LEFT | {"evidence__nominal_mm": 0.4})
+    assert "Moving them explains next to nothing" in text
+    again = "Measure the radius again before you believe any of these values."
+    assert again in text and again not in adopted("parameters", **LEFT | {"evidence__nominal_mm": 0.4})
     bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
     for before, said in ((0.0302, True), (0.06, False)):
         text = told(content(**bare, evidence__nominal_mm=before, evidence__calibrated_mm=0.03))
-        assert ("moving dimensions adds" in text) == ("So moving them explains next to nothing" in text) == said
+        assert ("moving dimensions adds" in text) == ("Moving them explains next to nothing" in text) == said
         assert ("once its measured dimensions move" in text) == ("the dimensions alone explain" in text) != said
 
 

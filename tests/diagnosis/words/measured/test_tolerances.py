@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 import yaml
-from made_content import CONTENT, content, told
+from made_content import CONTENT, content, full, told
 
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.measured import in_run_yaml, tolerances
@@ -21,34 +21,27 @@ def test_a_value_that_run_yaml_does_not_hold_was_assumed_and_a_tolerance_is_show
         "evidence__tolerance": {"scale": 0.005, "angle_turns": 0.05, "radius_mm": 0.0165},
     }
     text = told(content(**changes))
-    for name, exactly, values, away in (
-        ("gain of the displacement sensor", "0.0046", "1 was assumed, but 0.986", "2.8 times its tolerance of 0.5 %"),
-        (
-            "zero of the motor",
-            "0.05 turns",
-            "0 turns was assumed, but 0.15 turns",
-            "3.0 times its tolerance of 0.05 tu",
-        ),
-        (
-            "radius again",
-            "0.0037 mm",
-            "run.yaml says 0.55 mm, but 0.561 mm",
-            "2.9 times its tolerance of 0.017 mm (3 %)",
-        ),
+    rows = text.partition("\nDimensions\n")[2].splitlines()
+    assert [re.split(" {2,}", row.strip()) for row in rows[1:4]] == [
+        ["zero of the motor", "0 turns (assumed)", "0.15 turns (0.1 to 0.2)", "0.05 turns", "3.0 times it"],
+        ["radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.017 mm (3 %)", "2.9 times it"],
+        ["gain of the displacement sensor", "1 (assumed)", "0.986 (0.98 to 0.99)", "0.5 %", "2.8 times it"],
+    ]
+    step = " ".join(full(content(**changes)).partition("Measure again what calibration moved far:")[2].split())
+    for name, exactly in (
+        ("gain of the displacement", "0.0046"),
+        ("zero of the", "0.05 turns"),
+        ("radius", "0.0037 mm"),
     ):
-        assert re.search(
-            re.escape(f"Measure the {name}, to {exactly} or better: {values} fits best (90 % interval "), text
-        )
-        assert f"), {away}" in text
+        assert re.search(rf"{name}[^:]* {exactly} or better", step)
     assert "Intervals are those of the fit: they may reach beyond what calibration may do." in text
-    assert "run.yaml says 1," not in text and "run.yaml says 0 turns" not in text
     bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
     text = told(content(**changes, **bare))
-    assert "zero of the motor" in text and "(assumed) to" not in text, "told once: measure it"
+    assert "zero of the motor" in text and text.count("or better") == 3, "how exactly to measure stands once"
     changes["evidence__moved_sigma"] = {"scale": -1.2, "angle_turns": 1.5, "radius_mm": 0.5}
     text = told(content(**changes, **bare))
-    turned = "zero of the motor: from 0 turns (assumed) to 0.15 turns (90 % interval 0.1 to 0.2 turns), 1.5 times its"
-    assert f"{turned} tolerance of 0.05 turns." in text
+    row = next(line for line in text.partition("\nDimensions\n")[2].splitlines() if "zero of the motor" in line)
+    assert " ".join(row.split()).endswith("0 turns (assumed) 0.15 turns (0.1 to 0.2) 0.05 turns 1.5 times it")
 
 
 def test_how_run_yaml_says_a_tolerance_and_a_gain_is_told():

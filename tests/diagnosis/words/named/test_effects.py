@@ -88,15 +88,18 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     assert "It moves the reading by 0.60 mm rms" in " ".join(told(made).split()) and "poorly known" not in told(made)
     made["evidence"] |= {"moved_sigma": {"radius_mm": 0.7}, "tolerance": {"radius_mm": 0.016}}
     moved = told(made).partition("\nDimensions\n")[2].partition("\n\n")[0]
-    assert moved.splitlines() == [
-        "  radius: from 0.55 mm to 0.561 mm (90 % interval 0.56 to 0.563 mm), 0.7 times its tolerance of 0.016 mm "
-        "(2.91 %).",
+    head, row, *rest = moved.splitlines()
+    assert head.split("   ")[0].strip() == "dimension" and "calibrated (90 % interval)" in head
+    assert re.split(" {2,}", row.strip()) == [
+        "radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.016 mm (2.91 %)", "0.70 times it",
+    ]  # fmt: skip
+    assert rest == [
         "  Every dimension stays within its tolerance.",
         "  Now in force, as run.yaml writes it: `tolerance: {radius: 0.02909}` (radius is a share of the value: "
         "0.02909 is 2.91 %).",
     ]
     made["mechanisms"][1]["rms_mm"]["value"] = 0.4
-    assert "\nDimensions\n  radius: from 0.55 mm" in told(made), "also where no effect is hidden in them"
+    assert "\nDimensions\n  dimension   as measured" in told(made), "also where no effect is hidden in them"
 
 
 def exact(value, unit):
