@@ -9,15 +9,14 @@ from matplotlib.figure import Figure
 
 from ..ground.figure_file import write_page
 from ..ground.kinematics import Array
-from .proposed import Curves, ProposedRun
+from .beyond import SMOOTH_S, simulated_mm, zero_mm
+from .proposed import ProposedRun
 
 SIZE_INCHES, DOTS = (8.0, 7.0), 150
 TITLE_POINTS, TITLE_WIDE = 10, 90  # letters of a line that the width has room for
 LEGEND_COLUMNS = 3
 SAME = 0.01  # of a load: less is no other load
 COLOURS = ("#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b")
-STANDS_TURNS = 0.02
-SMOOTH_S = 0.25  # over which a recording is averaged before the small differences are drawn
 
 
 def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = None) -> None:
@@ -71,32 +70,6 @@ def changes(run: ProposedRun) -> bool:
     before = run.get("load")
     loads_n = [*run["curves"]["load"], *([] if before is None else [before])]
     return max(loads_n) - min(loads_n) > SAME * max(map(abs, loads_n))
-
-
-def zero_mm(turns: Array, reading_mm: Array) -> float:
-    """The reading while the motor had not begun to move: a first sample alone carries its noise into all others.
-
-    Both of shape (samples,).
-    """
-    moved = np.flatnonzero(np.abs(turns - turns[0]) > STANDS_TURNS)
-    return float(np.median(reading_mm[: max(1, int(moved[0]) if len(moved) else len(turns))]))
-
-
-def simulated_mm(curves: Curves, at_s: Array, turns: Array) -> Array:
-    """The simulator without a mechanism at the twist that the motor truly had, shape (samples,).
-
-    Its curve over the twist is taken under the load that hangs then: a motor that runs a moment late is no effect.
-    """
-    time_s, load = np.array(curves["time_s"]), np.array(curves["load"])
-    foretold_turns, foretold_mm = np.array(curves["motor_turns"]), np.array(curves["calibrated"])
-    hangs = np.interp(at_s, time_s, load)
-    reading_mm = np.interp(at_s, time_s, foretold_mm)
-    for load_n in np.unique(load):
-        under = load == load_n
-        order = np.argsort(foretold_turns[under], kind="stable")
-        under_load = np.abs(hangs - load_n) <= 1e-9 * max(abs(load_n), 1.0)
-        reading_mm[under_load] = np.interp(turns[under_load], foretold_turns[under][order], foretold_mm[under][order])
-    return reading_mm
 
 
 def averaged(at_s: Array, values: Array) -> Array:

@@ -16,6 +16,7 @@ from ..ground.unwound import Unwound
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
 from .appended import Counts, Frames, Printed, Source
+from .came import Means
 from .coming import Coming
 from .envelope import Envelope
 from .named import stored_columns
@@ -50,7 +51,7 @@ class Followed:
         self.strokes: deque[Envelope] = deque(maxlen=KEPT)
         self._cut_s, self._told = 0.0, False
         self._nominal: Nominal | None = None
-        self._noise, self._coming = Noise(), Coming()
+        self.noise, self.means, self._coming = Noise(), Means(), Coming()
         self._new_s: float | None = None  # when the file was changed by the last sample, since the epoch
 
     def poll(self) -> None:
@@ -94,8 +95,9 @@ class Followed:
                 self._nominal.at(rows)
         self.samples, self.last = self.samples + len(rows), rows[-1]
         self.whole.add(rows)
+        self.means.add(rows)
         if READING in self.source.columns:
-            self._noise.add(rows[:, 1 + self.source.columns.index(READING)])
+            self.noise.add(rows[:, 1 + self.source.columns.index(READING)])
         self._told |= bool(piece.strokes)
         begins = piece.strokes
         if not self._told and rows[-1, 0] - self._cut_s > CUT_S:
@@ -115,11 +117,6 @@ class Followed:
             self._begin_stroke()
             at = begin
         self.strokes[-1].add(rows[at:])
-
-    @property
-    def noise_mm(self) -> float | None:
-        """The noise of a single reading of the displacement, or None before there is any."""
-        return self._noise.sigma
 
     def run(self) -> Run | None:
         """What run.yaml says, or None where it is missing or cannot be read."""

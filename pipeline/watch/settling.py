@@ -83,6 +83,7 @@ class Settling:
             return {
                 "time_s": curves["time_s"],
                 "motor_turns": curves["motor_turns"],
+                "load": curves["load"],
                 "calibrated": curves["calibrated"],
                 "rivals": dict([*rivals.items()][:RIVALS]),
             }

@@ -6,6 +6,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from ..ground.kinematics import Array
+from .came import beyond
 from .envelope import Envelope
 from .left_of_string import strokes_left
 from .recording import Followed
@@ -53,10 +54,14 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
             parts = {"low": whole.low, "high": whole.high, "low_s": whole.low_s, "high_s": whole.high_s}
             content["channels"].append({"name": name, **{key: numbers(part[:, at]) for key, part in parts.items()}})
     content["loops"] = []
-    content["noise_mm"] = followed.noise_mm
+    content["noise_mm"] = followed.noise.sigma
     if {"motor_turns", "displacement_mm"} <= {*columns}:
         turns, mm = 1 + columns.index("motor_turns"), 1 + columns.index("displacement_mm")
         content["loops"] = [_loop(followed, part, turns, mm) for part in followed.strokes if len(part.first)]
+        loop = content.get("loop")
+        if loop and loop["foretold"] and loop["state"] != "proposed" and len(rows := followed.means.rows):
+            came = beyond(rows[:, 0], rows[:, turns], rows[:, mm], loop["foretold"])
+            loop["foretold"]["came"] = {key: numbers(values) for key, values in came.items()}
     content["verdicts"] = verdicts(reports)
     listed = next((verdict for verdict in content["verdicts"] if verdict["run"] == content["run"]), None)
     newest = newest_verdict(reports, content["run"]) or listed

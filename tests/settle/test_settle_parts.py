@@ -13,8 +13,8 @@ from pipeline.run.folder import read_run
 from pipeline.settle import loop
 from pipeline.settle.answers import Answers
 from pipeline.settle.approve import approved
+from pipeline.settle.beyond import simulated_mm, zero_mm
 from pipeline.settle.choose import Budget, chosen, firm, reachable
-from pipeline.settle.foretold_figure import simulated_mm, zero_mm
 from pipeline.settle.limits import Allowed, beyond
 from pipeline.settle.motor import Motor
 from pipeline.settle.move import describe

@@ -5,10 +5,12 @@ import json
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 from settle.settle_bench import LIMITS, described, program, rig, set_up, started, state, until
 from watch.browser import CHROMIUM, browser
-from watch.test_watch import told, watched
+from watch.test_watch import folder, told, watched
+from watch.test_watch_shown import one_stroke
 
 from pipeline.settle.answers import Answers
 from pipeline.wire import Reason, read_recording
@@ -138,7 +140,9 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         seen.press("approve")
         until(one, run / FRAMES, 15_000)
         seen.until("document.getElementById('loop-state').textContent == 'is made now'")
-        assert seen.text("stop") == "Stop: the motor first" and seen.run("document.getElementById('still').hidden")
+        assert seen.text("stop") == "Stop the motor, then the loop" and seen.run(
+            "document.getElementById('still').hidden"
+        )
         seen.until("parseInt(document.getElementById('samples').textContent.replace(',', '')) > 400")
         seen.until("document.getElementById('strokes').textContent.endsWith('of 6')")  # of its own motion: of 8
         seen.picture(place / "moves.png")
@@ -155,6 +159,44 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         dark = "[...document.getElementById('foretold').getContext('2d').getImageData(0,0,800,100).data].some(v => v)"
         assert seen.run(dark), "something is drawn"
         seen.picture(place / "stopped.png")
+
+
+BLACK = """((name) => {
+  const canvas = document.getElementById(name), pen = canvas.getContext("2d");
+  const { data } = pen.getImageData(70, 0, canvas.width - 80, canvas.height - 40);
+  let dots = 0;
+  for (let k = 0; k < data.length; k += 4) dots += data[k + 3] > 200 && Math.max(...data.slice(k, k + 3)) < 40;
+  return dots;
+})"""  # how many dots of a canvas's curves are black
+
+
+@CHROMIUM
+def test_what_came_is_drawn_beside_what_each_explanation_foretold_where_they_differ(tmp_path):
+    """The panel of the small differences had no black line: nobody could see which explanation came true."""
+    run, step = folder(tmp_path), tmp_path / "out" / "step-0"
+    (run / FRAMES).write_bytes(one_stroke(0.0))
+    step.mkdir(parents=True)
+    time_s = np.linspace(0.0, 32.7, 300)
+    turns = np.interp(time_s, [0.0, 16.45, 32.7], [0.0, 20.0, 0.0])
+    curves = {"time_s": time_s, "motor_turns": turns, "load": 0 * turns + 20, "calibrated": 0.019 * turns**2}
+    curves = {name: curve.tolist() for name, curve in curves.items()}
+    rivals = {"creep": (0.02 * turns**2).tolist(), "thermal": (0.018 * turns**2).tolist()}
+    (step / "proposed.json").write_text(json.dumps({"title": "a", "curves": curves | {"rivals": rivals}}))
+    made = {"number": 0, "state": "recorded", "run_dir": str(run)}
+    leg = {"seconds": 16.45, "motor_turns": 20.0}
+    (step / "state.json").write_text(json.dumps(made | {"proposal": {"title": "a", "legs": [leg]}}))
+    with watched(run, "--settle", tmp_path / "out") as (port, _), browser(tmp_path) as seen:
+        seen.open(f"http://127.0.0.1:{port}/")
+        seen.until("document.getElementById('samples')?.textContent === '655'")
+        came = told(port)["loop"]["foretold"]["came"]
+        assert seen.run(f"{BLACK}('apart')") > 200 and seen.run(f"{BLACK}('foretold')") > 200
+        assert seen.text("came") == "recorded" and seen.run("!document.getElementById('came').hidden")
+        seen.picture(tmp_path / "came.png")
+        (step / "state.json").write_text(json.dumps(made | {"state": "proposed", "proposal": {"legs": [leg]}}))
+        seen.until("document.getElementById('loop-state').textContent.startsWith('proposed')")
+        assert seen.run(f"{BLACK}('apart')") == 0 and seen.run("document.getElementById('came').hidden")
+    mean_turns = np.interp(came["time_s"], time_s, turns)
+    assert np.array(came["difference_mm"]) == pytest.approx(0.001 * mean_turns**2, abs=0.02)
 
 
 @CHROMIUM

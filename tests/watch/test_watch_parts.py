@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pipeline.watch.came import Means
 from pipeline.watch.jobs import Jobs
 from pipeline.watch.noise import Noise
 
@@ -36,6 +37,40 @@ def test_the_noise_of_a_reading_is_found_while_it_moves(sigma):
         noise.add(piece)
     noise.add(readings[:3])  # too few to tell
     assert noise.sigma == pytest.approx(sigma, rel=0.1)
+
+
+def test_the_noise_of_a_sensor_with_steps_is_a_steady_number(tmp_path):
+    """Of a sensor with steps of 0.02 mm the band was 0.048 or 0.073 mm by turns, as medians of steps are; 0.062 is."""
+    time_s = np.arange(31_000) / 100
+    turning = 8 - 8 * np.cos(time_s / 8)
+    readings = np.round((turning + np.random.default_rng(1).normal(0, 0.03, len(time_s))) / 0.02) * 0.02
+    true = np.hypot(0.03, 0.02 / np.sqrt(12))
+    said = []
+    for pieces in (1, 620, 5000):  # however the file was read
+        noise = Noise()
+        for piece in np.array_split(readings, pieces):
+            noise.add(piece)
+            said.append(noise.sigma)
+        assert said[-1] == said[0] == pytest.approx(true, rel=0.03)
+    early = [sigma for sigma in said if sigma is not None]
+    assert min(early) > 0.9 * true and max(early) < 1.1 * true, "it does not jump while samples come"
+    assert None in said, "a few samples tell nothing yet"
+
+
+def test_what_came_is_drawn_as_means_of_a_bounded_number():
+    """The page drew what was foretold in tenths of a mm, and what came only over 10 mm."""
+    means = Means()
+    time_s = np.arange(0.0, 2000.0, 0.01)
+    rows = np.column_stack([time_s, 0.01 * time_s, np.where(time_s < 1000.0, 5.0, 6.0)])
+    for piece in np.array_split(rows[:800], 17):
+        means.add(piece)
+    assert len(means.rows) == 32 and means.rows[1] == pytest.approx([0.37, 0.0037, 5.0])
+    for piece in np.array_split(rows[800:], 50):
+        means.add(piece)
+    kept = means.rows
+    assert len(kept) == 2000 and set(kept[:, 2]) == {5.0, 6.0} and np.diff(kept[:, 0]) == pytest.approx(1.0)
+    means.add(np.zeros((3, 2)))
+    assert means.rows.shape == (1, 2), "another recording, of other columns"
 
 
 def snakemake(place: Path, *words: str) -> int:

@@ -2,7 +2,7 @@
 const EVERY_MS = 500, STALE_S = 3, BAND = 2 /* sigma */, OTHER_PACE = 0.1, FADES = 0.35 /* to, from stroke to stroke */;
 const COLOURS = ["#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b"];
 const ZONED = { year: "numeric", month: "2-digit", day: "2-digit", hour: "2-digit", minute: "2-digit", second: "2-digit", timeZoneName: "short" };
-const KEY = "watch-token";
+const KEY = "watch-token", BLACK = "#111";
 const at = (id) => document.getElementById(id);
 
 function show(id, text) { at(id).textContent = text; }
@@ -122,7 +122,7 @@ function loop(d) {
   show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
   for (const id of ["clear-label", "approve"]) at(id).hidden = !l.question;
   at("approve").disabled = !token || !at("clear").checked;
-  show("stop", l.state === "approved" ? "Stop: the motor first" : "Stop the loop");
+  show("stop", l.state === "approved" ? "Stop the motor, then the loop" : "Stop the loop");
   at("still").hidden = !l.at_work || l.state === "approved"; at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
   at("no-token").hidden = Boolean(token) || !l.at_work;
   foretold(l.foretold, d);
@@ -139,25 +139,28 @@ function moves(m) {
   }));
 }
 
+// As came.png of the step: what came with the reading before the motion as its zero, and the differences large.
 function foretold(f, d) {
   at("foretold-part").hidden = !f;
   if (!f) return;
-  const rivals = Object.entries(f.rivals), since = (list) => list.map((one) => one === null ? null : one - list[0]);
+  const rivals = Object.entries(f.rivals), colour = (k) => COLOURS[k % COLOURS.length];
   at("rivals").replaceChildren(...rivals.map(([name], k) => {
     const one = document.createElement("span");
-    one.textContent = name; one.style.color = COLOURS[k % COLOURS.length];
+    one.textContent = name; one.style.color = colour(k);
     return one;
   }));
-  const came = d.samples && d.loop.state !== "proposed" && d.channels.find((one) => one.name === "displacement_mm");
-  const [times, values] = came ? inOrder(came) : [[], []], measured = since(values);
-  const whole = axes(at("foretold"), [f.time_s, times], [...rivals.map((one) => one[1]), measured], rivals.length < 2 ? "time (s)" : "", "displacement (mm)");
-  rivals.forEach(([, curve], k) => line(whole, f.time_s, curve, COLOURS[k % COLOURS.length], 1));
-  if (came) line(whole, times, measured, "#222", 1);
-  for (const id of ["apart", "apart-key"]) at(id).hidden = rivals.length < 2;
-  if (rivals.length < 2) return;
-  const apart = rivals.map(([, curve]) => curve.map((one, k) => one - f.calibrated[k]));
-  const small = axes(at("apart"), [f.time_s], apart, "time (s)", "difference (mm)");
-  apart.forEach((curve, k) => line(small, f.time_s, curve, COLOURS[k % COLOURS.length], 1));
+  const channel = f.came && d.channels.find((one) => one.name === "displacement_mm"), differ = rivals.length > 1 || f.came;
+  at("came").hidden = !channel;
+  const [times, values] = channel ? inOrder(channel) : [[], []], measured = values.map((one) => one === null ? null : one - f.came.zero_mm[0]);
+  const whole = axes(at("foretold"), [f.time_s, times], [...rivals.map((one) => one[1]), measured], differ ? "" : "time (s)", "displacement (mm)");
+  rivals.forEach(([, curve], k) => line(whole, f.time_s, curve, colour(k), 1));
+  line(whole, times, measured, BLACK, 1);
+  for (const id of ["apart", "apart-key"]) at(id).hidden = !differ;
+  if (!differ) return;
+  const apart = rivals.map(([, curve]) => curve.map((one, k) => one - f.calibrated[k])), came = f.came || { time_s: [], difference_mm: [] };
+  const large = axes(at("apart"), [f.time_s, came.time_s], [...apart, came.difference_mm], "time (s)", "difference (mm)");
+  apart.forEach((curve, k) => line(large, f.time_s, curve, colour(k), 1));
+  line(large, came.time_s, came.difference_mm, BLACK, 1);
 }
 
 function jobs(d) {
