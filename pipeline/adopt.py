@@ -17,6 +17,7 @@ from .diagnosis.words.language.quantity import listing
 from .diagnosis.words.language.sections import wrapped
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.pages.adoption import adopted_predictions, hung, weighed_anew
+from .diagnosis.words.pages.advice import instead
 from .ground.command import command
 from .ground.complaint import short
 from .ground.errors import BadInput, program
@@ -54,7 +55,8 @@ def check(content: Verdict, source: Path, folder: Path) -> list[str]:
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
     """What a run.yaml says of where its effects are from, once it has adopted a diagnosis. Raises BadInput."""
     try:
-        return [Adopted.model_validate(adoption) for adoption in adoptions(content, str(source), run.run)]
+        against = instead(content, Vocabulary.of(run.system))
+        return [Adopted.model_validate(each) for each in adoptions(content, str(source), run.run, against)]
     except ValidationError as error:
         problem = f"is not what adopting wrote ({short(error.errors()[0]['msg'])})"
         raise BadInput(source, ORIGIN, problem, "give a diagnosis.json as it was made") from None
@@ -150,7 +152,7 @@ def adopt(source: Path, folder: Path, sure: bool = False) -> None:
             f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
         )
         print(f"beware: {caution}", file=sys.stderr)
-    origin = adoptions(content, str(source), run.run)
+    origin = adoptions(content, str(source), run.run, instead(content, words))
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
     made = adopted(text, content["simulation"], path, origin)
     if parse_yaml(made, path) == parse_yaml(text, path):

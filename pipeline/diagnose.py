@@ -112,7 +112,7 @@ def decide(folders: list[Path], out: Path, options: Options) -> Decided:
         fixed_load = bool((content["next_run"] or {}).get("fixed_load"))
         write_text(out / "next_runs.json", json.dumps(foretold(study, runs[0], fixed_load)) + "\n")
     optional("the page of figures", name, lambda: draw(study, content, out / "diagnosis", options.mark))
-    write_block(content, out)
+    write_block(content, runs[0].system, out)
     of_string = runs[0].actuator in STRING_ACTUATORS
     rests = optional(ZEROS, name, lambda: [Rests.of(recorded) for recorded in recordings]) if of_string else None
     return Decided(content, runs, rests or [], folders, out)

@@ -8,7 +8,8 @@ from ..systems import System
 from .choice.outcome import Study
 from .document.content import Verdict
 from .fit.adopt import adoptions, block
-from .words.pages import earlier
+from .words.language.vocabulary import Vocabulary
+from .words.pages import advice, earlier
 from .words.pages.details import details_text
 from .words.pages.verdict import verdict_text
 
@@ -34,14 +35,13 @@ def draw(study: Study, content: Verdict, path: Path, mark: str = "") -> None:
     figures.page(study, content, path, mark)
 
 
-def write_block(content: Verdict, out: Path) -> None:
+def write_block(content: Verdict, system: System, out: Path) -> None:
     """Write the `simulation` of a diagnosis that names something, ready to be pasted into run.yaml; else remove it."""
     path = out / "simulation.yaml"
     if content["mechanisms"] and content["simulation"]:
-        write_text(
-            path,
-            block(content["simulation"]) + block(adoptions(content, str(out / JSON), str(content["run"])), "adopted"),
-        )
+        against = advice.instead(content, Vocabulary.of(system))
+        adopted = adoptions(content, str(out / JSON), str(content["run"]), against)
+        write_text(path, block(content["simulation"]) + block(adopted, "adopted"))
     else:
         path.unlink(missing_ok=True)  # of an earlier diagnosis
 

@@ -78,6 +78,9 @@ class Adopted(_Section):
         None, description="the run that decides between what tied, in words"
     )
     dimensions: dict[str, Fitted] | None = Field(None, description="the dimensions that fit with the effects")
+    against_advice: list[str] | None = Field(
+        None, description="where it was adopted against the verdict's advice: that advice, and what to record instead"
+    )
 
 
 class Channel(_Section):

@@ -10,11 +10,15 @@ LegSaid = dict[str, float]  # of a proposed run: `seconds`, and motion and load 
 
 
 class Simulated(TypedDict):
-    """What a simulator takes of it: dimensions by name, each with its `value`, and what acts. `run`: of which runs."""
+    """What a simulator takes of it: dimensions by name, each with its `value`, and what acts. `run`: of which runs.
+
+    `against_advice`: of a run.yaml, what the verdicts advised that it adopted against their advice.
+    """
 
     run: NotRequired[str | list[str]]
     parameters: dict[str, Part]
     simulation: Sequence[Included]
+    against_advice: NotRequired[list[str]]
 
 
 class NextRun(TypedDict, total=False):
@@ -45,6 +49,7 @@ class Adoption(TypedDict, total=False):
     runs: list[str]
     dimensions: dict[str, dict[str, float]]  # by name: as `measured`, and as `fitted` with the effects
     next_experiment: str | list[str]  # the run that decides: title, steps, and what it is good for
+    against_advice: list[str]  # where it was adopted against the verdict's advice: that, and what to record instead
 
 
 class Doubt(TypedDict):

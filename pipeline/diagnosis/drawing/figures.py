@@ -12,6 +12,7 @@ from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..prediction.simulation import at_its_best_zero
+from ..words.held_out import holdout
 from ..words.held_out.holdout import closest, heading, included, other_name, settled_otherwise
 from ..words.held_out.unseen import noises
 from ..words.language.quantity import listing
@@ -19,6 +20,7 @@ from ..words.language.vocabulary import Vocabulary
 from ..words.measured.dimensions import name_of
 from ..words.measured.to_measure import to_measure
 from ..words.pages import advice
+from ..words.pages.adopted_doubts import against_advice
 from ..words.pages.headline import NOT_SETTLED, still_holds, unfit
 from . import driver_panels, panels
 from .mismatch_map import map_of, map_signs, mismatch_map
@@ -43,9 +45,9 @@ def title(content: Verdict, holds: bool = False) -> str:
     unsettled = content["verdict"] == "explained" and settled_otherwise(content)
     head, held = f"{name}: {NOT_SETTLED if unsettled else content['verdict']}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
-    still = f"{name}: adopted {TOGETHER.join(held)} still hold{'s' * (len(held) == 1)}"
-    if holds and len(still) <= WIDE:
-        return still
+    kept = _kept(content, held)
+    if holds and len(f"{name}: {kept}") <= WIDE:
+        return f"{name}: {kept}"
     if not ids:
         subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
         return (
@@ -61,9 +63,20 @@ def title(content: Verdict, holds: bool = False) -> str:
     return f"{head}\n{best}, {more}"
 
 
+def _kept(content: Verdict, held: list[str]) -> str:
+    """That what is adopted, `held`, still explains the recording; that this is no test where it was fitted to it."""
+    adopted = f"adopted {TOGETHER.join(held)}"
+    if holdout.against_advice(content):
+        return f"{adopted}, against the advice of {'its' if len(held) == 1 else 'their'} verdict"
+    if holdout.status(content) == holdout.SEEN:
+        return f"{adopted}, fitted to this recording"
+    return f"{adopted} still hold{'s' * (len(held) == 1)}"
+
+
 def warning(content: Verdict, words: Vocabulary) -> str:
     """A run.yaml not to predict with, that nothing is to be adopted, and which dimensions moved far, a line each."""
-    lines = [sentence] if (sentence := unfit(content, words)) else []
+    lines = [textwrap.fill(sentence.rstrip("."), WIDEST) for sentence in against_advice(content)]
+    lines += [sentence] if (sentence := unfit(content, words)) else []
     if against := advice.against(content, words):
         lines.append(against[0].lower() + against[1:].rstrip("."))
     names = [name_of(name) for name in to_measure(content)]

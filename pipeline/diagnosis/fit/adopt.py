@@ -72,11 +72,11 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     return fitted_values
 
 
-def adoptions(content: Verdict, where: str, run: str = "") -> list[Adoption]:
+def adoptions(content: Verdict, where: str, run: str = "", against: Sequence[str] = ()) -> list[Adoption]:
     """What a run.yaml says under `adopted` with a diagnosis in it: what was adopted before it, then what it names.
 
-    `run` is the run that adopts. A file that tells no verdict adds nothing. Raises BadInput for sets of mechanisms
-    that are none.
+    `run` is the run that adopts; `against` is what its verdict advises instead. A file that tells no verdict adds
+    nothing. Raises BadInput for sets of mechanisms that are none.
     """
     before, named = content.get("adopted", []), content.get("mechanisms", [])
     if not isinstance(before, list):
@@ -90,7 +90,10 @@ def adoptions(content: Verdict, where: str, run: str = "") -> list[Adoption]:
         if not isinstance(ids, list) or not all(isinstance(id_, str) and id_ in mechanisms() for id_ in ids):
             problem = f"holds {short(ids)}, which is no list of mechanisms of the library"
             raise BadInput(where, "mechanisms, alternatives", problem, "give a diagnosis.json as it was made")
-    made: Adoption = {"effects": effects, "verdict": content["verdict"], "tied": tied, "diagnosis": where}
+    made: Adoption = {"effects": effects, "verdict": content["verdict"], "tied": tied}
+    if against:
+        made["against_advice"] = list(against)
+    made["diagnosis"] = where
     runs, experiment = content.get("run"), content.get("next_experiment")
     if runs:
         made["runs"] = [runs] if isinstance(runs, str) else runs

@@ -70,7 +70,10 @@ def of_run(run: Run) -> Simulated:
     held: dict[str, Part] = (
         {} if measured_since(run) else {name: {"value": dimension.fitted} for name, dimension in _adopted(run).items()}
     )
-    return {"run": run.run, "parameters": held, "simulation": run.simulation}
+    content: Simulated = {"run": run.run, "parameters": held, "simulation": run.simulation}
+    acting = {entry["id"] for entry in run.simulation}
+    against = [each.against_advice[0] for each in run.adopted if each.against_advice and acting & set(each.effects)]
+    return content | {"against_advice": against} if against else content
 
 
 def measured_since(run: Run) -> list[str]:

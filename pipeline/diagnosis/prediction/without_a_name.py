@@ -1,8 +1,10 @@
-"""What a diagnosis simulates of its own runs where its verdict is unknown: what comes closest, though it is no name."""
+"""What is simulated though no verdict names it, or though its verdict advised against it, and that it is so."""
 
 from typing import cast
 
 from ..document.content import Simulated, Verdict
+
+AGAINST = "beware: run.yaml adopted this against the advice of its verdict, which says"
 
 
 def to_simulate(content: Simulated, run: str) -> Simulated:
@@ -18,10 +20,10 @@ def to_simulate(content: Simulated, run: str) -> Simulated:
 
 
 def said_of_no_name(content: Simulated) -> list[str]:
-    """That what is simulated is no name, where it is none; else nothing. `content` is what is simulated."""
+    """That what is simulated, `content`, is no name, or was adopted against advice; else nothing."""
     closest = cast(Verdict, content).get("closest")
     if not closest or list(content["simulation"]) != list(closest["simulation"]):
-        return []
+        return [f"{AGAINST}: {advised.rstrip('.')}" for advised in content.get("against_advice", [])]
     ids = " + ".join(closest["ids"])
     comes = "come closest and are no names" if len(closest["ids"]) > 1 else "comes closest and is no name"
     return [f"{ids} {comes}: the verdict is unknown, and more is missing"]

@@ -19,7 +19,7 @@ from pipeline.diagnosis.words.foretold.prediction import stretches
 from pipeline.diagnosis.words.language.quantity import plus_minus
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.named.missing_signs import missing
-from pipeline.diagnosis.words.next_run.make_sure import of_adopted
+from pipeline.diagnosis.words.next_run.after_adopting import of_adopted
 from pipeline.diagnosis.words.pages.adoption import adopted_predictions
 from pipeline.diagnosis.words.pages.details import details_text
 from pipeline.run.samples import read_samples

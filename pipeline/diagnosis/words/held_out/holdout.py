@@ -14,6 +14,12 @@ def included(content: Verdict) -> list[str]:
     return [id_ for id_ in dict.fromkeys(entry["id"] for entry in content.get("simulation", [])) if id_ not in new]
 
 
+def against_advice(content: Verdict) -> list[str]:
+    """Those of `included` that were adopted against the advice of their verdict."""
+    ids = {id_ for each in content.get("adopted", []) if each.get("against_advice") for id_ in each["effects"]}
+    return [id_ for id_ in included(content) if id_ in ids]
+
+
 def status(content: Verdict) -> str:
     """Whether the adopted effects were fitted to a run of this diagnosis: `unseen`, `seen`, or `perhaps`."""
     ids = included(content)

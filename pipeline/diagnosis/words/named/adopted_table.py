@@ -36,7 +36,8 @@ def _adopted_as(content: Verdict, id_: str) -> str:
     if not of:
         return "nobody wrote it down"
     sets = [of[-1]["effects"], *of[-1]["tied"]]
+    against = ", against its advice" * bool(of[-1].get("against_advice"))
     if len(sets) == 1:
-        return "explained"
+        return f"explained{against}"
     count = sum(id_ in ids for ids in sets)
-    return f"in {'all' if count == len(sets) else count} of {len(sets)} likely explanations"
+    return f"in {'all' if count == len(sets) else count} of {len(sets)} likely explanations{against}"

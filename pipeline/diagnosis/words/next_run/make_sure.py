@@ -1,9 +1,8 @@
 """What makes sure of the one explanation: more strokes where something is still missing, and each effect's own sign."""
 
-import shlex
 from pathlib import Path
 
-from ....ground.command import command, program_name
+from ....ground.command import program_name
 from ...document.content import Verdict
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
@@ -13,7 +12,7 @@ from ..language.quantity import duration, listing, number, quantity
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
 from ..named import certainty
-from ..named.missing_signs import missing, recorded
+from ..named.missing_signs import recorded
 from . import commands, recipe, recorded_so_far, second_load, worth
 
 OTHER_LOAD = (
@@ -28,10 +27,6 @@ RECORD = "record what tells the effect from others:"
 ALL_HERE = "record again what tells the effect from others, which this recording has:"
 BEFORE = f"If you have adopted it already, first take it out of each run ({program_name('adopt')} --remove)."
 WHERE = "{}: {}."
-ANEW = (
-    "What is adopted is not weighed again, and --like copies it. So record the run, then take it out of each run, and "
-    "diagnose all together:"
-)
 DETAILS = "details.txt"
 NUMBERS, SO_FAR = "the numbers to expect of it", "what was recorded so far"
 BEYOND_DOUBT = 0.99  # of the probability of each effect: a name that is so sure needs no further run
@@ -117,8 +112,8 @@ def of_names(
         known = recorded_so_far.lines(content, words, tests)
         more = [SO_FAR * bool(known), NUMBERS * bool(numbers), "the commands" * bool(numbers)]
         return [[head, *tests, *([_where(more)] if any(more) else [])]]
-    again = [_again(folders[-1], load, words), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
-    made = [*([run] if run else []), *other, *again, BEFORE] if numbers or run else []
+    typed = [again(folders[-1], load, words), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
+    made = [*([run] if run else []), *other, *typed, BEFORE] if numbers or run else []
     return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *made]]
 
 
@@ -153,33 +148,10 @@ def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:
     return [OTHER_LOAD.format(half=half, twice=twice)] if base > 0.0 else []
 
 
-def _again(old: Path, load: str, words: Vocabulary) -> str:
+def again(old: Path, load: str, words: Vocabulary) -> str:
     """What to fill into the commands that record what tells an effect from others, as the run `old` was recorded."""
     remark = commands.remark(old, words)
     return AGAIN if remark == commands.CAPTURE and not load else remark
-
-
-def of_adopted(
-    content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path], short: bool
-) -> list[list[str]]:
-    """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
-    of_several = {
-        id_ for each in content.get("adopted", []) if len(each.get("runs") or []) > 1 for id_ in each["effects"]
-    }  # what a diagnosis of several runs named, this recording alone does not doubt
-    lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms() and id_ not in of_several}
-    lines = [f"- {id_}: {mechanisms()[id_].told_apart_by}." for id_, lacks in lacking.items() if lacks]
-    if not lines:
-        return []
-    head = "Still open since adopting, if you need to be surer of a name: this recording has no second"
-    lacked = listing(list(dict.fromkeys(what for lacks in lacking.values() for what in lacks)), "and no second")
-    load = recipe.to_type(content, words, list(lacking))
-    *made, diagnose = commands.lines(folders, None, [load])
-    runs = [*folders, folders[-1].with_name(f"{folders[-1].name}-next")]
-    removed = [f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in runs]
-    typed = [*(f"  {line}" for line in (*made, *removed, diagnose)), _again(folders[-1], load, words)]
-    run = recipe.sentence(content, words, list(lacking))
-    typed = ["The commands are in details.txt."] if short else typed
-    return [[f"{head} {lacked}.", *lines, *([run] if run else []), ANEW, *typed]]
 
 
 def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:

@@ -68,7 +68,11 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         stood = known["longest_hold_s"] > 0.0 or known["longest_rest_s"] > 0.0
         still = ", with the same holds and rests" * stood
     turned = span(low, high, words.motion_unit, high - low)
-    return f"{SO}{count} strokes as before, {turned}{under}, at {speed}{still}."
+    as_before = f"{turned}{under}"
+    if new_load is None and content["evidence"]["loaded"]:
+        (least, most), unit = known["load"], words.load_unit
+        as_before = f"each with the twist and the load that it had (within {turned} and {ends(least, most, unit, 2)})"
+    return f"{SO}{count} strokes as before, {as_before}, at {speed}{still}."
 
 
 def _lasting(content: Verdict, ids: list[str]) -> float:

@@ -44,7 +44,9 @@ def no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> list
     if verdict in UNNAMED and unseen.left_over(content, words):
         return [NONE_PROPOSED]
     if verdict in UNNAMED and holdout.included(content):
-        return [NONE_WITH_ADOPTED]
+        advised = [adoption.get("against_advice", [])[1:] for adoption in content.get("adopted", [])]
+        recordings = " ".join(dict.fromkeys(recording for each in advised for recording in each))
+        return [f"{recordings} The commands stand above, under What to do." if recordings else NONE_WITH_ADOPTED]
     if verdict == "parameters" and moved_in_vain(content, words):
         verdict = "consistent"
     if verdict == "explained" and at_bound(content["evidence"]["moved_sigma"]):

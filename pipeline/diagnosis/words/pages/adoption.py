@@ -7,7 +7,6 @@ from pathlib import Path
 from ....ground.command import command, program_name
 from ...document.content import Verdict
 from ...mechanisms.library import mechanisms
-from ..explanations.rivals import called
 from ..foretold import answered
 from ..foretold.prediction import AFTER_RECORDING
 from ..held_out import holdout, in_vain
@@ -16,8 +15,8 @@ from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
 from ..next_run import worth
 from . import advice
+from .adopted_doubts import against_advice, doubtful
 
-NAMED = 2  # explanations that tied, by name; the others are counted
 COMMAND = command("adopt")
 SIMULATE = command("simulate")
 WEIGHED_ANEW = (
@@ -35,7 +34,7 @@ def cautions(content: Verdict) -> list[str]:
     """What a verdict is worth where run.yaml has adopted effects."""
     ids = holdout.included(content)
     if not ids:
-        return doubtful(content)
+        return [*against_advice(content), *doubtful(content)]
     them = "it" if len(ids) == 1 else "them"
     own = (
         f" {program_name('simulate')} takes the dimensions that were adopted with {them}, and errs as the adopted "
@@ -45,14 +44,15 @@ def cautions(content: Verdict) -> list[str]:
     lines = [
         f"run.yaml has adopted {listing(ids)}: this verdict is on the simulator with {them}.{own}{_sight(content, ids)}"
     ]
-    doubt = doubtful(content)
+    doubt, against = doubtful(content), against_advice(content)
     if content["verdict"] in ("consistent", "parameters"):
         lines[0] += " An adopted effect can also cover another one that is really there."
-        doubt = doubt or [
-            "Whether another explanation fits as well stands in the verdict that was adopted, not here: if it was "
-            "ambiguous, it is so still, and its run decides."
-        ]
-    return [*lines, now_means(content["verdict"], listing(ids)), *doubt]
+        if not doubt and not against:
+            doubt = [
+                "Whether another explanation fits as well stands in the verdict that was adopted, not here: if it was "
+                "ambiguous, it is so still, and its run decides."
+            ]
+    return [*against, *lines, now_means(content["verdict"], listing(ids)), *doubt]
 
 
 def now_means(verdict: str, effects: str) -> str:
@@ -92,22 +92,6 @@ def _sight(content: Verdict, ids: list[str]) -> str:
         holdout.PERHAPS: f" Nobody wrote down which recording {they.lower()} {were} fitted to: if it is this one, the "
         "error on its last strokes below is no test.",
     }[holdout.status(content)]
-
-
-def doubtful(content: Verdict) -> list[str]:
-    """Which explanations tied with what was adopted, a sentence for each verdict that was; nothing where none says."""
-    lines = []
-    for adoption in content.get("adopted", []):
-        effects, tied = listing(adoption["effects"]), adoption["tied"]
-        if not tied:
-            lines.append(f"No other explanation was as likely as what was adopted ({effects}).")
-            continue
-        named = listing([called(ids) for ids in tied[:NAMED]], "or")
-        rest = f", or one of {len(tied) - NAMED} more (`adopted` in run.yaml)" if len(tied) > NAMED else ""
-        lines.append(
-            f"Instead of what was adopted ({effects}) this may be right, for it was likely as well: {named}{rest}."
-        )
-    return lines
 
 
 def predictions(source: Path, folders: list[Path], ids: Sequence[str]) -> list[str]:

@@ -7,6 +7,7 @@ from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from ..named import own_size
+from ..next_run.run_asked import more_strokes
 from . import report
 
 NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
@@ -91,3 +92,10 @@ def contrary(content: Verdict, words: Vocabulary) -> str:
     except (LookupError, TypeError, ValueError, AttributeError):  # a file without evidence gives no advice
         return ""
     return "" if whether.startswith(MAY) else whether
+
+
+def instead(content: Verdict, words: Vocabulary) -> list[str]:
+    """As `contrary`, then the recording that the verdict asks for instead, if it does: what a run keeps of it."""
+    whether = contrary(content, words)
+    asks = [more_strokes(content, words)] if whether and in_vain.harmful(content, words) else []
+    return [whether, *asks] if whether else []

@@ -33,7 +33,8 @@ FAR = ", some by three times their tolerance: measure them again before you trus
 PARTLY = "explained by {best}{sure}, but something is still missing."
 NOT_SETTLED = "explained, but not settled"
 UNSETTLED = "{best} explains the whole recording best{sure}. It is not settled: {otherwise}."
-NO_TEST = "{names} {were} fitted to this recording, so this is no test: diagnose another one."
+NO_TEST = "{names}{against} {were} fitted to this recording, which is no test of {it}; {adopted}.{measure}"
+MEASURE = " Some dimensions moved by three times their tolerance: measure them again before you trust this."
 LEAD = ("ambiguous", "unknown")  # verdicts whose word is said of a run that has adopted effects
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
 NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can be named"
@@ -81,8 +82,13 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
     state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
     seen = state in (HOLDS, MAY_HOLD) and holdout.status(content) == holdout.SEEN
-    about = ": ".join([run, *_lead(verdict, adopted, UNFIT if warning else state, seen)])
-    sentence, worse = sentence.format(**fields), "" if otherwise else unseen.worse(content, words)
+    worse = "" if otherwise else unseen.worse(content, words)
+    if seen and not warning:
+        fields |= {"names": listing(adopted), "were": "was" if len(adopted) == 1 else "were"}
+        fields |= {"against": against_advice(content, ",", ","), "measure": MEASURE * (state == MAY_HOLD)}
+        return f"{run}: {NO_TEST.format(**fields)}{as_it_stands(content, words)}{worse}"
+    about = ": ".join([run, *_lead(content, adopted, UNFIT if warning else state)])
+    sentence = sentence.format(**fields)
     if warning:
         return f"{about}: {warning}. {first_upper(sentence)}{worse}"
     return f"{about}: {sentence}{as_it_stands(content, words)}{worse}"
@@ -118,20 +124,28 @@ def _them(adopted: list[str]) -> str:
     return "it" if len(adopted) == 1 else "them"
 
 
-def _lead(verdict: str, adopted: list[str], state: str, seen: bool) -> list[str]:
-    """Which effects are adopted, and the `state` that they are in; else the verdict's word where nothing is named.
+def against_advice(content: Verdict, before: str = "", after: str = "") -> str:
+    """That a run adopted effects against the advice of their verdict, to go after their names; nothing if it did not.
 
-    `seen`: they were fitted to this recording, which is said first: that they hold here is no test of them.
+    `before` and `after` are the signs that set it apart.
     """
+    against, every = holdout.against_advice(content), holdout.included(content)
+    if not against:
+        return ""
+    names = "" if against == every else f"{listing(against)} "
+    return f"{before} {names}adopted against {'its' if len(against) == 1 else 'their'} verdict's advice{after}"
+
+
+def _lead(content: Verdict, adopted: list[str], state: str) -> list[str]:
+    """Which effects are adopted, and the `state` that they are in; else the verdict's word where nothing is named."""
+    verdict = content["verdict"]
     if not adopted:
         return [] if verdict in ("explained", "ambiguous") else [verdict]
     single = len(adopted) == 1
     word = f" ({verdict})" if verdict in LEAD else ""
     were, state = "was" if single else "were", state.format(s="s" if single else "")
-    if seen:
-        no_test = NO_TEST.format(names=listing(adopted), were=were)
-        return [f"{no_test} {'It' if single else 'They'} {were} adopted {state}{word}"]
-    return [f"{listing(adopted)} {were} adopted {state}{word}"]
+    against = f"{were} adopted{' against the advice of their verdict' * bool(holdout.against_advice(content))}"
+    return [f"{listing(adopted)} {against} {state}{word}"]
 
 
 def unfit(content: Verdict, words: Vocabulary) -> str:

@@ -10,7 +10,7 @@ from ..language.quantity import listing
 from ..language.vocabulary import Vocabulary
 from ..measured import to_measure
 from ..measured.dimensions import far_moved, name_of
-from ..next_run import deciding_run, make_sure, to_decide, worth
+from ..next_run import after_adopting, deciding_run, make_sure, to_decide, worth
 from ..next_run.make_sure import DETAILS, RUN
 from ..next_run.run_asked import more_strokes
 from . import advice, to_use
@@ -98,6 +98,8 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bo
         shows = f"Make the run {where} under {RUN}: it shows more of what is missing."
         again = _measure(content, words, short, "go on")
         return [*again, *([[shows]] if run else []), [advice.nothing_named(content)]]
+    if advised := _advised(content, words, folders, short):
+        return [*_anew(content, words, folders, short), advised, *make_sure.of_what_is_left(content, words)]
     tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
     if tied and not deciding_run.worth_making(tied):
         count = 1 + max(len(adoption["tied"]) for adoption in tied)
@@ -127,8 +129,19 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bo
                 *to_measure.table(content, words, short),
             ]
         ]
-    open_still = make_sure.of_adopted(content, words, holdout.included(content), folders, short)
+    open_still = after_adopting.of_adopted(content, words, holdout.included(content), folders, short)
     return [["Nothing needs to be done: this recording shows nothing further."], *open_still]
+
+
+def _advised(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[str]:
+    """What to do where effects were adopted against the advice of their verdict; nothing where none were."""
+    against = [adoption["against_advice"] for adoption in content.get("adopted", []) if adoption.get("against_advice")]
+    recordings = list(dict.fromkeys(recording for _, *more in against for recording in more))
+    if not recordings:
+        out = "Take out what was adopted, unless you know better: its verdict advised against it."
+        return [out, *to_use.remove(folders, short)] if against else []
+    asks = f"{' '.join(recordings)} The verdict that was adopted asked for that."
+    return [asks, *after_adopting.anew(folders, "", words, short)]
 
 
 def _anew(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:

@@ -582,9 +582,13 @@ def test_what_was_adopted_and_still_fits_is_said_first_to_do_so():
     ]
     made["evidence"] |= {"explanations": [], "adopted_mm": 0.033}
     assert " ".join(page(made).split()).startswith(
-        "nylon-3: creep was fitted to this recording, so this is no test: diagnose another one. It was adopted and "
-        "still holds: with it and the dimensions that came with it the simulator explains the recording (0.033 mm rms, "
-        "1.1 times the noise); nothing further can be named."
+        "nylon-3: creep was fitted to this recording, which is no test of it; nothing further can be named. What to "
+    )
+    other = copy.deepcopy(made)
+    other["adopted"][0]["runs"] = ["nylon-2"]
+    assert " ".join(page(other).split()).startswith(
+        "nylon-3: creep was adopted and still holds: with it and the dimensions that came with it the simulator "
+        "explains the recording (0.033 mm rms, 1.1 times the noise); nothing further can be named."
     )
     tied = copy.deepcopy(made)
     tied["adopted"][0]["tied"] = [["thermal"], ["wear"]]

@@ -1,0 +1,36 @@
+"""What speaks against what run.yaml has adopted: the advice of its verdict, and the explanations that tied with it."""
+
+from ...document.content import Verdict
+from ..explanations.rivals import called
+from ..language.quantity import listing
+
+NAMED = 2  # explanations that tied, by name; the others are counted
+
+
+def against_advice(content: Verdict) -> list[str]:
+    """That effects were adopted against the advice of their verdict, with that advice, a sentence for each verdict."""
+    lines = []
+    for adoption in content.get("adopted", []):
+        if advised := adoption.get("against_advice"):
+            were, their = ("was", "its") if len(adoption["effects"]) == 1 else ("were", "their")
+            against = f"{listing(adoption['effects'])} {were} adopted against the advice of {their} verdict"
+            lines.append(f"{against}. It says: {advised[0]}")
+    return lines
+
+
+def doubtful(content: Verdict) -> list[str]:
+    """Which explanations tied with what was adopted, a sentence for each verdict that was; nothing where none says."""
+    lines = []
+    for adoption in content.get("adopted", []):
+        effects, tied = listing(adoption["effects"]), adoption["tied"]
+        if not tied and adoption.get("against_advice"):
+            continue
+        if not tied:
+            lines.append(f"No other explanation was as likely as what was adopted ({effects}).")
+            continue
+        named = listing([called(ids) for ids in tied[:NAMED]], "or")
+        rest = f", or one of {len(tied) - NAMED} more (`adopted` in run.yaml)" if len(tied) > NAMED else ""
+        lines.append(
+            f"Instead of what was adopted ({effects}) this may be right, for it was likely as well: {named}{rest}."
+        )
+    return lines

@@ -1,0 +1,108 @@
+"""A recording whose verdict says to adopt nothing is adopted all the same: whoever comes later is told of it."""
+
+import json
+from pathlib import Path
+from types import SimpleNamespace
+
+import once
+import programs
+import pytest
+import yaml
+
+from pipeline.diagnosis.drawing import figures
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.pages.headline import still_holds
+from pipeline.systems import systems
+
+ADVICE = "Adopt nothing: the names change when the last 30 % of strokes are left out, so none is proved"
+ASKS = "Record the rig once more, with at least 8 strokes (30 N among the first), and diagnose all runs together."
+
+
+def flat(text: str) -> str:
+    """A text without the breaks of its lines."""
+    return " ".join(text.split())
+
+
+@pytest.fixture(scope="module")
+def visit(tmp_path_factory):
+    """The quick job's recording, diagnosed, adopted with --sure, and diagnosed again: what stands in its files."""
+    shared = once.place(tmp_path_factory)
+
+    def make():
+        raw, first, again = (shared / "advised" / name for name in ("raw", "first", "again"))
+        folder = raw / "synthetic-01"
+        assert programs.run("pipeline.rig.record", "small", folder, "--seed", 1).returncode == 0
+        assert programs.run("pipeline.diagnose", folder, "--out", first).returncode == 0
+        source = first / folder.name / "diagnosis.json"
+        refused = programs.run("pipeline.adopt", source, folder)
+        adopted = programs.run("pipeline.adopt", source, folder, "--sure")
+        assert (refused.returncode, adopted.returncode) == (2, 0), adopted.stderr
+        explained = programs.run("pipeline.adopt", "--explain", folder)
+        assert programs.run("pipeline.diagnose", folder, "--out", again).returncode == 0
+        texts = {
+            name: (again / folder.name / name).read_text() for name in ("verdict.txt", "details.txt", "diagnosis.json")
+        }
+        return SimpleNamespace(folder=folder, source=source, adopted=adopted, explained=explained, texts=texts)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(figures, "page", lambda study, content, path, mark="": None)
+        return once.made_once(shared, "adopted against advice", make)
+
+
+def test_a_run_keeps_what_the_verdict_advised_that_it_adopted_against_its_advice(visit) -> None:
+    (adoption,) = yaml.safe_load((visit.folder / "run.yaml").read_text())["adopted"]
+    assert adoption["verdict"] == "explained" and adoption["tied"] == []
+    assert adoption["against_advice"] == [f"{ADVICE}.", ASKS]
+    pasted = yaml.safe_load((visit.source.parent / "simulation.yaml").read_text())["adopted"]
+    assert pasted[0]["against_advice"] == adoption["against_advice"], "who pastes it by hand keeps it too"
+    assert json.loads(visit.texts["diagnosis.json"])["adopted"] == [adoption]
+
+
+def test_the_next_verdict_says_so_and_claims_no_more(visit) -> None:
+    page, details = visit.texts["verdict.txt"], visit.texts["details.txt"]
+    for text in map(flat, (page, details)):
+        assert text.startswith(
+            "synthetic-01: creep and friction_hysteresis, adopted against their verdict's advice, were fitted to this "
+            "recording, which is no test of them; nothing further can be named. What to know first "
+        )
+        assert f"adopted against the advice of their verdict. It says: {ADVICE}." in text
+        assert "still hold" not in text and "No other explanation was as likely" not in text
+        assert "Nothing needs to be done" not in text and ASKS in text
+        assert "creep explained, against its advice 0.66 mm" in text
+    commands = [line.split()[2] for line in details.splitlines() if line.startswith("    ") and "python -m" in line]
+    adopt = ["pipeline.adopt"] * 2
+    assert commands == ["pipeline.new_run", "pipeline.capture", *adopt, "pipeline.diagnose"]
+    assert len(page.splitlines()) <= 66
+
+
+def test_its_figure_says_so_in_title_and_mark(visit) -> None:
+    content, words = json.loads(visit.texts["diagnosis.json"]), Vocabulary.of(systems()["separator"])
+    title = figures.title(content, still_holds(content, words)).replace("\N{NO-BREAK SPACE}", " ")
+    assert title == "synthetic-01: adopted creep + friction_hysteresis, against the advice of their verdict"
+    assert flat(figures.warning(content, words)).endswith(f"against the advice of their verdict. It says: {ADVICE}")
+
+
+def test_simulating_says_so(visit, tmp_path: Path) -> None:
+    plan = tmp_path / "plan.csv"
+    plan.write_text("time_s,motor_turns,load_n\n0,0,20\n5,20,20\n5.3,20,20\n10.3,0,20\n")
+    for words in ([], ["--motion", plan]):
+        done = programs.run("pipeline.simulate", visit.folder, *words, "--out", tmp_path / "out.csv")
+        assert done.returncode == 0, done.stderr
+        assert f"adopted this against the advice of its verdict, which says: {ADVICE}" in done.stdout
+
+
+def test_a_run_yaml_of_an_earlier_program_is_read_and_says_nothing_of_advice(visit, tmp_path: Path) -> None:
+    content = yaml.safe_load((visit.folder / "run.yaml").read_text())
+    del content["adopted"][0]["against_advice"]
+    folder = tmp_path / visit.folder.name
+    folder.mkdir()
+    for path in visit.folder.iterdir():
+        (folder / path.name).write_bytes(path.read_bytes())
+    (folder / "run.yaml").write_text(yaml.safe_dump(content))
+    done = programs.run("pipeline.simulate", folder, "--out", tmp_path / "out.csv")
+    assert done.returncode == 0 and "advice" not in done.stdout
+    assert programs.run("pipeline.diagnose", folder, "--out", tmp_path / "later").returncode == 0
+    page = flat((tmp_path / "later" / folder.name / "verdict.txt").read_text())
+    assert "recording, which is no test of them; nothing further can be named. What" in page and "advice" not in page
+    asks = "So record: 5 strokes as before, each with the twist and the load that it had (within 0 to 20 turns and 20 "
+    assert f"{asks}to 30 N), at 4 turns/s, then as many at 2 turns/s, with the same holds and rests." in page
