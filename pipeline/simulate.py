@@ -4,16 +4,13 @@ import argparse
 import shlex
 import sys
 from pathlib import Path
-from typing import cast
 
-import numpy as np
 import pandas as pd
 
-from .diagnosis.document.content import Verdict
-from .diagnosis.prediction.home import homed
+from .diagnosis.planned_columns import planned_columns
+from .diagnosis.prediction.carried_over import carried_over
 from .diagnosis.prediction.later_run import before_of, predicted_after, said_of, simulated_before
-from .diagnosis.prediction.planned_motion import Plan, expected_error, recorded_beside, tied_with
-from .diagnosis.prediction.prediction_band import adopted_diagnosis
+from .diagnosis.prediction.planned_motion import Plan, recorded_beside, tied_with
 from .diagnosis.prediction.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis
 from .diagnosis.prediction.without_a_name import said_of_no_name, to_simulate
 from .diagnosis.recording.recorded_run import RecordedRun
@@ -22,19 +19,10 @@ from .diagnosis.simulate_options import parsed
 from .diagnosis.study.own_rate import at_own_rate
 from .diagnosis.words.foretold import loop_table
 from .diagnosis.words.foretold.corner_table import corners
-from .diagnosis.words.foretold.home import of_home
+from .diagnosis.words.foretold.home import of_carried_over, of_home
 from .diagnosis.words.foretold.prediction import (
     AFTER_RECORDING,
-    OUTSIDE,
-    column_of,
-    in_one_number,
-    no_band,
-    of_band,
-    of_half_speed,
-    of_rivals,
-    of_state,
     of_ties,
-    stretches,
 )
 from .diagnosis.words.foretold.residual import RESIDUAL
 from .diagnosis.words.language.quantity import listing, size
@@ -46,7 +34,6 @@ from .ground.command import command
 from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
-from .ground.kinematics import Array
 from .ground.outputs import file_to_write
 from .run.description import Run
 from .run.folder import has_recording, read_run
@@ -89,49 +76,6 @@ def source_of(arguments: argparse.Namespace) -> Path:
     return Path(arguments.simulation or arguments.run_dir / "run.yaml")
 
 
-def after_recording(arguments: argparse.Namespace) -> str:
-    """The command that simulates the same plan after the recorded motion."""
-    words = [str(arguments.run_dir), *(["--simulation", str(arguments.simulation)] if arguments.simulation else [])]
-    words += ["--motion", str(arguments.motion), AFTER_RECORDING, *([RESIDUAL] if arguments.residual else [])]
-    return f"{command('simulate')} {shlex.join([*words, '--out', str(arguments.out)])}"
-
-
-def foretold(plan: Plan, arguments: argparse.Namespace) -> tuple[dict[str, Array], list[str]]:
-    """Columns of a planned motion beside its reading, each of shape (samples,) in its unit; and what is said.
-
-    Raises BadInput for a diagnosis.json that is none.
-    """
-    called = Vocabulary.of(plan.run.system)
-    channel, unit = plan.run.system.channel, called.unit
-    predicted, inside, ending = plan.predicted, plan.inside(), channel.rpartition("_")[2]
-    if plan.outside and plan.outside.asks:
-        when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())
-        asks = f"it asks for {'. It asks for '.join(plan.outside.asks)}. Nothing says how well the simulator does "
-        asks += f"there, {when}. Mend: {listing(plan.outside.mends)}, or record a stroke that does as the plan, "
-        asks += "diagnose both recordings together, and predict with that"
-        print(f"warning: {arguments.motion}: {asks}", file=sys.stderr)
-    columns = {OUTSIDE: (~inside).astype(float)} if plan.outside else {}
-    columns[f"without_effects_{ending}"] = plan.without_effects
-    own = (plan.source, cast(Verdict, plan.content)) if arguments.simulation else None
-    place, diagnosis = own or adopted_diagnosis(plan.run)
-    width = plan.band(diagnosis, place) if diagnosis else None
-    expected = expected_error(width, inside)
-    if diagnosis is None or width is None:
-        words = [no_band(str(place), shlex.quote(str(arguments.run_dir)), arguments.simulation is None)]
-    else:
-        low, high, half = f"low_{ending}", f"high_{ending}", np.where(inside, width.half_width, np.nan)
-        rivals = plan.curves(diagnosis, place)
-        columns = {low: predicted - half, high: predicted + half, **columns}
-        columns |= {column_of(ids, channel): curve for ids, curve in rivals.items()}
-        gaps = [curve - predicted for curve in rivals.values()]
-        words = in_one_number(width, inside, gaps, len(plan.tied), channel, unit)
-        words += [*of_band(width, inside, low, high, called), *of_rivals(predicted, rivals, inside, channel, unit)]
-        slow = plan.outside.too_slow_below if plan.outside else 0.0
-        words += of_half_speed(diagnosis, slow, ending, plan.problem.drivers.units.motion, unit)
-    gap = plan.changed_by_recording(expected)
-    return columns, [*words, *([] if gap is None else [of_state(gap, expected, called, after_recording(arguments))])]
-
-
 def write(table: pd.DataFrame, path: Path) -> None:
     """Write what was simulated, whole or not at all: as text where the name ends like that, else as Parquet."""
     if path.suffix.lower() == ".csv":
@@ -147,6 +91,7 @@ def main() -> None:
     source = source_of(arguments)
     file_to_write(arguments.out, reads=[source, *([arguments.motion] if arguments.motion else [])])
     plan = plan_of(arguments) if arguments.motion else None
+    carried = None
     if plan:
         run, samples, content, before = plan.run, plan.samples, plan.content, plan.before
         problem, predicted = plan.problem, plan.predicted
@@ -156,12 +101,16 @@ def main() -> None:
         content = to_simulate(read_diagnosis(source), run.run) if arguments.simulation else of_run(run)
         problem = at_own_rate([recorded], thin=False, to_fit=False)
         if arguments.home:
-            content, home = homed(problem, content, source, run.run)
-            print(of_home(home, problem.drivers.units.reading))
+            carried = carried_over(problem, content, source, run.run)
+            content, unit = carried.content, problem.drivers.units.reading
+            print("\n".join([of_home(carried.home, unit), *of_carried_over(carried, unit)]))
         before = simulated_before(content, run.run, arguments.run_dir)
         predicted = predicted_after(before, recorded, problem, content, source)
-    columns, words = foretold(plan, arguments) if plan else ({}, [])
+    columns, words = planned_columns(plan, arguments) if plan else ({}, [])
     words += [*said_of(content, run.run, before, source), *said_of_no_name(content)]
+    if arguments.residual and carried and not carried.whole:
+        learnt = f"was learnt beside all of the diagnosis, of which {run.run} takes a part"
+        raise BadInput(source, RESIDUAL, learnt, "leave it out, or diagnose this run itself")
     if arguments.residual:
         more, more_words = black_box(problem, run, plan, arguments.run_dir, source if arguments.simulation else None)
         columns, words = columns | more, words + more_words
@@ -171,7 +120,8 @@ def main() -> None:
     write(table, arguments.out)
     acting = listing(list(dict.fromkeys(entry["id"] for entry in content["simulation"]))) or "no mechanism"
     fitted = "that fit with them, in" if content["parameters"] and not arguments.simulation else "of"
-    print(f"{run.run}: {counted(len(samples), 'sample')} simulated with {acting} and the dimensions {fitted} {source}")
+    held = arguments.run_dir / "run.yaml" if carried and not carried.dimensions else source
+    print(f"{run.run}: {counted(len(samples), 'sample')} simulated with {acting} and the dimensions {fitted} {held}")
     print(f"{arguments.out} holds {listing(list(columns))}")
     if plan and plan.drawn:
         print("\n".join(corners(table, problem.system.driver, problem.system.channel)))
@@ -183,6 +133,7 @@ def main() -> None:
         state = "as the recording left it" if plan.after else "as it was before its first stroke"
         words.append(f"its zero is {zero}; the string is taken to be {state}")
     tied = plan.tied if plan else tied_with(run, content, arguments.simulation is None)
+    tied = [] if carried and not carried.effects else tied
     words += of_ties(acting, len(tied), list(columns))
     for line in (*loops, *numbered(words)):
         print(line)

@@ -8,7 +8,7 @@ import pandas as pd
 
 from ..diagnosis.document.content import Simulated
 from ..diagnosis.fit.problem import Problem
-from ..diagnosis.prediction.home import homed
+from ..diagnosis.prediction.carried_over import carried_over
 from ..diagnosis.prediction.simulation import state_of
 from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.study.homes import one_string
@@ -47,11 +47,12 @@ class About:
     def simulated(self, content: Simulated, path: Path) -> tuple[Array, Array, Array]:
         """Prediction of a diagnosis, what the recording measured, and its time; its zero is left open.
 
-        The motor is homed on the first stroke where it may count its turns from elsewhere.
+        Where the motor may count its turns from elsewhere, it is homed on the first stroke, and of the diagnosis that
+        part is taken which holds there.
 
         Each of shape (samples,), in the reading's unit and s.
         """
         if self.homes:
-            content, _ = homed(self.problem, content, path, self.run.run)
+            content = carried_over(self.problem, content, path, self.run.run).content
         state = state_of(content, self.problem, path, self.run.run)
         return self.problem.simulate(state), self.problem.measured, self.problem.record.time_s

@@ -120,4 +120,5 @@ MECHANISM = Mechanism(
     terms=terms,
     suggest=suggest,
     mark=mark,
+    optional=("second_hz",),
 )

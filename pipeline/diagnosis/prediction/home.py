@@ -26,7 +26,8 @@ BOUND, TRIED = 3.0, 25  # sigma that the zero may lie from that of run.yaml; pla
 class Home:
     """A motor's zero, homed: `value` in turns, `before` in the diagnosis.
 
-    The errors, rms in the reading's unit, are those of the rest of the recording, its zero set on the first second.
+    `left` is what the homed simulator leaves of the first stroke about its mean. The errors are those of the rest of
+    the recording, its zero set on the first second. All three are rms, in the reading's unit.
     """
 
     value: float
@@ -34,6 +35,7 @@ class Home:
     error: float
     error_before: float
     at_bound: bool
+    left: float
 
 
 def homed(problem: Problem, content: Simulated, path: Path, run: str) -> tuple[Simulated, Home]:
@@ -67,7 +69,8 @@ def homed(problem: Problem, content: Simulated, path: Path, run: str) -> tuple[S
         best = float(minimize_scalar(of_first, bounds=ends, method="bounded", options={"xatol": 1e-3 * step}).x)
     before = value_of(content, name, path, parameter.nominal)
     error, error_before = (_rest(problem, left(value), first) for value in (best, before))
-    return at(best), Home(best, before, error, error_before, abs(best - parameter.nominal) > 0.99 * reach)
+    at_bound = abs(best - parameter.nominal) > 0.99 * reach
+    return at(best), Home(best, before, error, error_before, at_bound, of_first(best))
 
 
 def _first_stroke(problem: Problem) -> NDArray[np.bool_]:

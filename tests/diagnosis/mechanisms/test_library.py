@@ -94,3 +94,28 @@ def test_what_the_recording_cannot_show_can_be_adopted_all_the_same(one_load) ->
     given = {"axial_elasticity": {"from_load": 1.0, "straight_mm_per_10_n": 0.1}, "x_wave": {"hz": 0.5, "sine_mm": 0.1}}
     acts = acts_from([{"id": id_, "parameters": values} for id_, values in given.items()], problem.drivers)
     assert [entry["parameters"] for entry in entries(acts, problem.drivers)] == list(given.values())
+
+
+def test_two_lines_of_a_spectrum_are_suggested_together(problem) -> None:
+    suggested = mechanisms()["load_swing"].suggest(problem.drivers, two_swings(problem))
+    assert any("second_hz" in nonlinear for nonlinear in suggested)
+
+
+@pytest.mark.parametrize("id_", [id_ for id_, mechanism in mechanisms().items() if mechanism.suggest])
+def test_what_one_recording_suggests_can_be_simulated_where_another_does_not(id_: str, problem, one_load) -> None:
+    share = problem.record.time_s / problem.record.time_s[-1]
+    steps = 0.5 * (share > 0.3) + 1.0 * (share > 0.7)
+    walk = 0.05 * np.cumsum(np.random.default_rng(1).standard_normal(len(share)))
+    other, name_of = one_load[0].drivers, problem.drivers.units.name
+    for residual in (two_swings(problem), steps, walk, problem.measured - problem.measured.mean()):
+        for nonlinear in mechanisms()[id_].suggest(problem.drivers, residual):
+            given = {name_of(name): value for name, value in nonlinear.items()}
+            (act,) = acts_from([{"id": id_, "parameters": given}], other)
+            assert act.nonlinear == (nonlinear,)
+
+
+def two_swings(problem):
+    """A residual of two lines of the spectrum, of 1.5 and 2.6 Hz, in the reading's unit and shape."""
+    time_s = problem.record.time_s
+    noise = np.random.default_rng(0).standard_normal(len(time_s))
+    return 0.1 * np.sin(2.0 * np.pi * 1.5 * time_s) + 0.07 * np.sin(2.0 * np.pi * 2.6 * time_s) + 0.01 * noise

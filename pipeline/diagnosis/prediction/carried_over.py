@@ -1,0 +1,59 @@
+"""What of a diagnosis holds in a recording that it was not made of: tried on the first stroke of that recording.
+
+An effect may belong to one recording alone, such as a string that was still stretching. Dimensions that calibration
+moved may hold what the library lacks. So a diagnosis of one recording can foretell another one worse than the
+dimensions of run.yaml do. The first stroke, on which the motor is homed anyway, shows that.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import cast
+
+from ..document.content import Simulated
+from ..fit.problem import Problem
+from .home import Home, homed
+
+CLEARLY = 0.8  # of what all of a diagnosis leaves of the first stroke: a part of it that leaves less is taken instead
+
+
+@dataclass(frozen=True)
+class CarriedOver:
+    """What is taken of a diagnosis for another recording: all of it, a part, or the motor's zero alone.
+
+    `content` is the simulator, its motor homed. `effects`, `dimensions`: whether those of the diagnosis are in it.
+    `left` and `left_by_all` are what it and all of the diagnosis leave of the first stroke, rms, in the reading's unit.
+    """
+
+    content: Simulated
+    home: Home
+    effects: bool
+    dimensions: bool
+    left_by_all: float
+
+    @property
+    def left(self) -> float:
+        """What is left of the first stroke, rms, in the reading's unit."""
+        return self.home.left
+
+    @property
+    def whole(self) -> bool:
+        """Whether all of the diagnosis is taken."""
+        return self.effects and self.dimensions
+
+
+def carried_over(problem: Problem, content: Simulated, path: Path, run: str) -> CarriedOver:
+    """What of a diagnosis simulates another run, homed on its first stroke: all, or the part that is clearly better.
+
+    Nothing after that stroke is read for the choice. Raises BadInput as `homed` does.
+    """
+    parts: dict[tuple[bool, bool], Simulated] = {(True, True): content}
+    if content["parameters"]:
+        parts[True, False] = cast(Simulated, {**content, "parameters": {}})
+    if content["simulation"]:
+        parts |= {(False, took): cast(Simulated, {**part, "simulation": []}) for (_, took), part in parts.items()}
+    tried = {kept: homed(problem, part, path, run) for kept, part in parts.items()}
+    by_all = tried[True, True][1].left
+    best = min(tried, key=lambda kept: tried[kept][1].left)
+    if tried[best][1].left >= CLEARLY * by_all:
+        best = True, True
+    return CarriedOver(*tried[best], *best, by_all)
