@@ -99,10 +99,10 @@ def test_the_table_has_a_column_for_each_explanation_and_no_row_that_nobody_woul
         ["the loop at half the speed, 1 turns/s", "0.10 mm", "0.20 mm"],
         ["change in a rest of 2 min at 0 turns after it", "+0.10 mm", "–"],
     ], "what tells most comes first, what only one foretells last"
-    assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 10
-    assert ["Both have friction_hysteresis as well."] in rows
+    assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 7
+    assert rows[4][0].startswith("Both have friction_hysteresis as well. The loop is by how much winding and unwinding")
     assert rows[-1][0].endswith("by less than their ±: the loop of a stroke as before under 20 N.")
-    assert rows[-4] == ["–: this explanation foretells no such number."]
+    assert "–: this explanation foretells no such number." in rows[4][0], "how to read the table, in one go"
     small = EXPECTED | {"explanations": [{"ids": BOTH, "loop_as_before_mm": 0.05}]}
     assert lines(content(evidence__expected=small), WORDS) == [] == lines(content(), WORDS)
 
@@ -216,10 +216,11 @@ def test_the_page_of_one_explanation_has_the_table_and_the_details_of_a_tie_have
 
 def test_the_page_of_a_tie_says_by_how_much_the_readings_part_in_the_run():
     made = content(next_run__apart={"by_mm": 0.31, "motor_turns": 12.3, "first_mm": 31.42, "second_mm": 31.73})
-    both = "31.42 mm if it is friction_hysteresis + creep, 31.73 mm if it is friction_hysteresis + thermal."
     text = " ".join(full(made).split())
-    assert f"two predicted readings differ by up to 0.31 mm, most near 12 turns: {both}" in text
-    assert "predicted readings differ" not in full()
+    both = "friction_hysteresis + creep 31.42 mm friction_hysteresis + thermal 31.73 mm"
+    assert f"it is to tell apart reading in it, near 12 turns {both}" in text
+    assert "The two readings differ by up to 0.31 mm if the run follows this one at once, 73 standard dev" in text
+    assert "by up to" not in full().partition("it is to tell apart")[2].partition("\n\n")[0], "an older file"
 
 
 def test_a_run_asks_for_another_speed_only_if_it_leaves_those_that_were_recorded():
@@ -301,7 +302,7 @@ def test_a_slow_effect_is_sure_only_with_a_second_load():
     assert re.search(r"creep +sure, 90 %", table[True]) and re.search(r"creep +probable, 90 %", table[False])
     alone = " ".join(table[False].split())
     assert "That something slow acts is sure; its name is not sure." in alone
-    assert "Probable, since a second load was not recorded: creep (90 %)." in alone
+    assert "creep has 90 %, but is only probable: a second load was not recorded." in alone
 
 
 def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
@@ -313,7 +314,8 @@ def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
     two = {"evidence__loaded": True, "evidence__covered": COVERED | {"speed_per_s": [1.0, 2.0]}}
     assert missing(content(**two), WORDS, "friction_hysteresis") == []
     text = " ".join(full(confident(0.95, 0.46, **alone)).split())
-    assert "Probable, since a second load and a second speed were not recorded: friction_hysteresis (95 %)." in text
+    why = "a second load and a second speed were not recorded"
+    assert f"friction_hysteresis has 95 %, but is only probable: {why}." in text
 
 
 def test_after_adopting_the_page_says_which_sign_of_a_name_is_still_open():
@@ -338,8 +340,10 @@ def test_wear_says_which_way_it_moves_the_radius_and_the_reading(trend, grows, l
 def test_the_page_says_which_dimension_took_most_of_the_nominal_error_away():
     changes = {"evidence__nominal_mm": 1.1, "evidence__calibrated_mm": 0.2, "evidence__moved_sigma": {"radius_mm": 1.2}}
     text = details(content(**changes))
-    assert "named the radius moved the most, from 0.55 mm to 0.5612 mm: 1.2 times its tolerance, and only more" in text
-    assert "moved the most" not in details(content(**changes | {"evidence__calibrated_mm": 0.9}))
+    most = "Moving dimensions alone takes most of the nominal error away (how far each moved: Dimensions)."
+    assert most in text and "radius 0.55 mm 0.5612 mm (0.56 to 0.563) – 1.2 times it" in text
+    assert "Only a dimension that moves by more than 2.5 tolerances is to be measured again." in text
+    assert most not in details(content(**changes | {"evidence__calibrated_mm": 0.9}))
 
 
 def test_when_a_plan_leaves_what_was_recorded_is_said_in_seconds():

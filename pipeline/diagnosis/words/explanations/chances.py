@@ -14,28 +14,26 @@ HEADING = "How probable each explanation is"
 KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
 BARE = "Explanations, the best one first"
 NO_PERCENTAGES = "No percentages on this rig: they were learnt on strings."
-KEPT, FEW = 5, 3  # of them by name, and on the page; the others are counted
+KEPT, FEW = 5, 3  # of them by name, without and with probabilities; the others are counted
 LEFT_OUT = 3  # of those that are no names, in the table
 WORTH = 0.05  # a probability from which on the next best is named
 OTHERS, NONE = "other explanations of the library", "physics that the library lacks"
 
 
-def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
-    """The table; nothing where nothing is named or no probability is known.
+def lines(content: Verdict) -> list[str]:
+    """The table of the page; nothing where nothing is named or no probability is known.
 
-    `short`: without the tolerances that it stands on, and with fewer explanations by name; nothing where one
-    explanation alone is kept, since the first line has its probability.
+    Nor where one explanation alone is kept, since the first line has its probability.
     """
     if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
         return []
     kept, out = kept_shares(content), left_out.entries(content)
-    if short and len(kept) < 2 and not out:
+    if len(kept) < 2 and not out:
         return []
     rows = [[name, percent(share), "the best one" if place == 0 else ""] for place, (name, share) in enumerate(kept)]
-    by_name = FEW if short else KEPT
-    if len(rows) > by_name:
-        rest = kept[by_name - 1 :]
-        rows = [*rows[: by_name - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
+    if len(rows) > FEW:
+        rest = kept[FEW - 1 :]
+        rows = [*rows[: FEW - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
     none = content["evidence"].get("probability_of_none") or 0.0
     sets = [entry["ids"] for entry in rivals.entries(content, "named", "tied")]
     left = max(1.0 - none - sum(share for name, share in kept if physics(tuple(name.split(" + ")))), 0.0)
@@ -47,11 +45,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         rows.append([following[0], percent(following[1]), "less likely"])
         left = max(left - following[1], 0.0)
     rows += [[OTHERS, percent(left), ""], [f"{NONE}{probability.stand_ins(sets)}", percent(none), ""]]
-    return [
-        *(line.rstrip() for line in aligned(rows)),
-        *left_out.lines(content),
-        *([] if short else _stands_on(content, words)),
-    ]
+    return [*aligned(rows), *left_out.lines(content)]
 
 
 def bare(content: Verdict, words: Vocabulary) -> list[str]:
@@ -68,10 +62,10 @@ def bare(content: Verdict, words: Vocabulary) -> list[str]:
         explanation = known.get(tuple(sorted(ids)))
         rows.append([rivals.called(ids), f"leaves {rivals.left(explanation, content, words)}" if explanation else ""])
     more = [f"{len(sets) - KEPT} more (details.txt)"] if len(sets) > KEPT else []
-    return [*(line.rstrip() for line in aligned(rows)), *more, NO_PERCENTAGES]
+    return [*aligned(rows), *more, NO_PERCENTAGES]
 
 
-def _stands_on(content: Verdict, words: Vocabulary) -> list[str]:
+def stands_on(content: Verdict, words: Vocabulary) -> list[str]:
     """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
     sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
     moved = {name: sigma for name, sigma in sigmas.items() if sigma > 1.0 and not of_later_run(name)}

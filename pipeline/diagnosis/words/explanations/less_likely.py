@@ -1,53 +1,164 @@
-"""How much less likely rivals are than the best explanation: a table, then the reason that most share, then others."""
+"""What no row of the explanations' table can say: why a rival is less likely, where it differs, what it adds."""
 
-from collections import Counter
+import math
+from collections.abc import Callable
 
 from ...document.content import Part, Verdict
-from ..language.quantity import percent, size, times
-from ..language.table import aligned
+from ..language.places import EVERYWHERE, place
+from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
-from . import probability
+from . import probability, rivals
 from .reasons import chiefly, less_often
-from .rivals import called, left_of
 
-HEAD = ["explanation", "probability", "leaves (× noise)", "times less likely"]
-BEST = "the best one"
-MOST_SHARE = "Why less likely, where nothing else is said: {}."
-LEAST = 1e-6  # what a probability of nothing is said as: less than 1 %
-FEWEST = 2  # explanations that share a reason, to say it of all
-
-
-def table(explanations: list[Part], best: Part, content: Verdict, words: Vocabulary) -> list[str]:
-    """The best explanation and its rivals, a row each, then why they are less likely; all have a probability."""
-    rows = [_row(best, BEST, content, words)]
-    rows += [_row(each, less_often(each, best), content, words) for each in explanations]
-    return [*aligned([HEAD, *rows]), *_reasons(explanations, best)]
+RARE = 0.01  # a probability below which an explanation needs no further word
+VISIBLE = 0.4  # noise floors: smaller gains need no further word
+NEARER = "Weighed sample by sample, 1 is nearer to the recording: than {} standard deviations. {}"
+COUNTS = (
+    "They count the noise alone, and a formula that is wrong by a few per cent makes many of them; the probabilities "
+    "allow for that."
+)
+UNWEIGHED = "Not weighed, since the recording lacks a mark of its effects, or cheaper ones of its size are many: {}."
+BALANCED = "No explanation, since its effects are large and cancel each other almost fully: {}."
+Numbered = dict[int, Part]  # explanations by the number of their row
 
 
-def _row(explanation: Part, less: str, content: Verdict, words: Vocabulary) -> list[str]:
-    left, floor = left_of(explanation, content, words.ending), content["evidence"][f"floor_{words.ending}"]
-    cell = f"{size(left, words.unit)} ({times(left / floor)})"
-    return [called(explanation["ids"]), percent(explanation["probability"] or LEAST), cell, less]
+def remarks(content: Verdict, rows: Numbered, kept: int, words: Vocabulary) -> list[str]:
+    """A line for each question that the table leaves, its rows called by their numbers; the first `kept` are kept."""
+    worth = {number: each for number, each in rows.items() if _worth(each)}
+    return [
+        *_no_common(content),
+        *_less_likely(rows),
+        *_where(worth, content, words),
+        *_nearly_as_good(worth, words),
+        *_larger(content, rows, words),
+        *_allowed(content, dict(list(rows.items())[:kept]), words),
+    ]
 
 
-def _reasons(explanations: list[Part], best: Part) -> list[str]:
-    """The reason that most share, once, then those of the others, one by one."""
-    why = {called(each["ids"]): _reason(each, best) for each in explanations}
-    shared, count = next(iter(Counter(reason for reason in why.values() if reason).most_common(1)), ("", 0))
-    if count < FEWEST:
-        shared = ""
-    once = [MOST_SHARE.format(shared)] if shared else []
-    return once + [f"{name}: {reason}." for name, reason in why.items() if reason and reason != shared]
+def _worth(explanation: Part) -> bool:
+    """Whether an explanation is worth more than its row."""
+    share = explanation.get("probability")
+    return share is None or share >= RARE
 
 
-def _reason(explanation: Part, best: Part) -> str:
-    """Why a rival is less likely; nothing where no reason is known."""
-    if explanation["probability"] == 0.0:
-        return probability.LARGER_LEAVES_LESS
-    return chiefly(explanation) if less_often(explanation, best) else ""
+def numbers(of: list[int]) -> str:
+    """Rows by their numbers: 2; 2 and 3; 4 to 7 and 9."""
+    runs: list[list[int]] = []
+    for number in of:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    spans = [f"{run[0]} to {run[-1]}" if len(run) > 2 else listing(list(map(str, run)), ",") for run in runs]
+    return listing([part for span in spans for part in span.split(" , ")])
 
 
-def known(explanations: list[Part], best: Part | None, content: Verdict) -> bool:
-    """Whether a table can be made: each has a probability, as the best one has."""
-    shares = [each.get("probability") for each in [*explanations, *([best] if best else [])]]
-    return bool(explanations and best and probability.known(content) and None not in shares)
+def _grouped(rows: Numbered, phrase: Callable[[Part], str]) -> list[str]:
+    """Each phrase that is said of a row, with the numbers of all of which it is; rows of which none is are left out."""
+    of: dict[str, list[int]] = {}
+    for number, each in rows.items():
+        if said := phrase(each):
+            of.setdefault(said, []).append(number)
+    return [f"{said} ({numbers(rows_)})" for said, rows_ in of.items()]
+
+
+def _less_likely(rows: Numbered) -> list[str]:
+    """Why each rival is less likely than the best one, once for all that share a reason; nothing without a reason."""
+
+    def reason(each: Part) -> str:
+        if each.get("probability") == 0.0:
+            return f"since {probability.LARGER_LEAVES_LESS}"
+        return chiefly(each) if less_often(each, rows[1]) else ""
+
+    reasons = _grouped({number: each for number, each in rows.items() if number > 1}, reason)
+    return [f"Why less likely than 1: {'; '.join(reasons)}."] if reasons else []
+
+
+def _where(rows: Numbered, content: Verdict, words: Vocabulary) -> list[str]:
+    """Where each prediction differs from the best one, and what that follows; nothing where that is everywhere."""
+
+    def lies(each: Part) -> str:
+        if each.get(f"gap_{words.ending}") is None or each["standing"] == "named":
+            return ""
+        where = place(each["location"], content["evidence"], words)
+        follows = f", following {words.follows(each['driver'])}" if each["driver"] else ""
+        return "" if where == EVERYWHERE else f"{where}{follows}"
+
+    places = _grouped(rows, lies)
+    return [f"Where they differ from 1 the most: {'; '.join(places)}."] if places else []
+
+
+def _nearly_as_good(rows: Numbered, words: Vocabulary) -> list[str]:
+    """Of what leaves hardly more than the best one: by what it is worse all the same, or why it does not count."""
+    left = f"left_{words.ending}"
+    nearer, balanced, unweighed = list[str](), list[int](), list[int]()
+    for number, each in rows.items():
+        if each["standing"] != "beaten" or each[left] > rivals.ALIKE * rows[1][left]:
+            continue
+        if each["worse"] > 0.0:
+            nearer.append(f"{number} by {times(math.sqrt(each['worse']))}")
+        elif each.get("balanced"):
+            balanced.append(number)
+        elif each.get("probability") is None:
+            unweighed.append(number)
+    return [
+        *([NEARER.format(listing(nearer), COUNTS)] if nearer else []),
+        *([BALANCED.format(numbers(balanced))] if balanced else []),
+        *([UNWEIGHED.format(numbers(unweighed))] if unweighed else []),
+    ]
+
+
+def _larger(content: Verdict, rows: Numbered, words: Vocabulary) -> list[str]:
+    """What a larger explanation takes away beyond the one that it contains: too little for that much more."""
+    sentences = []
+    for number, each in rows.items():
+        if each["standing"] == "not needed" and _worth(each):
+            sentences += [f"{number} {_adds(each, rows, content, words)}."]
+    return sentences
+
+
+def _adds(larger: Part, rows: Numbered, content: Verdict, words: Vocabulary) -> str:
+    """What a larger explanation adds to the best one that it contains, without a full stop."""
+    ending, shown = words.ending, content["evidence"]["explanations"]
+    smaller = [other for other in shown if set(other["ids"]) < set(larger["ids"]) and other["standing"] != "not needed"]
+    base = min(smaller, key=lambda other: float(other[f"left_{ending}"]), default=None)
+    if base is None:
+        return "takes away too little for one effect more"
+    row = next((str(number) for number, each in rows.items() if each is base), rivals.called(base["ids"]))
+    adds = f"adds {listing([id_ for id_ in larger['ids'] if id_ not in base['ids']])} to {row}"
+    saved, surely = (
+        math.sqrt(max(base[f"{key}_{ending}"] ** 2 - larger[f"{key}_{ending}"] ** 2, 0.0)) for key in ("left", "bent")
+    )
+    if not saved:
+        return f"{adds}, which explains nothing more"
+    more, sure = size(saved, words.unit), size(surely, words.unit)
+    takes = f"{adds}, which takes away {more} rms more"
+    if saved > VISIBLE * content["evidence"][f"floor_{ending}"] and surely < saved and more != sure:
+        takes += f" (only {sure} are sure {rivals.ALLOWED[0].lower()}{rivals.ALLOWED[1:]})"
+    kept = [other for other in rivals.entries(content, "tied") if len(other["ids"]) >= len(larger["ids"])]
+    if any(other[f"left_{ending}"] >= larger[f"left_{ending}"] for other in kept):
+        return f"{takes}; some that are likely leave as much, and are ranked before it all the same"
+    return f"{takes}: too little for {'one effect' if len(larger['ids']) - len(base['ids']) == 1 else 'so many'} more"
+
+
+def _allowed(content: Verdict, kept: Numbered, words: Vocabulary) -> list[str]:
+    """What each kept explanation would leave if its formulas were a little wrong; nothing where that is no less."""
+    if rivals.all_below_noise(content, words.ending):
+        return []
+    ratios = {number: rivals.with_discrepancy(each, content, words) for number, each in kept.items()}
+    leaves = [f"{number} leaves {times(ratio)}" for number, ratio in ratios.items() if ratio is not None]
+    return [f"{rivals.ALLOWED}, {listing(leaves)} times the noise."] if leaves else []
+
+
+def _no_common(content: Verdict) -> list[str]:
+    """That no effect is in all that tie, which the first line does not say."""
+    sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
+    every = dict.fromkeys(id_ for ids in sets for id_ in ids)
+    most = max(every, key=lambda id_: sum(id_ in ids for ids in sets), default="")
+    often = sum(most in ids for ids in sets)
+    if len(sets) < 2 or often == len(sets):
+        return []
+    if 2 * often > len(sets) > 2:
+        return [f"{often} of the {len(sets)} explanations have {most}; no mechanism is in all of them."]
+    who = "two explanations have" if len(sets) == 2 else f"{len(sets)} explanations have"
+    return [f"The {who} no mechanism in common: any of these effects may be the missing one."]

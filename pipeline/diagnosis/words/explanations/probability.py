@@ -13,9 +13,8 @@ NO_MARK, ENOUGH_OTHERS = "not weighed: its own mark is missing", "not weighed: o
 SEEN = 0.005  # a probability that is worth a word
 WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
 OF_NONE = (
-    "The share of physics that the library lacks was learnt on simulated recordings: of those that looked like this "
-    "one, about so many held such physics. It follows from how much the best explanation leaves and from how large the "
-    "mismatch is, so more strokes of the same kind need not lower it."
+    "The share of physics that the library lacks was learnt on simulated recordings that looked like this one: more "
+    "strokes of the same kind need not lower it."
 )
 WITHOUT = (
     "No probabilities are known on this rig: they were learnt on strings. An explanation is left out where it fits "
@@ -54,18 +53,16 @@ def rule(content: Verdict) -> list[str]:
     kept_ones = [explanation for explanation in shown if explanation["standing"] in HELD_STANDINGS]
     together = sum(explanation.get("probability") or 0.0 for explanation in kept_ones)
     none = content["evidence"].get("probability_of_none") or 0.0
-    of_library = sum(each.get("probability") or 0.0 for each in kept_ones if physics(tuple(each["ids"])))
     several = content["verdict"] == "ambiguous"
     count = f"{1 + len(content['alternatives'])} explanations" if several else "1 explanation"
-    kept = f"Kept: {count}, {percent(together)}{' together' * several}."
-    which = f"The likeliest explanations are kept, until they have {percent(HELD)} of what the library's have together."
-    rest = max(1.0 - none - of_library, 0.0)
-    lacks = f"physics that the library lacks{stand_ins([each['ids'] for each in kept_ones])} {percent(none)}"
-    others = f"All others of the library have {percent(rest)} together, {lacks}. None of these is impossible."
-    return [
-        f"{f'{which} ' * several}{kept} {_left_out(content)}{others}",
-        *([OF_NONE] if none >= WORTH else []),
-    ]
+    which = f": the likeliest, until they have {percent(HELD)} of what the library's have together" * several
+    kept = f"Kept: {count}, {percent(together)}{' together' * several}{which}."
+    return [f"{kept} {_left_out(content)}None of the others is impossible.{f' {OF_NONE}' * (none >= WORTH)}"]
+
+
+def likeliest(explanations: list[Part]) -> list[Part]:
+    """Explanations by falling probability; those without one as they came, last."""
+    return sorted(explanations, key=lambda explanation: -(explanation.get("probability") or 0.0))
 
 
 def stand_ins(kept: list[list[str]]) -> str:

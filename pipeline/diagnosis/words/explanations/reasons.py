@@ -30,12 +30,6 @@ NEARLY_0 = 0.01  # log odds: an aspect that counts less is no reason
 LEAST = 1.05  # times less likely: less is alike
 
 
-def why(explanation: Part, best: Part | None) -> str:
-    """How many times less likely an explanation is than the best one, and chiefly since what; nothing where unknown."""
-    less, reasons = less_often(explanation, best), chiefly(explanation)
-    return f"It is {less} times less likely than the best one{f', {reasons}' if reasons else ''}." if less else ""
-
-
 def less_often(explanation: Part, best: Part | None) -> str:
     """How many times less likely an explanation is than the best one: 37; nothing where unknown, or hardly less."""
     mine, first = explanation.get("probability"), (best or {}).get("probability")

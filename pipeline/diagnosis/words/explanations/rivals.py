@@ -1,12 +1,8 @@
 """The explanations that were weighed, in words: what ties, and why the others were beaten."""
 
-from collections import Counter
-
 from ...document.content import Part, Verdict
-from ..language.quantity import listing, size, times
+from ..language.quantity import size, times
 from ..language.vocabulary import Vocabulary
-from . import probability
-from .reasons import why
 
 LITTLE = 0.98  # times what calibration alone leaves: who leaves more explains nothing
 NO_LESS = "leaves as much as no effect does"  # a fit that leaves more did not find its best
@@ -44,68 +40,10 @@ def left(explanation: Part, content: Verdict, words: Vocabulary) -> str:
     return f"{size(rms, words.unit)} rms ({times(rms / floor)} times the noise)"
 
 
-def told(explanation: Part, content: Verdict, words: Vocabulary) -> str:
-    """An explanation by its name with its probability, if it has one, and what it leaves; without a full stop."""
-    likely = probability.said(explanation)
-    leaves = NO_LESS if no_less(explanation, content, words) else f"leaves {left(explanation, content, words)}"
-    return f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}{leaves}"
-
-
 def no_less(explanation: Part, content: Verdict, words: Vocabulary) -> bool:
     """Whether an explanation leaves as much as calibration alone, or even more; False in an older file."""
     alone, ids = content["evidence"].get(f"calibrated_{words.ending}"), explanation["ids"]
     return bool(alone and ids and explanation[f"left_{words.ending}"] >= LITTLE * alone)
-
-
-def shared(content: Verdict) -> str:
-    """What all that tie have in common, or most of them."""
-    sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
-    count = len(sets)
-    common = [id_ for id_ in sets[0] if all(id_ in ids for ids in sets)]
-    if common:
-        every = (
-            f"Both explanations have {listing(common)}"
-            if count == 2
-            else f"All {count} explanations have {listing(common)}"
-        )
-        return f"{every}. {'The other one is' if count == 2 else 'The others, one a line, are'}:"
-    often = Counter(id_ for ids in sets for id_ in ids).most_common(1)[0]
-    if 2 * often[1] > count > 2:
-        return (
-            f"{often[1]} of the {count} explanations have {often[0]}; no mechanism is in all of them. The others are:"
-        )
-    who = "two explanations have" if count == 2 else f"{count} explanations have"
-    return f"The {who} no mechanism in common: any of these effects may be the missing one."
-
-
-def ties(content: Verdict, words: Vocabulary) -> list[str]:
-    """What is likely as well, a line each with why it is less so than the best one; then what a discrepancy does."""
-    shown = {tuple(explanation["ids"]): explanation for explanation in content["evidence"]["explanations"]}
-    tied = [shown.get(tuple(ids)) for ids in content["alternatives"]]
-    first = next(iter(entries(content, "named")), None)
-    lines = [
-        " ".join(
-            part
-            for part in (
-                f"{told(explanation, content, words) if explanation else called(ids)}.",
-                why(explanation or {}, first),
-            )
-            if part
-        )
-        for ids, explanation in zip(content["alternatives"], tied, strict=True)
-    ]
-    all_ratios = {
-        called(explanation["ids"]): _with_discrepancy(explanation, content, words)
-        for explanation in tied
-        if explanation
-    }
-    ratios = {name: ratio for name, ratio in all_ratios.items() if ratio is not None}
-    if ratios and not all_below_noise(content, words.ending):
-        who = listing([f"({name})" if len(ratios) > 1 else name for name in ratios])
-        ends = list(dict.fromkeys(times(ratio) for ratio in (min(ratios.values()), max(ratios.values()))))
-        leave = "leave" if len(ratios) > 1 else "leaves"
-        lines.append(f"{ALLOWED}, {who} {leave} {' to '.join(ends)} times the noise.")
-    return lines
 
 
 def all_below_noise(content: Verdict, ending: str) -> bool:
@@ -117,35 +55,8 @@ def all_below_noise(content: Verdict, ending: str) -> bool:
     return len(with_discrepancy) > 1 and max(with_discrepancy) < floor
 
 
-def _with_discrepancy(explanation: Part, content: Verdict, words: Vocabulary) -> float | None:
+def with_discrepancy(explanation: Part, content: Verdict, words: Vocabulary) -> float | None:
     """What is left, in noise floors, if the true effects may differ a little from the formulas; None where no less."""
     mine, with_discrepancy = explanation[f"left_{words.ending}"], explanation[f"bent_{words.ending}"]
     floor = content["evidence"][f"floor_{words.ending}"]
     return None if with_discrepancy > WORTH_SAYING * mine or mine < NOISY * floor else float(with_discrepancy / floor)
-
-
-def what_is_left(content: Verdict, words: Vocabulary) -> list[str]:
-    """What the named explanation leaves of the recording, and what it would if its formulas were a little wrong."""
-    lines = []
-    for explanation in entries(content, "named"):
-        lines.append(f"{called(explanation['ids'])} leaves {left(explanation, content, words)}.")
-        with_discrepancy = _with_discrepancy(explanation, content, words)
-        if with_discrepancy is not None and not all_below_noise(content, words.ending):
-            lines.append(f"{ALLOWED}, {called(explanation['ids'])} leaves {times(with_discrepancy)} times the noise.")
-    return lines
-
-
-def hidden(content: Verdict, words: Vocabulary) -> dict[str, str]:
-    """Effects that are larger than what is missing, and where the rest of each is hidden."""
-    whole, lines = content["mismatch"][f"rms_{words.ending}"] if content["mismatch"] else 0.0, {}
-    for entry in content["mechanisms"]:
-        own = entry[f"rms_{words.ending}"]["value"]
-        if not whole or own <= MORE * whole:
-            continue
-        others = ", and in the other effects" if len(content["mechanisms"]) > 1 else ""
-        unsure = "Its size is no surer than the dimensions: it" if own > LARGER * whole else "It"
-        lines[entry["id"]] = (
-            f"{unsure} moves the reading by {size(own, words.unit)} rms, but only {size(whole, words.unit)} rms is "
-            f"missing. Much of it hides in dimensions that calibration moved (see {DIMENSIONS}){others}."
-        )
-    return lines

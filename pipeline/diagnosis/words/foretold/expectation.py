@@ -103,12 +103,15 @@ def _table(
     heads = [_head(content, explanation["ids"], shared) for explanation in columns]
     rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
     cut = [id_ for id_ in columns[0]["ids"] if id_ in shared and any(head.startswith("with ") for head in heads)]
-    remarks = [
+    reading = [
         *([f"{'Both' if len(columns) == 2 else 'All'} have {listing(cut)} as well."] if cut else []),
         *([_loop(words)] if any(map(_is_loop, keys)) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
         *([_spread(keys)] if known_spread else []),
         *([AT_ONCE] if not all(map(_is_loop, keys)) else []),
+    ]
+    remarks = [
+        *([" ".join(reading)] if reading else []),
         *_untelling(alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)),
     ]
     against = _against(names, cells, keys, words) if len(columns) == 1 and content["verdict"] == "explained" else ""

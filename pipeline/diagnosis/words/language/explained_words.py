@@ -15,10 +15,15 @@ TURN, DRIVEN = "once a turn", "once in every turn of what drives it (a screw, a 
 
 
 def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
-    """The verdict's word, those of errors, then each mechanism that `text`, the verdict so far, names."""
+    """The verdict's word, those of errors, then each effect that `text`, the verdict so far, names.
+
+    Those that the verdict names are left out: its tables say what they do.
+    """
     used = [word for word in USUAL if re.search(rf"\b{word}\b", text)]
     used += ["named"] if NAMED.search(text) else []
-    named = [id_ for id_, mechanism in mechanisms().items() if re.search(rf"\b{id_}\b", text)]
+    told = [entry["id"] for entry in [*content["mechanisms"], *content["evidence"].get("adopted_effects", [])]]
+    told += [id_ for ids in content["alternatives"] for id_ in ids]  # a table has what they do
+    named = [id_ for id_ in mechanisms() if id_ not in told and re.search(rf"\b{id_}\b", text)]
     return [f"{word}: {on_rig(meaning(word), words)}" for word in [content["verdict"], *used, *named]]
 
 

@@ -3,12 +3,23 @@
 from .sections import WIDE
 
 UNKNOWN, GAPS = "–", (3, 2)  # what an older file does not hold; spaces between columns, and where a page is too narrow
-ROOM = WIDE - 5  # letters of a line: a section indents its lines, and a step those that belong to it
+ROOM, IN_A_STEP = WIDE - 2, 3  # letters of a line, for a section indents its lines; by how much more a step does
 
 
-def aligned(rows: list[list[str]]) -> list[str]:
-    """Rows with their cells under each other."""
+def aligned(rows: list[list[str]], room: int = ROOM) -> list[str]:
+    """Rows with their cells under each other, nearer to each other where there is no room."""
     wide = [max(map(len, column)) for column in zip(*rows, strict=True)]
     usual, narrow = GAPS
-    gap = usual if sum(wide) + usual * (len(wide) - 1) <= ROOM else narrow
+    gap = usual if sum(wide) + usual * (len(wide) - 1) <= room else narrow
     return [(" " * gap).join(map(str.ljust, row, wide)).rstrip() for row in rows]
+
+
+def within(rows: list[list[str]], cell: int) -> list[str]:
+    """As `aligned`, but no wider than a page: a cell at place `cell` that is too long for that has its own line."""
+    others = [max(map(len, column)) for place, column in enumerate(zip(*rows, strict=True)) if place != cell]
+    most = ROOM - sum(others) - GAPS[1] * len(others)
+    shortened = [[text if place != cell or len(text) <= most else "" for place, text in enumerate(row)] for row in rows]
+    lines = []
+    for row, line in zip(rows, aligned(shortened), strict=True):
+        lines += [line] if len(row[cell]) <= most else [row[cell], line]
+    return lines

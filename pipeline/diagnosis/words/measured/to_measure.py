@@ -2,7 +2,7 @@
 
 from ...document.bounds import of_later_run
 from ...document.content import Verdict
-from ..language.table import aligned
+from ..language.table import IN_A_STEP, ROOM, aligned
 from ..language.vocabulary import Vocabulary
 from . import exactness, tolerances
 from .dimensions import far_moved, from_to, name_of, whence
@@ -34,7 +34,7 @@ def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         given = f"{nominal} ({whence(content, name)})" if exactness.assumed(name) else nominal
         known = tolerances.marked(content, name, words) or "–"
         rows.append([name_of(name), given, known, value, exactness.cell(content, name)])
-    head, *lines = aligned([HEAD, *rows])
+    head, *lines = aligned([HEAD, *rows], ROOM - IN_A_STEP)
     measured = [head]
     for name, line in zip(names, lines, strict=True):
         how = words.measured.get(stem(name))

@@ -88,7 +88,7 @@ def in_force(content: Verdict, words: Vocabulary) -> list[str]:
     ]
     which = "All" if len(defaults) == len(block) else listing(defaults)
     are = "are defaults" if len(defaults) > 1 else "is a default"
-    whence = f" {which} {are}, taken where run.yaml says nothing." if defaults else ""
+    whence = f" {which} {are}: run.yaml gives no other." if defaults else ""
     return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}.{whence}"]
 
 

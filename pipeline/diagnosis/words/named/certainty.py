@@ -1,25 +1,24 @@
 """Which effects are sure, which probable and which open, from how likely each is in whichever explanation; in words."""
 
+from collections.abc import Sequence
+
 from ...document.bounds import at_bound
 from ...document.content import Verdict, mismatch_of
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals
 from ..held_out import holdout, in_vain
-from ..language.quantity import duration, listing, percent, size
+from ..language.quantity import duration, listing, percent
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
-from . import coarse, ends
+from . import coarse
 from .missing_signs import missing
 
 SURE, PROBABLE = 0.8, 0.5
 ALSO_ELSEWHERE = (
     "How sure an effect is counts each explanation that has it, so it can be more than the {} of the best one."
 )
-COMPARES = (
-    "The percentages compare explanations made of the library's effects, in which each dimension may move by up to "
-    "three times its tolerance"
-)
+COMPARES = "The percentages compare explanations of the library in which a dimension may move by three tolerances"
 WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 
 
@@ -55,8 +54,11 @@ def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
     return [entry["id"] for entry in content["mechanisms"] if mechanisms()[entry["id"]].slow]
 
 
-def asks(content: Verdict, words: Vocabulary) -> list[str]:
-    """The test at the rig that tells slow effects apart, with its least time; nothing where none is named."""
+def asks(content: Verdict, words: Vocabulary, open_ones: Sequence[str] = ()) -> list[str]:
+    """The test at the rig that tells slow effects apart, with its least time; nothing where none is named.
+
+    `open_ones` are effects whose tests stand before it.
+    """
     slow = slow_alike(content, words)
     if not slow:
         return []
@@ -66,6 +68,8 @@ def asks(content: Verdict, words: Vocabulary) -> list[str]:
     enough = f"Hold and rest for {duration(2.0 * longest_s)} or longer each: twice its time constant."
     least = f" {enough}" if longest_s else ""
     run = " The run to make next is not this test." if content.get("next_run") else ""
+    if set(slow) <= set(open_ones):
+        return [f"That of {listing(slow)} also tells it from what looks like it.{least}{run}"]
     return [f"What tells {listing(slow)} from what looks like it: {tests}.{least}{run}"]
 
 
@@ -89,29 +93,6 @@ def known(content: Verdict) -> dict[str, float]:
     if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
         return {}
     return {entry["id"]: entry["confidence"] for entry in content["mechanisms"] if "confidence" in entry}
-
-
-def summary(content: Verdict, words: Vocabulary) -> list[str]:
-    """The effects by how sure each is; those that only an explanation beside the best one has are open."""
-    shares = known(content)
-    likely = {id_: f"{id_} ({percent(share)})" for id_, share in shares.items() if share >= SURE}
-    reasons = {id_: held_back(content, words, id_) for id_ in likely}
-    sure = f"Sure ({percent(SURE)} or more)"
-    likely_while: dict[str, list[str]] = {sure: []}
-    for id_, reason in reasons.items():
-        likely_while.setdefault(f"Probable, since {reason}" if reason else sure, []).append(likely[id_])
-    probable = [f"{id_} ({percent(share)})" for id_, share in shares.items() if PROBABLE <= share < SURE]
-    doubtful = [f"{id_} ({percent(share)})" for id_, share in shares.items() if share < PROBABLE]
-    others = {id_: probability.at_work(content, id_) for ids in content["alternatives"] for id_ in ids}
-    beside = [f"{id_} ({percent(share)})" for id_, share in others.items() if id_ not in shares]
-    groups = {
-        **likely_while,
-        f"Probable ({percent(PROBABLE)} or more)": probable,
-        "Open": [*doubtful, *beside],
-    }
-    sentences = [f"{word}: {listing(ids)}." for word, ids in groups.items() if ids]
-    also = [*than_the_explanation(content), limits(content)]
-    return [" ".join(sentences), *also] if shares else []
 
 
 def to_write(content: Verdict, words: Vocabulary) -> list[str]:
@@ -138,27 +119,6 @@ def than_the_explanation(content: Verdict) -> list[str]:
     ):
         return []
     return [ALSO_ELSEWHERE.format(percent(share))]
-
-
-def sizes(content: Verdict, words: Vocabulary) -> list[str]:
-    """How much is missing, and which effects' own sizes the recording leaves open; nothing where nothing is named."""
-    if content["verdict"] not in ("explained", "ambiguous") or not content["mismatch"]:
-        return []
-    missing = size(mismatch_of(content)[f"rms_{words.ending}"], words.unit)
-    sizes_of = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
-    poorly = [f"{id_} ({ends.span(low, high, words)})" for id_, (low, high) in poorly_known(content, words).items()]
-    own = f"Poorly known is how much {listing(poorly)} {'do' if len(poorly) > 1 else 'does'} alone" if poorly else ""
-    if not poorly and all(known["high"] > known["low"] for known in sizes_of.values()):
-        own = "Each effect's own size is known" if len(sizes_of) > 1 else "The effect's own size is known"
-        own += f" to {percent(max(_half(known) for known in sizes_of.values()))} or better"
-    right = f" {own}, if {holdout.named(content)} is right."
-    return [f"Size: {missing} rms is missing after calibration.{right * bool(own)}"]
-
-
-def _half(known: dict[str, float]) -> float:
-    """The longer half of an interval, as a share of the value."""
-    longer = max(known["high"] - known["value"], known["value"] - known["low"])
-    return longer / known["value"] if known["value"] else 0.0
 
 
 def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, float]]:

@@ -9,8 +9,8 @@ from ..language.sections import WIDE
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
-from . import cancelling, certainty, needed
-from .own_size import HIDDEN, PARTLY, in_columns, own_part, own_size, own_with_interval
+from . import cancelling, certainty, effects, needed
+from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_interval
 
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
@@ -18,12 +18,14 @@ PROBABLY = "probable"
 OF_IT = ("share no dimension", "can imitate")  # the head of a column, on two lines where the page is too narrow
 INDENT = 2  # of a section's lines
 HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
+WHOSE = "Sizes are those of the best explanation."
 NO_PERCENTAGE = "No percentage is known on this rig."
 NO_SIZE = "–"  # of an effect that the best explanation has not
-UNSURE_SIZE = (
-    "Poorly known is the size of {}: dimensions or other effects can take over much of it, however sure the effect is."
-)
-READ = "How to read the sizes of one effect: rms is its usual size over the whole recording{}{}."
+UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of the size, however sure the effect is{}."
+SURE_FROM = "Sure: {} or more; probable: {} or more, or sure but for what the recording lacks; open: less."
+NO_INTERVAL = "{} without an interval: the fit gives it one value alone."
+IDLE = "{} was tried as well and is not named. {}"
+READ = "Sizes of one effect: rms is its usual size over the whole recording{}{}. All hold if {} is right."
 UP_TO = "; after `up to` stands its largest one"
 READ_PART = "; the last column is the share of it that no moved dimension could imitate"
 TAKEN_BACK = (
@@ -31,10 +33,7 @@ TAKEN_BACK = (
 )
 ELSEWHERE, CHIEF = 0.5, 3  # tolerances that a dimension moved in an effect's place, to be named; how many are
 NEAR_0 = 0.02  # of an interval's upper end: a lower end that is less reads as 0
-BOTH_HOLD = (
-    "{} {} though the interval reaches 0, and both hold: the percentage compares explanations by all signs in the "
-    "recording; the interval says how much of the size dimensions or other effects could take over."
-)
+BOTH_HOLD = ": {} {} though the interval reaches 0, for the percentage counts all signs, the interval the size alone"
 IN_ALL = (
     "What no dimension could imitate of {}: {}. The rest {} could make as well. The two overlap, so their rms sizes do "
     "not add up."
@@ -63,35 +62,40 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     head, *table = aligned([columns, *rows])
     heads = [head] if len(head) <= WIDE - INDENT else _on_two_lines(head)
     does = {entry["id"]: of_effect(entry, words) if short else entry["sentence"] for entry in entries}
+    between = {} if short else {entry["id"]: effects.between_runs(entry, words) for entry in entries}
     table_lines = heads
     for (id_, *_), row in zip(rows, table, strict=True):
         what = does.get(id_) or on_rig(meaning(id_), words)
-        table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}"]
+        table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}{between.get(id_, '')}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     larger = [HIDES] if parts and len(entries) == 1 else []
-    best = "" if short else f", {holdout.named(content)}"
-    whose = [f"Sizes are those of the best explanation{best}."] if several else []
     if short:
         against = cancelling.lines(content, entries, words)
         return [
             *table_lines,
             *([] if certainty.known(content) else [NO_PERCENTAGE]),
-            *_in_one([*needed.lines(content), *larger, *whose, *against]),
+            *_in_one([*needed.lines(content), *larger, *([WHOSE] if several else []), *against]),
             *certainty.than_the_explanation(content),
             *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
         ]
-    poorly = [entry["id"] for entry in entries if entry["id"] in certainty.poorly_known(content, words)]
-    thoughts = [own_size(entry, content, words) for entry in entries]
+    thoughts = " ".join(cell for cells in sizes.values() for cell in cells)
+    of_own: list[Part] = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
+    exact = [entry["id"] for entry in entries if _exact(entry[f"rms_{words.ending}"])]
+    largest = UP_TO * any("up to" in entry["sentence"] for entry in entries)
+    sure = SURE_FROM.format(percent(certainty.SURE), percent(certainty.PROBABLE))
     return [
         *table_lines,
-        READ.format(UP_TO * any("up to" in entry["sentence"] for entry in entries), READ_PART * parts),
+        *(f"of your own, {entry['id']}: {entry['sentence']}" for entry in of_own),
+        *(IDLE.format(id_, effects.NOTHING) for id_ in content["evidence"].get("idle", [])),
+        *_in_one([*needed.lines(content), *certainty.to_write(content, words)]),
+        *_in_one([*([sure] if shares else []), *certainty.than_the_explanation(content)]),
+        READ.format(largest, READ_PART * parts, holdout.named(content)),
         *_in_all(content, entries, words),
-        *_in_one([*needed.lines(content), *whose]),
         *cancelling.lines(content, entries, words),
-        *_sure_and_near_0(content, entries, words),
-        *([UNSURE_SIZE.format(listing(poorly))] if poorly else []),
-        *([SOME_TAKEN_BACK.format(_missing(content, words))] if any(PARTLY in thought for thought in thoughts) else []),
-        *([TAKEN_BACK.format(_missing(content, words))] if any(HIDDEN in thought for thought in thoughts) else []),
+        *([NO_INTERVAL.format(listing(exact))] if exact else []),
+        *([UNSURE_SIZE.format(_sure_and_near_0(content, entries, words))] if POORLY in thoughts else []),
+        *([SOME_TAKEN_BACK.format(_missing(content, words))] if PARTLY in thoughts else []),
+        *([TAKEN_BACK.format(_missing(content, words))] if HIDDEN in thoughts else []),
     ]
 
 
@@ -118,7 +122,7 @@ def _in_its_place(content: Verdict) -> str:
     return f"a slightly different {listing([name_of(name) for name in names])}" if names else "moved dimensions"
 
 
-def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -> str:
     """Why an effect can be sure whose interval reaches 0; nothing where none is so."""
     shares, sizes = certainty.known(content), {entry["id"]: entry[f"rms_{words.ending}"] for entry in entries}
     both = [
@@ -128,7 +132,12 @@ def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -
     ]
     are = "are" if len(both) > 1 else "is"
     sure = "probable" if any(certainty.held_back(content, words, id_) for id_ in both) else "sure"
-    return [BOTH_HOLD.format(listing(both), f"{are} {sure}")] if both else []
+    return BOTH_HOLD.format(listing(both), f"{are} {sure}") if both else ""
+
+
+def _exact(known: Part) -> bool:
+    """Whether a size has no interval."""
+    return bool(known["value"]) and bool(known["high"] <= known["low"])
 
 
 def _in_one(sentences: list[str]) -> list[str]:

@@ -9,8 +9,6 @@ from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units
 from ..language.quantity import duration, listing, place_near, quantity, size
 from ..language.vocabulary import Vocabulary
-from . import ends
-from .certainty import SURE
 
 CALCULATED = (
     "a temperature that is calculated from how fast and under what load the motor moves (it is not a measured one)"
@@ -66,29 +64,10 @@ def loop(span: str, words: Vocabulary, opened: Part | None, whole: float = 0.0) 
     return f"{span} from the lowest to the highest value" if span else ""
 
 
-def interval(entry: Part, words: Vocabulary, best: str, limit: str = "") -> str:
-    """The 90 % interval of an effect's size, or why it has none; nothing where the size is 0.
-
-    `best` is the explanation that it is of. `limit` says why nothing is sure, such as dimensions at their limit.
-    """
-    known = entry[f"rms_{words.ending}"]
-    if not known["value"]:
-        return ""
-    if known["high"] <= known["low"]:
-        return "Its rms has no interval: the fit gives it one value alone."
-    _, span = ends.sized(known["value"], known["low"], known["high"], words)
-    phrase = f"90 % interval of its rms, if {best} is right: {span}."
-    if known["low"] > 0.0 or entry.get("confidence", 0.0) < SURE:
-        return phrase
-    sure = f"no more than probable, since {limit}" if limit else "sure"
-    doubt = "its size is poorly known: dimensions or other effects can take its place"
-    return f"{phrase} That it is there is {sure}; {doubt}."
-
-
 def between_runs(entry: Part, words: Vocabulary) -> str:
     """In what state the runs of one diagnosis begin, where an effect remembers; nothing where it does not."""
     way = entry["parameters"].get("later_runs")
-    return BETWEEN_RUNS[way["value"]].format(**words.fields) if way else ""
+    return f" {BETWEEN_RUNS[way['value']].format(**words.fields)}" if way else ""
 
 
 def calculated(mechanism: Mechanism, entry: Part) -> bool:

@@ -3,7 +3,7 @@
 from ...document.content import NextRun, Verdict, proposal
 from ..language.quantity import number
 from ..language.vocabulary import Vocabulary
-from . import worth
+from . import tells, worth
 from .technician import Part, lasting, parts
 
 
@@ -18,7 +18,7 @@ def brief(content: Verdict, words: Vocabulary) -> list[str]:
     run = proposal(content)
     called = title(run, words)
     summary = f"{worth.first(run)[0]} It would be {called[0].lower()}{called[1:]}, {lasting(run)} in all"
-    return [f"{summary}; its steps are `next_run` in diagnosis.json.", worth.purpose(content, words, False)]
+    return [f"{summary}; its steps are `next_run` in diagnosis.json.", tells.in_short(content, words)]
 
 
 def steps(run: NextRun, words: Vocabulary, whole: float) -> list[str]:

@@ -15,18 +15,24 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if content["verdict"] not in ("explained", "ambiguous"):
         return []
     numbers = expectation.lines(content, words) if content["verdict"] == "ambiguous" else []
-    return [*_open(content, words), *certainty.asks(content, words), *numbers]
+    return [*_open(content, words), *certainty.asks(content, words, open_ones(content, words)), *numbers]
 
 
-def _open(content: Verdict, words: Vocabulary) -> list[str]:
-    run = content["next_run"]
+def open_ones(content: Verdict, words: Vocabulary) -> list[str]:
+    """The effects that are open or probable, where explanations tie."""
     if content["verdict"] != "ambiguous":
         return []
     sets = [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
     every = dict.fromkeys(id_ for ids in sets for id_ in sorted(ids))
     probable = effect_table.only_probable(content, words)
-    open_or_probable = [id_ for id_ in every if id_ in probable or not all(id_ in ids for ids in sets)]
-    tests = [f"{id_}: {mechanisms()[id_].told_apart_by}." for id_ in open_or_probable]
+    return [id_ for id_ in every if id_ in probable or not all(id_ in ids for ids in sets)]
+
+
+def _open(content: Verdict, words: Vocabulary) -> list[str]:
+    run, tests = (
+        content["next_run"],
+        [f"{id_}: {mechanisms()[id_].told_apart_by}." for id_ in open_ones(content, words)],
+    )
     tried = "These hold in general. Other loads and speeds were tried in simulation: on this rig they need not tell."
     decided = run is not None and ("parts" not in run or worth.decides(run))
     return [*([] if decided else [tried]), *tests] if tests else []

@@ -28,20 +28,17 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
         return [[f"No run is proposed that decides between the {1 + len(content['alternatives'])} explanations."]]
     title = experiment.title(run, words)
     which = f"{'It takes ' if len(title) > LONG else f'{title}: '}{lasting(run)} in all{_asks(content, run, words)}."
-    where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}."
-    where = f"{which} {where}" if short else f"{which} {where} {_own_tests(content, words)} stands there too."
-    differ, parts = ("", "") if short else (worth.readings(content, run, words), parting.sentence(content))
-    care = "" if short else worth.care(content, words)
+    where = f"{which} Steps and commands: {f'{DETAILS}, ' * short}{RUN}."
     alone = _alone(words, folders)
     question, others = worth.question(content), "" if short else _not_asked(content, words)
     if worth.decides(run):
         need = f"Make the run that can decide {question}{others}, if you need to know. {where}"
-        return [[" ".join(part for part in (need, parts, differ, care) if part), *alone]]
+        return [[need, *alone]]
     if worth.raises(run):
         hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {question}{hard}: try the run that tells them apart best{others}."
         tried = "About half of such runs decided in tests."
-        tells = parting.sentence(content) if short and parting.some(content) else parts  # not what the page asks, too
+        tells = parting.sentence(content) if short and parting.some(content) else ""
         return [[" ".join(part for part in (need, tried, tells, where) if part), *alone]]
     if parting.some(content):
         best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
@@ -61,10 +58,6 @@ def _not_asked(content: Verdict, words: Vocabulary) -> str:
     known = effect_table.only_probable(content, words)
     known = [id_ for id_ in known if id_ not in worth.differing(content)]
     return f" (it is not there to make the probable {listing(known)} surer)" if known else ""
-
-
-def _own_tests(content: Verdict, words: Vocabulary) -> str:
-    return f"The test of each open {'or probable ' * bool(effect_table.only_probable(content, words))}effect"
 
 
 def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:

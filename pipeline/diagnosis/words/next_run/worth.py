@@ -32,19 +32,19 @@ def first(run: NextRun) -> list[str]:
     return [] if "parts" not in run or raises(run) else [f"{NO_USE}: you can skip it."]
 
 
-def purpose(content: Verdict, words: Vocabulary, whether: bool = True) -> str:
-    """Which two explanations the run parts, how probable each is, how far; before it `whether` it is worth making."""
+def purpose(content: Verdict, words: Vocabulary) -> str:
+    """Whether the run is worth making, which two explanations it parts, how probable each is, and how far."""
     run = proposal(content)
     if "parts" not in run:
         return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
     worth = "Worth making" if decides(run) else "Worth a try"
     advice = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
-    value = (advice if raises(run) else first(run)[0]) + " " if whether else ""
+    value = advice if raises(run) else first(run)[0]
     explanation, other = (probable(ids, content) for ids in run["parts"])
     count = min(COMPARED, 1 + len(content["alternatives"]))
     closest = f", the closest two of the {count} likeliest explanations" if count > 2 else ""
     sentences = (
-        f"{value}It is to tell {explanation} from {other}{closest}.{aside(content)}",
+        f"{value} It is to tell {explanation} from {other}{closest}.{aside(content)}",
         parting.sentence(content),
         readings(content, run, words),
         gaps(run),
@@ -107,9 +107,15 @@ def asks_speed(content: Verdict, words: Vocabulary) -> bool:
 
 def probable(ids: list[str], content: Verdict) -> str:
     """An explanation by its name with its probability, if it has one."""
-    shown = [explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == set(ids)]
-    likely = probability.said(shown[0]) if shown else ""
+    likely = probability.said({"probability": share(ids, content)})
     return f"{rivals.called(ids)}{f' ({likely})' if likely else ''}"
+
+
+def share(ids: list[str], content: Verdict) -> float | None:
+    """The probability of an explanation; None where it has none."""
+    shown = (explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == set(ids))
+    known = next((explanation.get("probability") for explanation in shown), None)
+    return None if known is None else float(known)
 
 
 def question(content: Verdict) -> str:

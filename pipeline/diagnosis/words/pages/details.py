@@ -4,34 +4,34 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ....systems import System
-from ...document.content import Part, Verdict, mismatch_of
+from ...document.content import Verdict, mismatch_of
 from ..explanations import (
     chances,
+    closest,
     detection_limits,
+    explanation_table,
     other_effects,
     probability,
-    rejected_explanations,
-    rivals,
     unexplained_pattern,
 )
 from ..held_out import holdout, in_vain, level, unseen
 from ..language import explained_words
 from ..language.places import EVERYWHERE, place
-from ..language.quantity import duration, size, times
-from ..language.sections import text
+from ..language.quantity import size, times
+from ..language.sections import Sections, text
 from ..language.vocabulary import Vocabulary
 from ..measured import in_run_yaml, to_measure, tolerances
 from ..measured.dimensions import cautions, far_moved, suspicious, table
-from ..named import adopted_table, certainty, effect_table, effects, logged, needed, slow_look_alikes
-from ..next_run import commands, deciding_run, experiment, make_sure, signs, worth
+from ..named import adopted_table, certainty, effect_table, logged, slow_look_alikes
+from ..next_run import commands, deciding_run, experiment, make_sure, signs, tells, worth
 from ..next_run.run_asked import no_run
 from . import adoption, error_table, report, spikes, to_do, verdict
 from .headline import headline
 from .spoken import whole
 
 DOUBTS, WORDS = "What to know first", "What the words mean"
-CLOSEST, BEATEN = "What comes closest, and does not do", "Why no other explanation"
-EXPLAINS, BEST = "What explains it", "The best explanation"
+CLOSEST, MISSING, RUN = "What comes closest, and does not do", "What is missing", "The run to make next"
+LONG = 80  # letters: a title that says no more than the steps
 SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 
 
@@ -43,49 +43,39 @@ def details_text(
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
     words = Vocabulary.of(system)
-    sections = [
-        (headline(content, words), [*certainty.summary(content, words), *certainty.sizes(content, words)]),
-        (
-            DOUBTS,
-            [
-                *doubts,
-                *verdict.what_first(content, words),
-                *slow_look_alikes.lines(content, words),
-                *suspicious(content),
-                *spikes.lines(content, words),
-            ],
-        ),
+    first = [
+        *doubts,
+        *verdict.what_first(content, words),
+        *slow_look_alikes.lines(content, words),
+        *suspicious(content),
+        *spikes.lines(content, words),
+    ]
+    sections: Sections = [
+        (DOUBTS, first),
         (effect_table.HEADING, effect_table.lines(content, words, short=False)),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
-        (chances.HEADING, chances.lines(content, words, short=False)),
-        ("What is missing", [*missing(content, words), *logged.temperature(content, words)]),
-        (
-            f"{EXPLAINS if content['verdict'] == 'explained' else BEST}: {holdout.named(content)}",
-            [
-                *named(content, words),
-                *needed.lines(content),
-                *rivals.what_is_left(content, words),
-                *unexplained_pattern.remains(content, words),
-            ],
-        ),
-        ("What is likely beside it", tied(content, words)),
+        (explanation_table.heading(content), weighed(content, words)),
+        (MISSING, [*missing(content, words), *logged.temperature(content, words)]),
+        (CLOSEST, closest_ones(content, words)),
         (error_table.HEADING, error_table.lines(content, words)),
-        (rivals.DIMENSIONS, moved(content, words)),
+        ("Dimensions", moved(content, words)),
         (to_do.HEADING, to_do.lines(content, words, folders, out, short=False)),
-        ("The run to make next", following(content, words, folders, out)),
+        (RUN, following(content, words, folders, out)),
         (signs.HEADING, signs.lines(content, words)),
         ("To use it", adoption.how(content, words, folders, out)),
         (report.HEADING, report.lines(content, words)),
-        (CLOSEST if content["verdict"] == "unknown" else BEATEN, weighed(content, words)),
         (other_effects.HEADING, other_effects.lines(content, words)),
         ("What would have been seen", detection_limits.lines(content, words)),
     ]
-    all_text = "\n".join(line for head, lines in sections for line in (head, *lines))
-    return text(sections, last=(WORDS, explained_words.lines(content, all_text, words)))
+    heads = [head.partition(", ")[0] for head, lines in sections if lines and head != DOUBTS]
+    top = headline(content, words)
+    all_text = "\n".join([top, *(line for head, lines in sections for line in (head, *lines))])
+    explained = (WORDS, explained_words.lines(content, all_text, words))
+    return text([(top, [f"Sections: {'; '.join([*heads, WORDS])}."]), *sections], last=explained)
 
 
 def missing(content: Verdict, words: Vocabulary) -> list[str]:
-    """How large the mismatch is, where, and what it follows."""
+    """How large the mismatch is, where, and what it follows; then the pattern that the best explanation leaves."""
     mismatch = content["mismatch"]
     if not mismatch:
         return []
@@ -94,21 +84,13 @@ def missing(content: Verdict, words: Vocabulary) -> list[str]:
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
     where = place(mismatch["location"], content["evidence"], words)
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
-    over = content["evidence"].get("step_s")
-    step = f"averages of {duration(over)}" if over else "averages"
-    noise = (
-        f"Compared were {step}, not single samples: the noise of these averages is {size(floor, words.unit)} rms. "
-        f"It is what `the noise` means here, except for the {holdout.strokes(content)}, compared sample by sample."
-    )
     how_large = f"{size(rms, words.unit)} rms is missing after calibration (noise taken off)"
+    lies = f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}"
     return [
-        f"Over the whole recording {how_large}, {times(rms / floor)} times the noise.",
-        *([noise] if unseen.averaged(content, words) else []),
+        f"Over the whole recording {how_large}, {times(rms / floor)} times the noise. "
+        f"{'It is spread over the whole range' if where == EVERYWHERE else lies}. {follows(content)}",
         *([small] if rms < SMALL * floor else []),
-        "It is spread over the whole range."
-        if where == EVERYWHERE
-        else f"{100.0 * mismatch['location']['share']:.0f} % of its energy lies {where}.",
-        follows(content),
+        *unexplained_pattern.remains(content, words),
     ]
 
 
@@ -117,44 +99,28 @@ def follows(content: Verdict) -> str:
     return f"What is missing follows {mismatch_of(content)['driver']}."
 
 
-def named(content: Verdict, words: Vocabulary) -> list[str]:
-    """How sure each mechanism's size is, and the sentences of those that only a user's own library knows."""
-    own: list[Part] = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
-    hidden, lines = rivals.hidden(content, words), []
-    for entry in content["mechanisms"]:
-        limit = certainty.held_back(content, words, entry["id"])
-        between = effects.between_runs(entry, words)
-        interval = effects.interval(entry, words, holdout.named(content), limit)
-        sentences = [interval, between, hidden.get(entry["id"], "")]
-        lines.append(f"{entry['id']}: {' '.join(part for part in sentences if part)}")
-    idle = content["evidence"].get("idle", [])
-    lines += [f"{id_} was tried as well and is not named. {effects.NOTHING}" for id_ in idle]
-    return lines + [f"of your own, {entry['id']}: {entry['sentence']}" for entry in own]
-
-
-def tied(content: Verdict, words: Vocabulary) -> list[str]:
-    """What ties, with what all share first."""
-    if not content["alternatives"]:
-        return []
-    return [rivals.shared(content), *rivals.ties(content, words), *probability.rule(content)]
-
-
 def weighed(content: Verdict, words: Vocabulary) -> list[str]:
-    """Why the others were beaten, or what comes closest where nothing explains."""
-    if content["verdict"] == "unknown":
-        more = (
-            "At most three effects at once are tried (of a moving mass four): where more are at work, the verdict is "
-            "unknown too."
-        )
-        return [
-            *rejected_explanations.insufficient(content, words),
-            *level.to_reach(content, words),
-            *probability.of_none(content),
-            more,
-        ]
-    lines = rejected_explanations.rejected(content, words) if content["mechanisms"] else []
-    alone = content["verdict"] == "explained"
-    return [*(probability.rule(content) if alone else []), *lines]
+    """The explanations that were weighed, and on what their percentages stand."""
+    table_lines = explanation_table.lines(content, words)
+    if not table_lines or not probability.known(content):
+        return table_lines
+    limits = [certainty.limits(content)] if certainty.known(content) else []
+    stands = " ".join([*limits, *chances.stands_on(content, words)])
+    return [*table_lines, *([stands] if stands else [])]
+
+
+def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
+    """What comes closest where nothing explains, and how far physics still has to go."""
+    if content["verdict"] != "unknown":
+        return []
+    most = "At most three effects at once are tried (of a moving mass four)"
+    more = f"{most}: where more are at work, the verdict is unknown too."
+    return [
+        *closest.insufficient(content, words),
+        *level.to_reach(content, words),
+        *probability.of_none(content),
+        more,
+    ]
 
 
 def moved(content: Verdict, words: Vocabulary) -> list[str]:
@@ -180,8 +146,11 @@ def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Pat
         return deciding_run.lines(content, words, folders, out) or to_record
     if worth.first(run):
         return experiment.brief(content, words)
-    lines = [f"{experiment.title(run, words)}; {experiment.lasting(run)} in all."]
+    called = experiment.title(run, words)
+    lines = [
+        f"{called}; {experiment.lasting(run)} in all." if len(called) <= LONG else f"{experiment.lasting(run)} in all:"
+    ]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    lines += [worth.care(content, words), worth.purpose(content, words)]
+    lines += [worth.care(content, words), *tells.lines(content, words)]
     to_type = commands.lines(folders, out, experiment.loads(run, words))
     return [line for line in (*lines, *commands.block(to_type, folders[-1], words)) if line]

@@ -3,17 +3,16 @@
 import math
 
 from ....ground.command import program_name
-from ...document.bounds import of_later_run
 from ...document.content import Verdict
 from ..explanations import rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import kept_times
-from ..language.quantity import duration, size, times
+from ..language.quantity import duration, size
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from ..measured.dimensions import LEAVES, far_moved, from_to, name_of
+from ..measured.dimensions import far_moved
 
-HEADING, SHORT = "Error, rms", "How far the simulator is off, rms"
+HEADING = "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
 WHOLE = "whole recording (seen by the fit)"
 OTHER = (
@@ -36,8 +35,9 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     seen, held = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
     remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if held else [TOO_FEW]
+    remarks = [*remarks[:-1], f"{remarks[-1]} {_moved_most(content, words)}".strip()]
     remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
-    return [*aligned(_rows(content, words)), *_moved_most(content, words), *(line for line in remarks if line)]
+    return [*aligned(_rows(content, words)), *(line for line in remarks if line)]
 
 
 def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
@@ -112,22 +112,12 @@ def _of_other(content: Verdict) -> list[str]:
     return [OTHER.format(best=holdout.named(content), other=other)]
 
 
-def _moved_most(content: Verdict, words: Vocabulary) -> list[str]:
-    """The dimension that moved the most, where moving dimensions took most of the error away."""
+def _moved_most(content: Verdict, words: Vocabulary) -> str:
+    """That moving dimensions took most of the error away, where it did and no dimension moved far."""
     nominal, calibrated, _ = _seen(content, words)
-    measured = {
-        name: abs(sigma)
-        for name, sigma in content["evidence"]["moved_sigma"].items()
-        if name in content["parameters"] and not name.startswith("stiffness") and not of_later_run(name)
-    }
-    if nominal is None or calibrated is None or not measured or nominal < HALVED * calibrated or far_moved(content):
-        return []
-    most = max(measured, key=lambda name: measured[name])
-    nominal_value, value = from_to(content, most)
-    beside = "Beside what is named the" if content["mechanisms"] else "The"
-    moved = f"{beside} {name_of(most)} moved the most, from {nominal_value} to {value}"
-    leave = f"{times(measured[most])} times its tolerance, and only more than {LEAVES:g} asks for measuring it again"
-    return [f"Moving dimensions alone takes most of the nominal error away. {moved}: {leave}."]
+    if nominal is None or calibrated is None or nominal < HALVED * calibrated or far_moved(content):
+        return ""
+    return "Moving dimensions alone takes most of the nominal error away (how far each moved: Dimensions)."
 
 
 def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
@@ -139,10 +129,10 @@ def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
         return ""
     floor, noise = content["evidence"][f"floor_{words.ending}"], content["fit"][f"noise_floor_{words.ending}"]
     single = math.sqrt(max(error**2 - floor**2, 0.0) + noise**2)
-    least = size(error, words.unit)
+    least, about = size(error, words.unit), size(single, words.unit)
     return (
-        f"The left column is of averages. Of single samples, as {program_name('simulate')} and {program_name('adopt')} "
-        f"count, {least} would be about {size(single, words.unit)}."
+        "The left column is of averages: their noise is `the noise` elsewhere on this page. Of single samples, as "
+        f"{program_name('simulate')} and {program_name('adopt')} count, {least} would be about {about}."
     )
 
 

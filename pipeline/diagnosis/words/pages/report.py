@@ -13,10 +13,7 @@ TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote sta
 ONLY_WITH = f'{TO_REPORT} only with the words "{{}}"'  # where nothing that no fit has seen bears the numbers out
 LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
-ONLY_PART = (
-    "Of {} only that share may be reported, not what {} in all nor {} constants (loop, times): calibrated dimensions "
-    "could make the rest."
-)
+ONLY_PART = "Of {} only that share, not what {} in all nor {} constants (loop, times): dimensions could make the rest."
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
 
@@ -130,7 +127,7 @@ def _best(content: Verdict, words: Vocabulary) -> list[str]:
     name, share = kept[0]
     best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
     rest = "every other explanation is less likely, but none is impossible"
-    rest += ", save those with an effect that is excluded above" * bool(slow_look_alikes.excluded(content, words))
+    rest += ", save those with an effect that is excluded" * bool(slow_look_alikes.excluded(content, words))
     return [f"{best} recording agrees best with {name} ({percent(share)}); {rest}"]
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from ....systems import System
 from ...document.content import Verdict
 from ...mechanisms.interface import physics
-from ..explanations import chances, rejected_explanations, rivals, unexplained_pattern
+from ..explanations import chances, closest, rivals, unexplained_pattern
 from ..held_out import holdout, level, unseen, unseen_doubts
 from ..held_out.without_name import UNNAMED, kept_times
 from ..language.places import EVERYWHERE, place
@@ -41,10 +41,10 @@ def verdict_text(
         (DOUBTS, [*doubts, *first, *spikes.lines(content, words)]),
         (effect_table.HEADING, acts),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
-        (chances.HEADING, chances.lines(content, words, short=True)),
+        (chances.HEADING, chances.lines(content)),
         (chances.BARE, chances.bare(content, words)),
         ("What is missing", [*missing, *temperature] if missing else []),
-        (error_table.SHORT, error_table.short(content, words)),
+        (error_table.HEADING, error_table.short(content, words)),
         ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),
         (to_do.HEADING, to_do.lines(content, words, folders, out, short=True)),
         ("What would have been seen", [*would, *temperature] if would else []),
@@ -129,7 +129,7 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
     return [
         f"{missing}, {lies}. It follows {mismatch['driver']}.",
         "What comes closest, and does not do:",
-        *(f"  {line}" for line in rejected_explanations.insufficient(content, words)),
+        *(f"  {line}" for line in closest.insufficient(content, words)),
         *level.to_reach(content, words),
     ]
 

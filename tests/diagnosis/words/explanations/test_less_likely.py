@@ -1,21 +1,27 @@
 """Why rivals are less likely than the best explanation."""
 
+import re
+
 from made_content import told, weighed
+
+HEADING = "\nHow probable each explanation is\n"
+
+
+def section(made):
+    """The table of the explanations and what stands below it, on one line."""
+    return " ".join(told(made).partition(HEADING)[2].partition("\n\n")[0].split())
 
 
 def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
     made = weighed(0.004, 0.06, 0.26, 0.02, 0.52)
     made["evidence"]["explanations"][3]["because"] = [{"aspect": "fit", "log_odds": -0.9, "more": -1.2}]
     made["evidence"]["explanations"][2]["because"] = [{"aspect": "more", "log_odds": -0.9, "more": -1.2}]
-    text = " ".join(told(made).split())
-    likely, beaten = text.split("Why no other explanation")
-    assert (
-        "times the noise). It is 2.0 times less likely than the best one, chiefly since it fits the recording worse."
-        in likely
-    )
-    assert "friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 8.7 " in beaten
-    assert "friction_hysteresis + sensor_drift: though a further effect would add less to it: such expl" in beaten
-    assert " creep less than 1 % 0.060 mm (2.0) 130 " in beaten
+    text = section(made)
+    assert "2 friction_hysteresis + thermal 26 % 0.070 mm (2.3) 0.070 mm" in text
+    assert "3 friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 0.070 mm" in text
+    assert "Why less likely than 1: chiefly since it fits the recording worse (2); though a further effect" in text
+    assert "would add less to it: such explanations were right less often" in text and "taught the judge (3)." in text
+    assert "5 creep less than 1 % 0.060 mm (2.0)" in text
 
 
 def test_the_reason_that_most_rivals_share_stands_once_and_what_is_hardly_likely_has_its_row_alone():
@@ -25,12 +31,13 @@ def test_the_reason_that_most_rivals_share_stands_once_and_what_is_hardly_likely
     for place in (1, 2):
         made["evidence"]["explanations"][place]["because"] = shared
     made["evidence"]["explanations"][4]["because"] = [{"aspect": "size", "log_odds": -0.9, "more": 1.0}]
-    beaten = " ".join(told(made).split("Why no other explanation")[1].split())
-    assert beaten.count("it fits the recording worse") == 1
-    assert "Why less likely, where nothing else is said: chiefly since it fits the recording worse." in beaten
-    assert "friction_hysteresis + creep + wear: chiefly since it has more effects." in beaten
-    assert "friction_hysteresis + sensor_drift: Weighed sample by sample" in beaten and " creep: W" not in beaten
+    text = section(made)
+    assert text.count("it fits the recording worse") == 1
+    assert "chiefly since it fits the recording worse (3 and 5)" in text
+    assert "chiefly since it has more effects (4)" in text
+    assert "Weighed sample by sample, 1 is nearer to the recording: than 3 by 20 standard deviations." in text
+    assert not re.search(r"[^0-9]5 by", text), "hardly likely: its row alone"
     made["evidence"]["explanations"][1]["probability"] = None
-    beaten = " ".join(told(made).split("Why no other explanation")[1].split())
-    assert "+ sensor_drift 6 % 0.030 mm (1.0) 8.7 " in beaten, "one that was not weighed takes the table from no other"
-    assert " creep: leaves 0.060 mm rms" in beaten
+    text = section(made)
+    assert "+ sensor_drift 6 % 0.030 mm (1.0)" in text, "one that was not weighed takes the table from no other"
+    assert "5 creep – 0.060 mm (2.0)" in text

@@ -1,45 +1,39 @@
 """What ties, what was beaten, and why."""
 
-from made_content import SYSTEMS, content, told
+import re
 
-from pipeline.diagnosis.words.explanations import rivals
-from pipeline.diagnosis.words.language.vocabulary import Vocabulary
-
-WORDS = Vocabulary.of(SYSTEMS["mm"])
+from made_content import content, told
 
 
 def test_what_all_ties_share_and_why_each_rival_was_beaten():
     text = told()
-    assert "friction_hysteresis + creep leaves 0.030 mm rms (1.0 times the noise)." in text
-    assert "Both explanations have friction_hysteresis. The other one is:" in text
-    assert "friction_hysteresis + thermal: leaves 0.070 mm rms (2.3 times the noise)." in text
-    allowed = (
-        "If a true effect may differ from its formula by 10 % of its size, friction_hysteresis + thermal leaves 1.0"
-    )
-    assert text.count(allowed) == 1
-    beaten = text[text.index("Why no other explanation") :]
-    assert "creep: leaves 0.060 mm rms (2.0 times the noise). Its prediction differs from the best one by" in beaten
-    assert "at 0 to 12.2 turns, in strokes 2 to 4, at rest. This difference follows the time." in beaten
-    same = "friction_hysteresis + sensor_drift: leaves 0.030 mm rms (1.0 times the noise), the same as the best one."
-    assert f"{same} Weighed sample by sample, the best one is nearer to the recording by 20 standard deviations." in (
-        beaten
-    )
-    assert (
-        "wear, added to friction_hysteresis + creep: takes away 0.0024 mm rms more and leaves 0.030 mm rms (1.0 times "
-        "the noise). That is too little for one mechanism more."
-    ) in beaten
-    assert "calibration alone" in beaten
-    assert "calibration alone: leaves 0.45 mm rms (15 times the noise)." in beaten
+    section = text.partition("\nExplanations, the best one first\n")[2].partition("\n\n")[0]
+    rows = [re.split(" {2,}", row.strip()) for row in section.splitlines()[:7]]
+    assert rows == [
+        ["no.", "explanation", "leaves (× noise)", "differs from 1 by"],
+        ["1", "friction_hysteresis + creep", "0.030 mm (1.0)", "–"],
+        ["2", "friction_hysteresis + thermal", "0.070 mm (2.3)", "0.070 mm"],
+        ["3", "friction_hysteresis + sensor_drift", "0.030 mm (1.0)", "0.070 mm"],
+        ["4", "creep", "0.060 mm (2.0)", "0.070 mm"],
+        ["5", "friction_hysteresis + creep + wear", "0.030 mm (1.0)", "–"],
+        ["–", "calibration alone", "0.45 mm (15)", "–"],
+    ]
+    assert text.count("If a true effect may differ from its formula by 10 % of its size, 2 leaves 1.0 times") == 1
+    assert "Where they differ from 1 the most: at 0 to 12.2 turns, in strokes 2 to 4, at rest, following the" in section
+    assert "than 3 by 20 standard deviations." in section
+    assert "5 adds wear to 1, which takes away 0.0024 mm rms more: too little for one effect more." in section
 
 
 def test_what_is_nearly_as_good_as_the_best_is_put_beside_its_number():
     made = content()
-    for left, said in ((0.0308, "hardly more than the best one (0.030 mm)"), (0.0292, "even less than the best one")):
+    for left, ratio in ((0.0308, "1.0"), (0.0292, "1.0")):
         made["evidence"]["explanations"][2]["left_mm"] = left
-        assert f"friction_hysteresis + sensor_drift: leaves {left:.3f} mm rms" in told(made)
-        assert said in told(made) and "no more than the best" not in told(made)
+        assert re.search(rf"3 +friction_hysteresis \+ sensor_drift +{left:.3f} mm \({ratio}\)", told(made))
+        assert "1 is nearer to the recording: than 3 by 20 standard deviations." in told(made)
     made["evidence"]["explanations"][2]["worse"] = 0.0
-    assert "It was not weighed: the recording lacks a mark of its effects, or" in " ".join(told(made).split())
+    text = " ".join(told(made).split())
+    unweighed = "Not weighed, since the recording lacks a mark of its effects, or cheaper ones of its size are many"
+    assert f"{unweighed}: 3." in text
 
 
 def test_explanations_without_a_common_mechanism_are_told_so_with_what_it_means():
@@ -58,6 +52,7 @@ def test_what_most_explanations_share_is_said():
 def test_of_no_explanation_is_said_that_it_leaves_more_than_no_effect_does():
     """`end_stop: leaves 26 N rms` stood above `calibration alone: leaves 15 N rms`."""
     made = content(evidence__calibrated_mm=0.4)
-    worst = {"ids": ["end_stop"], "left_mm": 0.7}
-    assert rivals.told(worst, made, WORDS) == "end_stop: leaves as much as no effect does"
-    assert "0.30 mm rms" in rivals.told(worst | {"left_mm": 0.3}, made, WORDS)
+    made["evidence"]["explanations"][1]["left_mm"] = 0.7
+    assert re.search(r"\n +4 +creep +as much as no effect +", told(made))
+    made["evidence"]["explanations"][1]["left_mm"] = 0.3
+    assert re.search(r"\n +4 +creep +0\.30 mm \(10\) +", told(made))

@@ -6,7 +6,10 @@ from made_content import CONTENT, adopted, content, told
 
 def table(text):
     """The rows of the table of errors, and what is said below it."""
-    return [line[2:] for line in text.partition("\nError, rms\n")[2].partition("\n\n")[0].splitlines()]
+    return [
+        line[2:]
+        for line in text.partition("\nHow far the simulator is off, rms\n")[2].partition("\n\n")[0].splitlines()
+    ]
 
 
 def test_the_error_on_unseen_strokes_stands_beside_the_noise():

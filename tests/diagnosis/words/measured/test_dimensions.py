@@ -17,7 +17,7 @@ def corrected(value, sigma):
 
 def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
     text = corrected(0.5612, 2.1)
-    errors = " ".join(text.partition("\nError, rms\n")[2].split())
+    errors = " ".join(text.partition("\nHow far the simulator is off, rms\n")[2].split())
     assert "nominal 0.45 mm (15 times the noise)" in errors and "calibrated 0.033 mm (1.1 times the noise)" in errors
     assert re.search(r"\n  radius +0\.55 mm +0\.5612 mm +– +2\.1 times it\n", text)
     assert "Only a dimension that moves by more than 2.5 tolerances is to be measured again." in text

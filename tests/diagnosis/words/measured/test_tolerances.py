@@ -72,12 +72,12 @@ def test_tolerances_stand_in_the_keys_and_units_of_run_yaml_and_a_length_in_plac
     )
     assert yaml.safe_load(block.strip("`")) == {"tolerance": {"radius": 0.03, "separator_mm": 0.5, "scale": 0.005}}
     assert "takes care to measure by hand" not in text
-    assert "All are defaults, taken where run.yaml says nothing." in " ".join(text.split())
+    assert "All are defaults: run.yaml gives no other." in " ".join(text.split())
     made["evidence"]["tolerance"]["radius_mm"] = 0.012 * 0.4
-    first = told(made).partition("What is missing")[0]
+    first = told(made).partition("\nWhat is missing\n")[0]
     assert "That is a share: 1.2 % of 0.4 mm, or 0.0048 mm, which takes care to measure by hand." in first
     assert "If 0.012 mm was meant, write radius: 0.03 and diagnose again." in first
-    assert "separator_mm and scale are defaults, taken" in " ".join(told(made).split())
+    assert "separator_mm and scale are defaults: run.yaml gives no other." in " ".join(told(made).split())
     thin = {"radius_mm": {"nominal": 0.1, "value": 0.1}}
     near = content(parameters=thin, evidence__tolerance={"radius_mm": 0.003}, evidence__moved_sigma={})
     assert "by hand" not in told(near), "the default"

@@ -9,7 +9,8 @@ from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.words.language import explained_words
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.measured.dimensions import from_to, likely_range
-from pipeline.diagnosis.words.named.effects import interval, sentence
+from pipeline.diagnosis.words.named.effects import sentence
+from pipeline.diagnosis.words.named.own_size import with_interval
 from pipeline.diagnosis.words.pages.adoption import columns_of_plan, hung
 
 MASS, STRING = Vocabulary.of(SYSTEMS["n"]), Vocabulary.of(SYSTEMS["mm"])
@@ -26,7 +27,7 @@ def test_a_ripple_over_metres_is_told_by_its_length_and_not_by_a_turn() -> None:
 
 def test_the_word_named_is_explained_where_it_stands_in_place_of_a_percentage() -> None:
     table = "effect         how sure\neccentricity   named      4.5 N"
-    made = {"verdict": "explained"}
+    made = {"verdict": "explained", "mechanisms": [], "alternatives": [], "evidence": {}}
     assert any(line.startswith("named: the effect is in the one") for line in explained_words.lines(made, table, MASS))
     assert not any(line.startswith("named") for line in explained_words.lines(made, "creep   sure, 90 %", STRING))
 
@@ -63,7 +64,6 @@ def test_a_dimension_is_said_with_the_digits_of_its_interval_and_lies_in_it() ->
     assert likely_range(made, "mass_kg") == " (110.7 to 110.9)"
 
 
-def test_the_interval_in_a_sentence_has_the_digits_that_it_has_in_the_table() -> None:
+def test_the_interval_in_the_table_keeps_a_digit_more_where_two_would_hide_an_end() -> None:
     entry = {"rms_n": {"value": 14.8, "low": 14.2, "high": 15.3}, "confidence": 0.0}
-    text = interval(entry, MASS, "friction_hysteresis")
-    assert text == "90 % interval of its rms, if friction_hysteresis is right: 14.2 to 15.3 N."
+    assert with_interval(entry, MASS) == "14.8 N (14.2 to 15.3 N)"

@@ -16,11 +16,11 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
         "3. Hold 60 s at 30.7 turns.", "4. Unwind to 0 turns in 16 s (1.9 turns/s).", "5. Hold 2 min at 0 turns.",
     ):  # fmt: skip
         assert step in text
+    assert "it is to tell apart\n  friction_hysteresis + creep\n  friction_hysteresis + thermal\n" in text
     assert (
-        "Worth making if you need to know which is at work: creep or thermal; otherwise report the best "
-        "explanation as one of 2. It is to tell friction_hysteresis + creep from "
-        "friction_hysteresis + thermal. So far the closest two predictions differ by 2.2 standard deviations; "
-        "with the run it should be 73."
+        "The two readings differ by 73 standard deviations of noise over the run, 2.2 over this recording. So the run "
+        "can decide. In tests such runs settled 33 of 50 ties rightly, 2 wrongly. Without it report the best "
+        "explanation as one of 2."
     ) in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
 

@@ -1,5 +1,8 @@
 """Whether the run to make next is worth it."""
 
+import copy
+import re
+
 import pytest
 from made_content import content, told, weighed
 
@@ -11,34 +14,36 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     made["alternatives"] += [["friction_hysteresis", "sensor_drift"], ["creep"], ["wear"]]
     text = told(made)
     pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
-    assert f"It is to tell {pair}, the closest two of the 4 likeliest explanations." in text
+    assert f"It is to tell {pair}." in text
     assert "Hardly worth making: you can skip it." in text
-    none = "No other run that was tried in simulation does better, so none decides."
-    assert f"; with the run by 4. Noise alone can make as much. {none}" in text
+    none = "no other run that was tried in simulation does better"
+    assert f"The run need not decide, for noise alone can make as much; {none}." in text
     made["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
+    text = told(copy.deepcopy(made))
+    assert re.search(r"\n  friction_hysteresis \+ creep +52 %\n  friction_hysteresis \+ thermal +31 %\n", text)
+    assert "These are the closest two of the 4 likeliest explanations." in text
     made["next_run"]["parts"][0].append("wear")
-    assert "at work: creep and wear, or thermal; otherwise report the best explanation as one of 5." in told(made)
-    assert "The best explanation is neither of the two: it differs from both by at least as much." in told(made)
+    text = told(copy.deepcopy(made))
+    assert (
+        "at work: creep and wear, or thermal" in text and "Without it report the best explanation as one of 5." in text
+    )
+    assert "The best explanation is neither of the two: it differs from both by at least as much." in text
     made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
     made["fit"]["heldout"]["explained_mm"] = 0.95
-    assert "whether slack is at work; otherwise report all 5 explanations and adopt none." in told(made)
+    assert "Without it report all 5 explanations and adopt none." in told(made)
 
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    gaps = "So far the closest two predictions differ by 53 standard deviations; with the run by 69."
-    why = (
-        "Against the noise alone they are far apart, but a formula that is wrong by 10 % could make the same difference"
-    )
-    assert f"{why}, so this recording does not decide. {gaps}" in " ".join(text.split()), "the reason first"
-    assert "it need not decide; in tests about half of such runs did." in " ".join(text.split())
-    assert "Worth a try if" in text
-    text = told(content(next_run__gap_now=2809.0, next_run__gap_then=2900.0))
-    assert "so none decides." in text and "Hardly worth making" in text
-    text = told(content(next_run__gap_now=900.0))
-    more = "2.4 times as much"
-    assert f"With the run it should be 73, {more}: a formula would have to be wrong by {more}" in text
-    assert "So the run can decide." in text and "may not decide" not in text and "worse formula" not in text
+    gaps = "differ by 69 standard deviations of noise over the run, 53 over this recording."
+    why = "A formula that is wrong by 10 % could make as much, so this recording does not decide"
+    assert f"{gaps} {why}, and the run need not either." in " ".join(text.split())
+    assert "About half of such runs decided in tests." in " ".join(text.split()), "the step that asks for it"
+    text = " ".join(told(content(next_run__gap_now=2809.0, next_run__gap_then=2900.0)).split())
+    assert "no other run that was tried in simulation does better." in text and "Hardly worth making" in text
+    text = " ".join(told(content(next_run__gap_now=900.0)).split())
+    assert f"73 standard deviations of noise over the run, 30 over this recording. {why}; to make what the run" in text
+    assert "shows it would have to be wrong by 2.4 times as much." in text and "need not" not in text
 
 
 def test_a_run_that_decides_nothing_says_so_before_its_steps():

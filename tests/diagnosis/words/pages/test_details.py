@@ -21,8 +21,8 @@ def test_what_must_be_known_first_stands_first():
     assert first_lines() == [
         "nylon-3: friction_hysteresis is in both likely explanations; it is not known which of creep and thermal acts",
         "  beside it (ambiguous).",
-        "  Size: 0.44 mm rms is missing after calibration. Each effect's own size is known to 10 % or better, if "
-        "friction_hysteresis + creep is right.",
+        "  Sections: What acts; Explanations; What is missing; How far the simulator is off; Dimensions; What to do; "
+        "The run to make next; What tells the open effects apart at the rig; To report it; What the words mean.",
         "  Calibration moved the radius by 2.9 times its tolerance; three is the most that it may. Until it is "
         "measured again (below), names, percentages and sizes are provisional.",
     ]

@@ -1,0 +1,64 @@
+"""The explanations that were weighed, a numbered row each, the best one first; what no row can say follows."""
+
+from ...document.content import Verdict
+from ...mechanisms.interface import physics
+from ..language.quantity import percent, size, times
+from ..language.table import UNKNOWN, within
+from ..language.vocabulary import Vocabulary
+from . import chances, left_out, less_likely, probability, rivals
+
+SHOWN = 8  # of those that are not kept
+LEAST = 1e-6  # what a probability of nothing is said as: less than 1 %
+NO_LESS = "as much as no effect"
+
+
+def heading(content: Verdict) -> str:
+    """The question that the table answers: with probabilities where they are known."""
+    return chances.HEADING if probability.known(content) else chances.BARE
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """The table and what must be known to read it; nothing where nothing is named."""
+    named = rivals.entries(content, "named")
+    if not named or content["verdict"] not in ("explained", "ambiguous"):
+        return []
+    known = probability.known(content)
+    kept = [*named, *probability.likeliest(rivals.entries(content, "tied"))]
+    others = probability.likeliest([*rivals.entries(content, "beaten"), *rivals.entries(content, "not needed")])
+    rows = dict(enumerate([*kept, *others[:SHOWN]], start=1))
+    return [
+        *within(_rows(content, rows, words), 0),
+        *([f"Kept: {less_likely.numbers(list(rows)[: len(kept)])}."] if len(kept) > 1 and not known else []),
+        *probability.rule(content),
+        *less_likely.remarks(content, rows, len(kept), words),
+        *left_out.lines(content),
+    ]
+
+
+def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> list[list[str]]:
+    """The table's cells, the heads first; with probabilities the last rows are of all that no other row has."""
+    known, floor = probability.known(content), content["evidence"][f"floor_{words.ending}"]
+    cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "differs from 1 by"]]
+    for number, each in rows.items():
+        left, share = rivals.left_of(each, content, words.ending), each.get("probability")
+        gap, no_less = each.get(f"gap_{words.ending}"), rivals.no_less(each, content, words)
+        leaves = NO_LESS if no_less else f"{size(left, words.unit)} ({times(left / floor)})"
+        probable = UNKNOWN if share is None else percent(share or LEAST)
+        differs = size(gap, words.unit) if gap is not None and number > 1 else UNKNOWN
+        cells.append([_name(str(number), rivals.called(each["ids"])), probable, leaves, differs])
+    if known:
+        none = content["evidence"].get("probability_of_none") or 0.0
+        of_library = [each.get("probability") or 0.0 for each in rows.values() if physics(tuple(each["ids"]))]
+        stand_ins = probability.stand_ins([each["ids"] for each in rows.values()])
+        rest = max(1.0 - none - sum(of_library), 0.0)
+        cells.append([_name(UNKNOWN, "all others of the library"), percent(rest), UNKNOWN, UNKNOWN])
+        cells.append([_name(UNKNOWN, f"{chances.NONE}{stand_ins}"), percent(none), UNKNOWN, UNKNOWN])
+    for alone in rivals.entries(content, "nothing"):
+        left = rivals.left_of(alone, content, words.ending)
+        leaves = f"{size(left, words.unit)} ({times(left / floor)})"
+        cells.append([_name(UNKNOWN, rivals.called([])), UNKNOWN, leaves, UNKNOWN])
+    return cells if known else [[row[0], *row[2:]] for row in cells]
+
+
+def _name(number: str, name: str) -> str:
+    return f"{number:<3}  {name}"
