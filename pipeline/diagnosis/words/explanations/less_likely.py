@@ -57,9 +57,9 @@ def _grouped(rows: Numbered, phrase: Callable[[Part], str]) -> list[str]:
     """Each phrase that is said of a row, with the numbers of all of which it is; rows of which none is are left out."""
     of: dict[str, list[int]] = {}
     for number, each in rows.items():
-        if said := phrase(each):
-            of.setdefault(said, []).append(number)
-    return [f"{said} ({numbers(rows_)})" for said, rows_ in of.items()]
+        if words := phrase(each):
+            of.setdefault(words, []).append(number)
+    return [f"{words} ({numbers(places)})" for words, places in of.items()]
 
 
 def _less_likely(rows: Numbered) -> list[str]:

@@ -110,10 +110,10 @@ def _table(
         *([_spread(keys)] if known_spread else []),
         *([AT_ONCE] if not all(map(_is_loop, keys)) else []),
     ]
-    remarks = [
-        *([" ".join(reading)] if reading else []),
-        *_untelling(alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)),
-    ]
+    untelling = _untelling(
+        alone, [names[key] for key in nothing], known_spread, size(error(content, words), words.unit)
+    )
+    remarks = [line for line in (" ".join(reading), *untelling) if line]
     against = _against(names, cells, keys, words) if len(columns) == 1 and content["verdict"] == "explained" else ""
     if against:
         remarks = [*(line for line in remarks if line != NO_NUMBER), against]

@@ -21,9 +21,9 @@ def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
     """
     used = [word for word in USUAL if re.search(rf"\b{word}\b", text)]
     used += ["named"] if NAMED.search(text) else []
-    told = [entry["id"] for entry in [*content["mechanisms"], *content["evidence"].get("adopted_effects", [])]]
-    told += [id_ for ids in content["alternatives"] for id_ in ids]  # a table has what they do
-    named = [id_ for id_ in mechanisms() if id_ not in told and re.search(rf"\b{id_}\b", text)]
+    in_tables = [entry["id"] for entry in [*content["mechanisms"], *content["evidence"].get("adopted_effects", [])]]
+    in_tables += [id_ for ids in content["alternatives"] for id_ in ids]
+    named = [id_ for id_ in mechanisms() if id_ not in in_tables and re.search(rf"\b{id_}\b", text)]
     return [f"{word}: {on_rig(meaning(word), words)}" for word in [content["verdict"], *used, *named]]
 
 

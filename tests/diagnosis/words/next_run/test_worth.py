@@ -21,29 +21,29 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     made["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
     text = told(copy.deepcopy(made))
     assert re.search(r"\n  friction_hysteresis \+ creep +52 %\n  friction_hysteresis \+ thermal +31 %\n", text)
-    assert "These are the closest two of the 4 likeliest explanations." in text
+    assert "These two are the closest of the 4 likeliest explanations." in text
     made["next_run"]["parts"][0].append("wear")
     text = told(copy.deepcopy(made))
     assert (
-        "at work: creep and wear, or thermal" in text and "Without it report the best explanation as one of 5." in text
+        "at work: creep and wear, or thermal" in text and "without it report the best explanation as one of 5." in text
     )
-    assert "The best explanation is neither of the two: it differs from both by at least as much." in text
+    assert "; the best one differs from both by at least as much." in text
     made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
     made["fit"]["heldout"]["explained_mm"] = 0.95
-    assert "Without it report all 5 explanations and adopt none." in told(made)
+    assert "without it report all 5 explanations and adopt none." in told(made)
 
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
-    gaps = "differ by 69 standard deviations of noise over the run, 53 over this recording."
+    gaps = "differ by 69 standard deviations of noise in the run, by 53 in this recording."
     why = "A formula that is wrong by 10 % could make as much, so this recording does not decide"
     assert f"{gaps} {why}, and the run need not either." in " ".join(text.split())
     assert "About half of such runs decided in tests." in " ".join(text.split()), "the step that asks for it"
     text = " ".join(told(content(next_run__gap_now=2809.0, next_run__gap_then=2900.0)).split())
     assert "no other run that was tried in simulation does better." in text and "Hardly worth making" in text
     text = " ".join(told(content(next_run__gap_now=900.0)).split())
-    assert f"73 standard deviations of noise over the run, 30 over this recording. {why}; to make what the run" in text
-    assert "shows it would have to be wrong by 2.4 times as much." in text and "need not" not in text
+    assert f"73 standard deviations of noise in the run, by 30 in this recording. {why}; to make as much in the" in text
+    assert "run it would have to be wrong by 2.4 times that." in text and "need not" not in text
 
 
 def test_a_run_that_decides_nothing_says_so_before_its_steps():

@@ -976,8 +976,10 @@ def test_a_proposed_run_says_which_question_it_answers_and_for_which_probable_na
 def test_standard_deviations_of_a_proposed_run_say_what_they_count_and_that_names_are_right_less_often():
     text = details(confident(0.93, 0.46)).partition("The run to make next")[2]
     assert "standard deviations" in text
-    assert "The two readings differ by 73 standard deviations of noise over the run, 2.2 over this recording." in text
-    assert "In tests such runs settled 33 of 50 ties rightly, 2 wrongly." in text
+    assert (
+        "Over all samples they differ by 73 standard deviations of noise in the run, by 2.2 in this recording" in text
+    )
+    assert "In tests such runs settled 33 of 50 ties rightly, 2 wrongly; without it" in text
 
 
 def test_the_details_ask_for_the_run_that_the_first_step_asks_for():
