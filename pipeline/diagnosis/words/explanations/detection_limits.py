@@ -6,7 +6,10 @@ from ...mechanisms.library import mechanisms
 from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED
 from ..language.quantity import listing, size
+from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
+
+ABREAST = 3  # effects in a row
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
@@ -39,20 +42,24 @@ def sizes(content: Verdict, words: Vocabulary, held: list[str]) -> list[str]:
     if not sizes:
         return []
     left = unseen.left_over(content, words)
-    larger = [f"{id_} {size(least, words.unit)}" for id_, least in sizes if least > left]
+    larger = [(id_, size(least, words.unit)) for id_, least in sizes if least > left]
     if not left:
         if any(adoption["tied"] for adoption in content.get("adopted", [])):
             beside = "Beside what was adopted, one more effect would have been seen from this size on (rms). That does "
-            return [f"{beside}not exclude it in place of an adopted one:", f"{listing(larger)}."]
-        return ["An effect would have been seen from this size on (rms):", f"{listing(larger)}."]
+            return [f"{beside}not exclude it in place of an adopted one:", *in_columns(larger)]
+        return ["An effect would have been seen from this size on (rms):", *in_columns(larger)]
     more = f"Of the errors in the table above, {size(left, words.unit)} rms is more than noise"
     hides = f"{more}: effects of that size and less may hide in it."
     if not larger:
         return [hides, "A larger one would have been seen."]
     if len(larger) == len(sizes):
-        return [hides, "A larger one would have been seen from this size on (rms):", f"{listing(larger)}."]
-    return [
-        hides,
-        "A larger one would have been seen, but these only from their own size on (rms):",
-        f"{listing(larger)}.",
-    ]
+        return [hides, "A larger one would have been seen from this size on (rms):", *in_columns(larger)]
+    only = "A larger one would have been seen, but these only from their own size on (rms):"
+    return [hides, only, *in_columns(larger)]
+
+
+def in_columns(sizes: list[tuple[str, str]]) -> list[str]:
+    """Effects with their sizes, the smallest first, row by row."""
+    cells = [cell for pair in sizes for cell in pair]
+    cells += [""] * (-len(cells) % (2 * ABREAST))
+    return aligned([cells[at : at + 2 * ABREAST] for at in range(0, len(cells), 2 * ABREAST)])

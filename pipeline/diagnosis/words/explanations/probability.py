@@ -80,12 +80,11 @@ def _left_out(content: Verdict) -> str:
 
 
 def of_none(content: Verdict) -> list[str]:
-    """How probable it is that nothing in the library explains a recording, where that alone can make `unknown`."""
+    """From which probability of physics that the library lacks on a verdict is `unknown`, where this one is so."""
     none = content["evidence"].get("probability_of_none")
-    if none is None or not known(content):
+    if none is None or not known(content) or none < UNKNOWN:
         return []
-    enough = f"; from {percent(UNKNOWN)} on the verdict is unknown" if none >= UNKNOWN else ""
-    return [f"That no physics of the library explains the recording has a probability of {percent(none)}{enough}."]
+    return [f"From {percent(UNKNOWN)} on for such physics the verdict is unknown."]
 
 
 def not_weighed(ids: list[str]) -> str:

@@ -84,11 +84,8 @@ def _table(
     limit = SEEN * content["evidence"][f"floor_{words.ending}"]
     names = {key: row for key, row in _rows(content, known, words).items() if shown is None or key in shown}
     cells = {key: [of_explanation(each, key, content, words) for each in columns] for key in names}
-    keys = [
-        key
-        for key, row in cells.items()
-        if row[0] is not None and any(cell is not None and abs(cell.value) >= limit for cell in row)
-    ]
+    seen = {key: any(cell is not None and abs(cell.value) >= limit for cell in row) for key, row in cells.items()}
+    keys = [key for key, row in cells.items() if row[0] is not None and seen[key]]
     if not keys:
         return [], [], False
     telling = {key: ratio for key in keys if (ratio := tells(cells[key])) is not None}
@@ -103,8 +100,9 @@ def _table(
     heads = [_head(content, explanation["ids"], shared) for explanation in columns]
     rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
     cut = [id_ for id_ in columns[0]["ids"] if id_ in shared and any(head.startswith("with ") for head in heads)]
+    both = "Both" if len(columns) == 2 else "All"
     reading = [
-        *([f"{'Both' if len(columns) == 2 else 'All'} have {listing(cut)} as well."] if cut else []),
+        *([f"{both} have {listing(cut)} as well."] if cut else []),
         *([_loop(words)] if any(map(_is_loop, keys)) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
         *([_spread(keys)] if known_spread else []),

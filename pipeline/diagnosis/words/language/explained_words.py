@@ -40,6 +40,11 @@ def of_effect(entry: Part, words: Vocabulary) -> str:
     return meaning(entry["id"]).replace(TURN, f"once in every {quantity(pitch['value'], pitch['unit'], digits=3)}")
 
 
+def tells(id_: str, words: Vocabulary) -> str:
+    """The test that tells an effect from others, in the words of a rig, without a full stop."""
+    return on_rig(mechanisms()[id_].told_apart_by, words)
+
+
 def on_rig(sentence: str, words: Vocabulary) -> str:
     """A meaning, which is written for a string, in the words of a rig."""
     if words.twisted:
@@ -52,5 +57,5 @@ def on_rig(sentence: str, words: Vocabulary) -> str:
     )
     sentence = sentence if words.motion_unit in ANGLES else sentence.replace(TURN, DRIVEN)
     for of_string, own in (("string", words.string), ("twist", words.motion), ("displacement", words.reading)):
-        sentence = re.sub(rf"\b{of_string}\b", own, sentence)
+        sentence = re.sub(rf"\b{of_string}(s?)\b", rf"{own}\1", sentence)
     return sentence

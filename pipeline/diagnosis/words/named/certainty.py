@@ -8,6 +8,7 @@ from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals
 from ..held_out import holdout, in_vain
+from ..language.explained_words import tells
 from ..language.quantity import duration, listing, percent
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
@@ -62,7 +63,7 @@ def asks(content: Verdict, words: Vocabulary, open_ones: Sequence[str] = ()) -> 
     slow = slow_alike(content, words)
     if not slow:
         return []
-    tests = "; ".join(dict.fromkeys(mechanisms()[id_].told_apart_by for id_ in slow))
+    tests = "; ".join(dict.fromkeys(tells(id_, words) for id_ in slow))
     named = [entry for entry in content["mechanisms"] if entry["id"] in slow]
     longest_s = max((seconds for entry in named for seconds in time_constants_s(entry)), default=0.0)
     enough = f"Hold and rest for {duration(2.0 * longest_s)} or longer each: twice its time constant."

@@ -1,8 +1,8 @@
 """Of each slow effect that looks like a named one under one load: excluded by this recording, or open; in words."""
 
 from ...document.content import Part, Verdict
-from ...mechanisms.library import mechanisms
 from ..explanations import other_effects
+from ..language.explained_words import tells
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
 from . import certainty
@@ -83,13 +83,13 @@ def _all(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _why_open(content: Verdict, id_: str, words: Vocabulary) -> str:
     """Why a look-alike is open, and what recording would tell it from what is named."""
-    tells = f"A recording tells: {mechanisms()[id_].told_apart_by}."
+    test = f"A recording tells: {tells(id_, words)}."
     if any(id_ in ids for ids in content["alternatives"]):
-        return f": another likely explanation has it. {tells}"
+        return f": another likely explanation has it. {test}"
     entry: Part = next((entry for entry in content["evidence"].get("not_kept", []) if entry["id"] == id_), {})
     left = entry.get(f"left_{words.ending}")
     if left is None:
-        return f": this recording does not show it. {tells}"
+        return f": this recording does not show it. {test}"
     ratio = times(left / content["evidence"][f"floor_{words.ending}"])
     leaves = f"the library's formula of it leaves {size(left, words.unit)} ({ratio} times the noise)"
-    return f": {leaves}, but another law of it could do what is seen. {tells}"
+    return f": {leaves}, but another law of it could do what is seen. {test}"

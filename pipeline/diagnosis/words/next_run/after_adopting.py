@@ -6,6 +6,7 @@ from pathlib import Path
 from ....ground.command import command
 from ...document.content import Verdict
 from ...mechanisms.library import mechanisms
+from ..language.explained_words import tells
 from ..language.quantity import listing
 from ..language.vocabulary import Vocabulary
 from ..named.missing_signs import missing
@@ -26,7 +27,7 @@ def of_adopted(
         id_ for each in content.get("adopted", []) if len(each.get("runs") or []) > 1 for id_ in each["effects"]
     }  # what a diagnosis of several runs named, this recording alone does not doubt
     lacking = {id_: missing(content, words, id_) for id_ in ids if id_ in mechanisms() and id_ not in of_several}
-    lines = [f"- {id_}: {mechanisms()[id_].told_apart_by}." for id_, lacks in lacking.items() if lacks]
+    lines = [f"- {id_}: {tells(id_, words)}." for id_, lacks in lacking.items() if lacks]
     if not lines:
         return []
     head = "Still open since adopting, if you need to be surer of a name: this recording has no second"

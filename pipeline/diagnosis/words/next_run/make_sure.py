@@ -8,6 +8,7 @@ from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..foretold import expectation
 from ..held_out import holdout, in_vain, unseen
+from ..language.explained_words import tells
 from ..language.quantity import duration, listing, number, quantity
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
@@ -82,10 +83,7 @@ def of_names(
     ids = [entry["id"] for entry in content["mechanisms"]] if words.twisted else []
     numbers = expectation.lines(content, words, recipe.shows(content, words, ids))
     has = {id_ for id_ in ids if recorded(content, words, id_)}
-    tests = [
-        f"- {id_}: {mechanisms()[id_].told_apart_by}{_lasting(content, id_, words)}{HERE if id_ in has else ''}."
-        for id_ in ids
-    ]
+    tests = [f"- {id_}: {tells(id_, words)}{_lasting(content, id_, words)}{HERE if id_ in has else ''}." for id_ in ids]
     if ids and has == set(ids) and not in_vain.doubt(content, words):
         return []  # the recording has all that it would ask for
     shares = certainty.known(content)

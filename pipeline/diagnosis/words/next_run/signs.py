@@ -1,8 +1,8 @@
 """What at the rig tells the open effects apart, where no run is sure to: each one's own sign."""
 
 from ...document.content import Verdict
-from ...mechanisms.library import mechanisms
 from ..foretold import expectation
+from ..language.explained_words import tells
 from ..language.vocabulary import Vocabulary
 from ..named import certainty, effect_table
 from . import worth
@@ -31,7 +31,7 @@ def open_ones(content: Verdict, words: Vocabulary) -> list[str]:
 def _open(content: Verdict, words: Vocabulary) -> list[str]:
     run, tests = (
         content["next_run"],
-        [f"{id_}: {mechanisms()[id_].told_apart_by}." for id_ in open_ones(content, words)],
+        [f"{id_}: {tells(id_, words)}." for id_ in open_ones(content, words)],
     )
     tried = "These hold in general. Other loads and speeds were tried in simulation: on this rig they need not tell."
     decided = run is not None and ("parts" not in run or worth.decides(run))

@@ -117,9 +117,8 @@ def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
     more = f"{most}: where more are at work, the verdict is unknown too."
     return [
         *closest.insufficient(content, words),
+        " ".join([*probability.of_none(content), more]),
         *level.to_reach(content, words),
-        *probability.of_none(content),
-        more,
     ]
 
 

@@ -47,7 +47,7 @@ def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_n
         made = " ".join(told(weighed(*shares, none=0.48, **unknown)).split())
         ordered = [int(share) for share in re.findall(r"probability ([0-9]+) %; takes", made)]
         assert ordered == sorted(ordered, reverse=True) and len(set(ordered)) > 1
-    assert "recording has a probability of 48 %; from 40 % on the verdict is unknown." in text
+    assert "has a probability of 48 % here. From 40 % on for such physics the verdict is unknown." in text
 
 
 def test_two_explanations_that_an_idle_effect_made_different_share_one_probability():

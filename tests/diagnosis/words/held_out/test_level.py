@@ -10,7 +10,7 @@ from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest():
     text = told(content(verdict="consistent", mismatch=None, mechanisms=[], alternatives=[], next_run=None))
     assert (
-        "from this size on (rms):\n  backlash 0.0040 mm and creep 0.020 mm." in text and "What is missing" not in text
+        "from this size on (rms):\n  backlash   0.0040 mm   creep   0.020 mm" in text and "What is missing" not in text
     )
     shown = [explanation([], "nothing", 0.45), explanation(["x_wave"], "not enough", 0.06)]
     text = told(content(verdict="unknown", mechanisms=[], alternatives=[], evidence__explanations=shown))

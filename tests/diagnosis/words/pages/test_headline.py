@@ -26,7 +26,7 @@ def test_no_effect_smaller_than_what_is_left_is_said_to_have_been_seen():
     text = adopted("parameters", **LEFT)
     more = "Of the errors in the table above, 0.054 mm rms is more than noise: effects of that size and less may hide"
     assert f"{more} in it." in text
-    assert "but these only from their own size on (rms):\n  slack 0.11 mm." in text and "clamp_slip" not in text
+    assert "but these only from their own size on (rms):\n  slack   0.11 mm\n" in text and "clamp_slip" not in text
     changes = LEFT | {"fit__detectable_mm": {"clamp_slip": 0.0057}}
     assert "A larger one would have been seen." in adopted("parameters", **changes)
     only_unseen = {"fit__heldout__explained_mm": 0.06, "evidence__calibrated_mm": 0.031}
