@@ -64,7 +64,8 @@ static void say_unrecorded(const tsa_state *state, tsa_real turns, int tick)
     if (tsa_stroke_recorded(state) != TSA_OK) {
         printf("%4d ms: stroke %d was not recorded under %.3g N", tick, state->stroke, (double)state->load_n);
     } else {
-        printf("%4d ms: %.4g turns were not recorded under %.3g N", tick, (double)turns, (double)state->load_n);
+        printf("%4d ms: %.4g turns were not recorded under %.3g N in stroke %d", tick, (double)turns,
+               (double)state->load_n, state->stroke);
     }
 #else
     (void)state;

@@ -41,8 +41,8 @@ def answers(
     """The value of each question, in the answer's unit, whether it is `inside`, and `why` not.
 
     Inside is what the export would answer and what was recorded: an export checks each number alone, `pairs` are those
-    of twist and condition that were recorded, `under` those of stroke and load, `strokes` the last one of each string,
-    after which errors were measured so many strokes ahead.
+    of twist and condition that were recorded, `under` those of stroke, load and twist, `strokes` the last one of each
+    string, after which errors were measured so many strokes ahead.
     `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. Raises
     BadInput for a column that the model reads and the dataset of the `file` lacks.
     """
@@ -70,7 +70,7 @@ def answers(
     for paired in pairs:
         for row, reason in enumerate(paired.never(points, turns)):
             why[row] = why[row] or (f"{reason}; {UNCHECKED}" if reason else "")
-    for row, reason in enumerate(under.never(points) if under else ()):
+    for row, reason in enumerate(under.never(points, turns) if under else ()):
         why[row] = also(why[row], f"{reason}; {UNCHECKED}") if reason and not refused[row] else why[row]
     for row, reason in _too_far(source, points, strokes or {}):
         why[row] = why[row] if refused[row] else also(why[row], f"{reason}; {FURTHER}")

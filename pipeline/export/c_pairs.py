@@ -16,7 +16,7 @@ USAGE = (
     f"{CALL} returns TSA_UNRECORDED where nothing was recorded around that twist",
     "together with the state's other numbers; 0 where there was, and TSA_BAD_... as above. The two functions above",
     "answer all the same: give it the twist that you asked with, or that you got. tsa_stroke_recorded(&state) asks",
-    "the same of the stroke and the load alone.",
+    "whether the stroke was recorded under the load at all, at whatever twist.",
 )
 
 
@@ -35,12 +35,13 @@ def checked_pairs(source: Source) -> str:
     ]
     for paired in source.pairs:
         if paired.name in source.inputs.names:
-            lines += _refused_beyond(paired, "motor_turns")
+            lines += _refused_beyond(paired, paired.corners, "motor_turns")
     if source.under and source.under.name in source.inputs.names:
         last = real(source.under.last)
-        under = [f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"]
-        under += _refused_beyond(source.under, "stroke")
+        stroke = f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"
+        under = [stroke, *_refused_beyond(source.under, source.under.hulls[0], "stroke")]
         lines += ["if (tsa_stroke_recorded(at) != TSA_OK) {", "    return TSA_UNRECORDED;", "}"]
+        lines = [stroke, *lines, *_refused_as_far(source.under)]
     else:
         under = ["(void)at;"]
     has = "#define TSA_HAS_RECORDED 1 /* tsa_recorded and tsa_stroke_recorded are there */\n\n"
@@ -48,11 +49,26 @@ def checked_pairs(source: Source) -> str:
     return has + function("int", "tsa_recorded(const tsa_state *at, tsa_real motor_turns)", *lines, "return TSA_OK;")
 
 
-def _refused_beyond(paired: Paired | Under, what: str) -> list[str]:
-    """Lines that refuse a number, of this name in C, which lies beyond an edge of a hull."""
+def _refused_as_far(under: Under) -> list[str]:
+    """Lines that refuse a stroke that was not wound so far under its load; a load beyond a hull counts as its end."""
+    lines = []
+    for level, hull in zip(under.levels[1:].tolist(), under.hulls[1:], strict=True):
+        low, high = real(hull[0][0, 0]), real(hull[0][-1, 0])
+        held = f"at->{under.name} < {low} ? {low} : at->{under.name} > {high} ? {high} : at->{under.name}"
+        beyond = _refused_beyond(under, hull, "stroke", "near")
+        lines += [f"if (motor_turns >= {real(level)}) {{", f"    const tsa_real near = {held};"]
+        lines += [*(f"    {line}".replace("\n", "\n    ") for line in beyond), "}"]
+    return lines
+
+
+def _refused_beyond(paired: Paired | Under, hull: tuple[Array, Array], what: str, at: str = "") -> list[str]:
+    """Lines that refuse a number, of this name in C, which lies beyond an edge of a hull; `at` is the condition in C.
+
+    Where nothing else is said it is the state's.
+    """
     planes = [
-        f"{what} {beyond} {_along(edge, paired.name)}"
-        for corners, beyond in zip(paired.corners, "<>", strict=True)
+        f"{what} {beyond} {_along(edge, at or f'at->{paired.name}')}"
+        for corners, beyond in zip(hull, "<>", strict=True)
         for edge in _edges(corners, paired)
     ]
     beyond_any = " ||".join(f"\n{' ' * 8}{plane}" for plane in planes).lstrip()
@@ -65,9 +81,9 @@ def _edges(corners: Array, paired: Paired | Under) -> list[tuple[float, float, f
     return edges or [(float(paired.values[0]), float(corners[0][1]), 0.0)]
 
 
-def _along(edge: tuple[float, float, float], name: str) -> str:
-    """The twist or the stroke of an edge at the state's value of a condition."""
+def _along(edge: tuple[float, float, float], condition: str) -> str:
+    """The twist or the stroke of an edge at a condition."""
     at, turns, rise = edge
     if rise == 0.0:
         return real(turns)
-    return f"{real(turns)} + {real(rise)} * (at->{name} - {real(at)})"
+    return f"{real(turns)} + {real(rise)} * ({condition} - {real(at)})"

@@ -3,6 +3,7 @@
 The header's first comment and the graphs' metadata hold the same sentences.
 """
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from ..models.parts.rolling_origin import most_ahead
 from .interface import Source
 
 WHO_SAYS = "pipeline.predict"
+WOUND = 0.5  # of the largest twist under a load: a stroke that was wound less far there is said apart
 FEW = 4  # values of a condition that are named each
 ALONE = (
     "Each number is checked alone: also a twist or a stroke that was never recorded around that value is answered "
@@ -109,9 +111,24 @@ def _in_words(values: Array, points: pd.DataFrame, name: str) -> str:
     for group in groups:
         with_them = f"twists {turns[group].min():.4g} to {turns[group].max():.4g} turns"
         if name == LOAD:
-            with_them += f", strokes {strokes[group].min():.0f} to {strokes[group].max():.0f}"
+            with_them += f", {_strokes_in_words(strokes[group], turns[group])}"
         each.append(f"{_span(values[group])}{unit} ({with_them})")
     return " and ".join(each)
+
+
+def _strokes_in_words(strokes: Array, turns: Array) -> str:
+    """The strokes under a load, and apart from them those that were hardly wound there; both of shape (points,)."""
+    farthest = pd.Series(turns).groupby(strokes).max()
+    is_wound = farthest >= WOUND * turns.max()
+    words = f"stroke{_numbers(farthest.index[is_wound])}"
+    rest = farthest[~is_wound]
+    return f"{words}, and stroke{_numbers(rest.index)} only to {rest.max():.3g} turns" if len(rest) else words
+
+
+def _numbers(strokes: Iterable[float]) -> str:
+    """Numbers of strokes from the first to the last, after the word `stroke`."""
+    each = list(strokes)
+    return f" {each[0]:.0f}" if len(each) == 1 else f"s {each[0]:.0f} to {each[-1]:.0f}"
 
 
 def _span(values: Array) -> str:

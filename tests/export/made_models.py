@@ -57,7 +57,16 @@ def switched() -> pd.DataFrame:
     return points.assign(load_n=load_n + np.random.default_rng(4).normal(0.0, 0.05, len(points)))
 
 
+def hung_on() -> pd.DataFrame:
+    """The same where the 30 N were hung on in the last rest of stroke 4, of which one sample was under them."""
+    points = switched()
+    at_rest = points.index[points["stroke"] == 4][-1]
+    points.loc[at_rest, ["load_n", "motor_turns"]] = 30.0, 0.0
+    return points
+
+
 DATASETS = {
+    "hung": hung_on,
     "switched": switched,
     "short": short_wound,
     "one": lambda: made_dataset(60, 6),

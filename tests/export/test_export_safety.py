@@ -111,7 +111,7 @@ def test_twist_comes_back_through_contraction(source: Any, program: Any, name: s
 
 
 @pytest.mark.parametrize("real", ["float", "double"])
-@pytest.mark.parametrize("kind", ["short", "campaign", "one"])
+@pytest.mark.parametrize("kind", ["short", "campaign", "one", "hung"])
 def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_does(
     source: Any, program: Any, kind: str, real: str
 ) -> None:
@@ -127,8 +127,9 @@ def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_
             near |= np.abs(queries[:, 0] - end) < (1e-3 if real == "float" else 1e-9)
     under = source("spline", kind).under
     if under:
-        outside |= np.array([bool(reason) for reason in under.never(points)])
-        for end in under.strokes(points):
+        outside |= np.array([bool(reason) for reason in under.never(points, queries[:, 0])])
+        near |= np.min(np.abs(queries[:, :1] - under.levels), axis=1) < 1e-3
+        for end in under.strokes(points, queries[:, 0]):
             near |= np.abs(np.minimum(queries[:, 1 + inputs.names.index("stroke")], under.last) - end) < 1e-3
     codes = program("spline", kind, real).recorded(queries)
     assert set(codes[~near]) <= {0.0, UNRECORDED}
@@ -138,6 +139,18 @@ def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_
     assert (answered == 0.0).all(), "the functions beside it answer as before"
     wrong = np.array([[np.nan, *queries[0, 1:]], [queries[0, 0], 99, *queries[0, 2:]]])
     assert program("spline", kind, real).recorded(wrong).tolist() == [1.0, 3.0]
+
+
+def test_a_stroke_whose_last_rest_alone_was_under_a_load_is_not_recorded_under_it(source: Any, program: Any) -> None:
+    """One sample of stroke 4 was under 30 N, at 0 turns: the header said strokes 4 to 5, and 12 turns were recorded."""
+    known = source("spline", "hung")
+    place = {name: 1 + at for at, name in enumerate(known.inputs.names)}
+    queries = np.zeros((3, 1 + len(place)))
+    queries[:, 0] = 12.0, 12.0, 0.1
+    queries[:, place["stroke"]], queries[:, place["direction"]], queries[:, place["load_n"]] = (4, 5, 4), 1, 30.0
+    assert program("spline", "hung", "double").recorded(queries).tolist() == [UNRECORDED, 0.0, 0.0]
+    words = known.values["load_n"]
+    assert "strokes 1 to 4) and 29." in words and words.endswith("stroke 5, and stroke 4 only to 0 turns)")
 
 
 @pytest.mark.parametrize("real", ["float", "double"])

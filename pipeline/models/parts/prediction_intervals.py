@@ -8,7 +8,8 @@ knows more than those that were tried: what their errors have above the noise is
 ahead with the square of the strokes. Between recorded loads an interval is wider (`between.py`). A point outside the
 model's box, at a twist that was not recorded around its load (`recorded_pairs.py`), or farther ahead than could be
 tried, gets no interval: low and high are infinite and it is flagged. So does one whose stroke was not recorded around
-its load (`recorded_strokes.py`), and a contraction that lies beyond all recorded ones with its whole interval.
+its load as far as its twist (`recorded_strokes.py`), and a contraction that lies beyond all recorded ones with its
+whole interval.
 
 Source: Vovk, Gammerman and Shafer, Algorithmic Learning in a Random World, 2005 (conformal prediction); Tashman, "Out-
 of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000 (rolling origin).
@@ -99,20 +100,20 @@ class Intervals:
             return float("inf")
         return float(np.interp(ahead, numbers, np.maximum.accumulate([known[n] for n in numbers])))
 
-    def outside(self, points: pd.DataFrame, wanted: str) -> dict[str, Mask]:
+    def outside(self, points: pd.DataFrame, wanted: str, turns: Array) -> dict[str, Mask]:
         """Which questions lie outside what was recorded, by the column that is why: masks of shape (points,).
 
         `pairs` are those whose twist was not recorded around their load, or what else differs, `under` those whose
-        stroke was not.
+        stroke was not, as far as their twist in turns, which was asked with or answered; of shape (points,).
         """
         last, stroke = self.last_recorded(points), points["stroke"].to_numpy()
         far = (stroke - last.to_numpy() > self.ahead(wanted)) | (stroke < self.box.low["stroke"])
         wrong = self.box.outside(points, GIVEN[wanted]) | {"stroke": far, "string": last.isna().to_numpy()}
         if wanted == "displacement_mm":
-            (low, high), turns = self.turns(points), points["motor_turns"].to_numpy(float)
+            low, high = self.turns(points)
             wrong["pairs"] = (turns < low) | (turns > high)
         if self.under:
-            wrong["under"] = np.array([bool(reason) for reason in self.under.never(points)])
+            wrong["under"] = np.array([bool(reason) for reason in self.under.never(points, turns)])
         return {name: np.asarray(mask, bool) for name, mask in wrong.items() if mask.any()}
 
     def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:
@@ -146,7 +147,7 @@ class Intervals:
         low, high = self.between.widened(self.model, points, self.pairs, wanted, turns, level, value, half)
         if wanted == "displacement_mm":  # further than recorded by more than the interval
             wrong = (low > self.box.high[wanted]) | (high < self.box.low[wanted])
-        inside = np.isfinite(half) & ~np.any([wrong, *self.outside(points, wanted).values()], axis=0)
+        inside = np.isfinite(half) & ~np.any([wrong, *self.outside(points, wanted, turns).values()], axis=0)
         low, high = np.where(inside, low, -np.inf), np.where(inside, high, np.inf)
         return pd.DataFrame({"value": value, "low": low, "high": high, "inside": inside})
 

@@ -44,9 +44,12 @@ def reasons(
 def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: float) -> NDArray[np.object_]:
     """Why each of these questions has no interval; sentences of shape (questions,), without unit."""
     sentences = np.full(len(questions), "", object)
-    outside, last = intervals.outside(questions, wanted), intervals.last_recorded(questions)
+    forward = wanted == "displacement_mm"
+    turns = questions["motor_turns"].to_numpy(float) if forward else intervals.brought(questions, level)[0]
+    outside, last = intervals.outside(questions, wanted, turns), intervals.last_recorded(questions)
     apart = outside.pop("pairs", np.zeros(len(questions), bool))
-    never = intervals.under.never(questions) if intervals.under and outside.pop("under", None) is not None else ()
+    never = intervals.under.never(questions, turns) if intervals.under and "under" in outside else ()
+    outside.pop("under", None)
     for name, mask in outside.items():
         for row, value, recorded in zip(np.flatnonzero(mask).tolist(), questions[name][mask], last[mask], strict=True):
             reason = _reason(intervals, name, value, float(recorded), intervals.ahead(wanted))
@@ -54,7 +57,6 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
     for row, reason in enumerate(never):
         sentences[row] = also(sentences[row], reason)
     if apart.any():
-        turns = questions["motor_turns"].to_numpy(float)
         known = apart if "motor_turns" not in outside else apart & ~outside["motor_turns"]
         for paired in intervals.pairs:
             for row, reason in enumerate(paired.never(questions, turns)):
