@@ -3,13 +3,14 @@
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
 (`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist or in a stroke
 that was not recorded around its load, or further ahead than errors could be learnt, is answered, flagged
-(`inside` false, its reason in `why`) and given infinite bounds. Between recorded loads the interval is wider: by the
-errors at recorded loads that were left out whole, or, of two loads, over the answers at both. A row that is no question
-has no answer, and its reason in `why`; the others are answered, and the exit status is 2. With `--saved` a model that
-was fitted before answers, as its export does and without intervals; the same questions are flagged. No question tells
-how long the string has stood: holds and rests are asked of `simulate --motion`.
+(`inside` false, its reason in `why`) and has no bounds: their cells are empty. Between recorded loads the interval is
+wider: by the errors at recorded loads that were left out whole, or, of two loads, over the answers at both. A row that
+is no question has no answer, and its reason in `why`; the others are answered, and the exit status is 2. With `--saved`
+a model that was fitted before answers, as its export does and without intervals; the same questions are flagged. No
+question tells how long the string has stood: holds and rests are asked of `simulate --motion`.
 """
 
+import math
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -45,9 +46,13 @@ from .string.jump_notes import NAME, read_jumps
 
 
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
-    """Value, low and high in the answer's unit, whether the question lies inside, and why not."""
+    """Value, low and high in the answer's unit, whether the question lies inside, and why not.
+
+    Where there is no interval low and high are no numbers.
+    """
     interval, wanted = getattr(intervals, MAPS[known])(points, level), GIVEN[known]
     why = reasons(intervals, points, wanted, interval["inside"].to_numpy(bool), level)
+    interval = interval.replace([-math.inf, math.inf], math.nan)
     answered = interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
     return answered.assign(why=why)
 
