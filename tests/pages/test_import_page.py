@@ -49,10 +49,10 @@ def test_the_pages_example_is_imported_and_says_what_comes_next(tmp_path):
     assert "delimiter: ;, skip: 2, decimal: ','" in draft and "motor_turns: {column: Drehwinkel, unit: deg}" in draft
     command, following = re.search(r"```sh\n(.*)\n(.*)\n```", PAGE).groups()
     done = program(command, tmp_path)
-    diagnose = "python -m pipeline.diagnose raw/nylon-20261121-01 --out reports/mine"
+    diagnose = "python -m pipeline.diagnose raw/nylon-20261126-01 --out reports/mine"
     alone = f"  or ask only what the simulator leaves out: {diagnose}"
     assert done.stdout.splitlines()[-3:] == [f"Next: make its reports: {following}", quick("nylon"), alone]
-    folder = tmp_path / "raw" / "nylon-20261121-01"
+    folder = tmp_path / "raw" / "nylon-20261126-01"
     _, samples = read_samples(folder)
     for name in ("time_s", "motor_turns", "displacement_mm"):
         assert samples[name].to_numpy() == pytest.approx(made[name].to_numpy(), abs=1e-5), name
