@@ -134,7 +134,7 @@ def on_unseen(content: Verdict, unit: str, run: str) -> list[str]:
     calibrated, explained = (float(value) for value in values if value is not None)
     sentences = [
         f"Those errors are of strokes that the fit has seen. On unseen ones the verdict says {size(explained, unit)}"
-        f"{_whose(content)}, and {size(calibrated, unit)} without the effects."
+        f"{holdout.whose_if_known(content)}, and {size(calibrated, unit)} without the effects."
     ]
     if names := names_before(content, run):
         after = f"There {run} goes after {' and '.join(map(key_name, names))}"
@@ -144,14 +144,6 @@ def on_unseen(content: Verdict, unit: str, run: str) -> list[str]:
     if explained > heldout.WORSE * calibrated:
         sentences.append("So the verdict says: adopt nothing. Take it out again unless you know better.")
     return sentences
-
-
-def _whose(content: Verdict) -> str:
-    """Of which effects the error on unseen strokes is, where not of those that are named; nothing in an older file."""
-    evidence = content.get("evidence")
-    chosen = evidence.get("chosen_without_them") if isinstance(evidence, dict) else None
-    known = isinstance(chosen, list) and all(isinstance(id_, str) for id_ in chosen)
-    return holdout.whose(content) if known else ""
 
 
 def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:

@@ -63,7 +63,7 @@ def test_the_next_verdict_says_so_and_claims_no_more(visit) -> None:
     for text in map(flat, (page, details)):
         assert text.startswith(
             "synthetic-01: creep and friction_hysteresis, adopted against their verdict's advice, were fitted to this "
-            "recording, which is no test of them; nothing further can be named. What to know first "
+            "recording, which is no test of them; nothing further can be named. "
         )
         assert f"adopted against the advice of their verdict. It says: {ADVICE}." in text
         assert "still hold" not in text and "No other explanation was as likely" not in text
@@ -89,6 +89,18 @@ def test_simulating_says_so(visit, tmp_path: Path) -> None:
         done = programs.run("pipeline.simulate", visit.folder, *words, "--out", tmp_path / "out.csv")
         assert done.returncode == 0, done.stderr
         assert f"adopted this against the advice of its verdict, which says: {ADVICE}" in done.stdout
+
+
+def test_a_plan_s_error_says_whose_it_is_and_the_loop_has_the_sign_that_lifespan_has(visit, tmp_path: Path) -> None:
+    """The error of what is named without the last strokes stood there as that of what is simulated."""
+    plan = tmp_path / "plan.csv"
+    plan.write_text("time_s,motor_turns,load_n\n0,0,20\n5,20,20\n5.3,20,20\n10.3,0,20\n")
+    whose = "(of plastic_elongation + shaft_windup, which the procedure names without these strokes)"
+    for words in ([], ["--simulation", visit.source]):
+        done = programs.run("pipeline.simulate", visit.folder, *words, "--motion", plan, "--out", tmp_path / "out.csv")
+        assert f"Of it 2.3 mm is what strokes that no fit had seen were missed by {whose}, " in done.stdout
+        assert "difference: winding less unwinding)" in done.stdout
+        assert "+0.2 mm" in done.stdout and " 0.0 mm" in done.stdout and "-0.0" not in done.stdout
 
 
 def test_a_run_yaml_of_an_earlier_program_is_read_and_says_nothing_of_advice(visit, tmp_path: Path) -> None:

@@ -98,7 +98,7 @@ def test_a_load_that_a_column_holds_is_not_typed():
 def test_one_speed_asks_for_a_second_one():
     made = rubbing()
     made["evidence"]["covered"] = COVERED | {"speed_per_s": [2.0, 2.0]}
-    assert "at 2 turns/s, then as many at 1 turns/s" in recipe.sentence(made, WORDS, ["friction_hysteresis"])
+    assert "at 2 turns/s, then as many at 1 turn/s" in recipe.sentence(made, WORDS, ["friction_hysteresis"])
 
 
 CREEP = foretold(1.0, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)

@@ -63,12 +63,14 @@ class _Read(Form):
 class Foretold:
     """One sigma of each sample, in the channel's unit, of what the fit's numbers leave open; and of what was missed.
 
-    `missed`: rms, in the channel's unit, of unseen strokes where `held_out`, else of the noise.
+    `missed`: rms, in the channel's unit, of unseen strokes where `held_out`, else of the noise; by the diagnosis
+    `content`, if one is known.
     """
 
     sigma: Array  # (samples,)
     missed: float
     held_out: bool
+    content: Verdict | None = None
 
     @property
     def half_width(self) -> Array:
@@ -122,7 +124,7 @@ def band(problem: Problem, content: Verdict, path: Path, run: str) -> Foretold |
     if not np.isfinite(variance).all():
         raise BadInput(path, "uncertainty", "moves a number so far that nothing is foretold", MEND)
     missed = max(noise, unseen or 0.0)
-    return Foretold(np.sqrt(variance), missed, missed > noise)
+    return Foretold(np.sqrt(variance), missed, missed > noise, content)
 
 
 def _size(value: Any) -> float | None:

@@ -94,9 +94,9 @@ def test_by_how_much_another_explanation_differs_is_said_within_what_was_recorde
         "if_creep_and_wear_mm: the reading if the other explanation is right (creep + wear). It differs by at most"
     )
     near = "0.10 mm from displacement_mm within what was recorded and 2.0 mm outside"
-    assert line == f"{reading} {near}, and note 1 includes it"
+    assert line == f"{reading} {near}. Note 1, which is of nine of ten readings, includes it"
     (line,) = of_rivals(np.zeros(10), curves, np.ones(10, bool), "displacement_mm", "mm")
-    assert line == f"{reading} 2.0 mm from displacement_mm, and note 1 includes it"
+    assert line == f"{reading} 2.0 mm from displacement_mm. Note 1, which is of nine of ten readings, includes it"
     (line,) = of_rivals(np.zeros(10), curves, np.zeros(10, bool), "displacement_mm", "mm")
     assert line == f"{reading} 2.0 mm from displacement_mm", "there is nothing to report"
 
@@ -189,7 +189,9 @@ def test_simulate_gives_the_band_and_the_rivals_of_a_planned_motion_and_says_wha
         "expected error",
     ]
     places = [done.stdout.index(words_there) for words_there in order]
-    assert places == sorted(places) and "and note 1 includes it" in done.stdout, "five lines stood before the answer"
+    assert places == sorted(places) and "Note 1, which is of nine of ten readings, includes it" in done.stdout, (
+        "five lines stood before the answer"
+    )
     assert "expected error, only to compare" in done.stdout and "They cover no other explanation" in done.stdout
     assert "the reading if the other explanation is right (thermal + x_fit). It differs by at most " in done.stdout
     assert "another may say otherwise" not in done.stdout

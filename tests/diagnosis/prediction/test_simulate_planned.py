@@ -389,6 +389,10 @@ def test_where_half_the_speed_is_outside_what_the_verdict_foretells_of_it_is_sai
     assert "foretells a loop of 0.09 ± 0.02 mm at half the speed, 0.69 turns/s, if the explanation is right" in said
     assert not of_half_speed(content, 0.656, "mm", "turns", "mm"), "half the speed is inside"
     assert not of_half_speed({"evidence": {}}, 1.05, "mm", "turns", "mm"), "an older file"
+    content["evidence"]["expected"] |= {"recorded": {"loop_mm": 0.1}, "speed_per_s": 2.0}
+    assert "at half the speed, 1 turn/s, if" in of_half_speed(content, 1.05, "mm", "turns", "mm")[0]
+    first["plus_minus"]["loop_half_speed_mm"] = 4.0
+    assert not of_half_speed(content, 1.05, "mm", "turns", "mm"), "0 ± 4 mm says nothing beside a loop of 0.1 mm"
 
 
 def strokes_table(last: float = 0.0) -> pd.DataFrame:
@@ -408,9 +412,9 @@ def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_l
     assert head == ["stroke", "motor_turns", "displacement_mm, winding", "unwinding", "difference"]
     assert [row[0] for row in rows] == ["1", "", "", "2 and 3", "", ""]
     assert [float(row[1]) for row in rows[:3]] == [2.5, 5.0, 7.5]
-    assert rows[0][4] == "+0.10 mm", "the first way up has no memory yet"
+    assert rows[0][4] == "-0.10 mm", "the first way up has no memory yet"
     for row in rows[1:]:
-        assert float(row[3]) - float(row[2]) == pytest.approx(0.2, abs=1e-3) and row[4] == "+0.20 mm"
+        assert float(row[3]) - float(row[2]) == pytest.approx(0.2, abs=1e-3) and row[4] == "-0.20 mm"
         assert float(row[2]) == pytest.approx(float(row[1]) ** 2 / 10.0 - 0.1, abs=1e-3)
     other = loop_table.lines(strokes_table(0.05).assign(outside=1.0), words, "displacement_mm")
     far = [
@@ -431,10 +435,10 @@ def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_l
         high_mm=lambda made: made["displacement_mm"] + 0.054, displacement_mm=lambda made: made["low_mm"]
     )
     row = re.split(r" {2,}", loop_table.lines(small, words, "displacement_mm")[5])
-    assert row == ["2 and 3", "2.5", "0.471", "0.671", "+0.200 mm"], "the digits of a band of ±0.054 mm"
+    assert row == ["2 and 3", "2.5", "0.471", "0.671", "-0.200 mm"], "the digits of a band of ±0.054 mm"
     coarse = strokes_table().assign(outside=1.0, displacement_mm=lambda made: 20.0 + 0.26 * made["displacement_mm"])
     row = re.split(r" {2,}", loop_table.lines(coarse, words, "displacement_mm")[6])
-    assert row[-1] == "+0.052 mm" and float(row[-2]) - float(row[-3]) == pytest.approx(0.052, abs=2e-3), "to be checked"
+    assert row[-1] == "-0.052 mm" and float(row[-2]) - float(row[-3]) == pytest.approx(0.052, abs=2e-3), "to be checked"
     flat = strokes_table().assign(
         displacement_mm=lambda made: made["motor_turns"] + 3.5e-4 * (made["time_s"] % 20.0 > 10.0)
     )
@@ -465,9 +469,9 @@ def test_the_loop_of_a_plan_is_printed_and_why_its_first_stroke_begins_otherwise
     pd.DataFrame({"time_s": corners_s, "motor_turns": [0.0, top, 0.0, top, 0.0]}).to_csv(plan, index=False)
     loop = acting(tmp_path, LOOP)
     said = simulated(folder, loop, tmp_path / "a.csv", "--motion", plan).stdout
-    assert "unwinding less winding" in said and "stroke 1 begins at " in said
+    assert "winding less unwinding" in said and "stroke 1 begins at " in said
     after = simulated(folder, loop, tmp_path / "a.csv", "--motion", plan, "--after-recording").stdout
-    assert "unwinding less winding" in after and "stroke 1 begins at " not in after
+    assert "winding less unwinding" in after and "stroke 1 begins at " not in after
 
 
 def test_what_another_recording_of_the_same_diagnosis_holds_is_inside(make_run, tmp_path):

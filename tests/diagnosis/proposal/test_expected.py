@@ -350,6 +350,7 @@ def test_when_a_plan_leaves_what_was_recorded_is_said_in_seconds():
     rows = np.array([0, 1, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0], bool)
     assert stretches(rows[:4], np.arange(4.0)) == "from 1 to 2 s"
     assert stretches(rows, np.arange(12.0)) == "from 1 to 2 s, 4 to 4 s, 6 to 6 s and 2 stretches more"
+    assert stretches(rows[:9], np.arange(9.0)) == "from 1 to 2 s, 4 to 4 s, 6 to 6 s and 1 stretch more"
     assert stretches(np.zeros(3, bool), np.arange(3.0)) == ""
 
 

@@ -91,11 +91,11 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
         for share, motion, rising, falling in zip(SHARES, stroke.motion, stroke.up, stroke.down, strict=True):
             name = f"{_called(numbers)}{f' ({stroke.out})' if stroke.out else ''}" if share == SHARES[0] else ""
             ends = [f"{value:.{places}f}" for value in (rising, falling)]
-            rows.append([name, f"{motion:.4g}", *ends, _gap(falling - rising, stroke.half, words.unit)])
+            rows.append([name, f"{motion:.4g}", *ends, _gap(rising - falling, stroke.half, words.unit)])
     more = len(kinds) - MOST
     kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
     left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
-    head = f"on the way, where a loop shows (like strokes stand together; difference: {down} less {up}):"
+    head = f"on the way, where a loop shows (like strokes stand together; difference: {up} less {down}):"
     return [head, *aligned(rows), *left]
 
 
@@ -111,7 +111,7 @@ def _decimals(strokes: list[_Stroke], unit: str) -> int:
 
     As many as the differences beside them have, though no more than `FINEST`, or nobody could check these.
     """
-    gaps = [_gap(float(gap), stroke.half, unit).split()[0] for stroke in strokes for gap in stroke.down - stroke.up]
+    gaps = [_gap(float(gap), stroke.half, unit).split()[0] for stroke in strokes for gap in stroke.up - stroke.down]
     texts = [
         to_the_band(float(value), stroke.half, FAR_DIGITS if stroke.out else DIGITS)
         for stroke in strokes
@@ -124,7 +124,8 @@ def _decimals(strokes: list[_Stroke], unit: str) -> int:
 def _gap(gap: float, half: float, unit: str) -> str:
     """A difference in the unit of the readings beside it, to the band where there is one."""
     width = to_the_band(abs(gap), half) if half > 0.0 else number(abs(gap), whole=True)
-    return f"{'-' if gap < 0.0 else '+'}{width} {said_unit(unit)}"
+    sign = "" if not width.strip("0.") else "-" if gap < 0.0 else "+"
+    return f"{sign}{width} {said_unit(unit)}"
 
 
 def _called(numbers: list[str]) -> str:

@@ -10,7 +10,8 @@ from ....run.course import Mask
 from ...choice.outcome import rms
 from ...document.content import Part, Verdict
 from ...prediction.prediction_band import Foretold
-from ..language.quantity import listing, number, percent, plus_minus, size, times
+from ..held_out import holdout
+from ..language.quantity import listing, percent, plus_minus, quantity, size, times
 from ..language.vocabulary import Vocabulary
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
@@ -39,6 +40,8 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, words: Vocabu
         return [f"no expected error: {beyond}"]
     sigma = rms(foretold.sigma[inside])
     missed = "what strokes that no fit had seen were missed by" if foretold.held_out else "the noise of the readings"
+    whose = holdout.whose_if_known(foretold.content) if foretold.held_out and foretold.content else ""
+    missed += whose
     parts = f"{size(foretold.missed, unit)} is {missed}, {size(sigma, unit)} what the numbers of the fit leave open"
     first = [beyond] if out else []
     if (inside & np.logical_or.accumulate(~inside)).any():
@@ -69,7 +72,8 @@ def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int
 def stretches(rows: Mask, time_s: Array) -> str:
     """When some rows are, as `from 14.4 to 27.4 s`; of many stretches the first. Of shape (samples,), time in s."""
     times_s = [f"{time_s[first]:.4g} to {time_s[last - 1]:.4g} s" for first, last in spans.of_mask(rows)]
-    more = [f"{len(times_s) - STRETCHES} stretches more"] if len(times_s) > STRETCHES else []
+    left = len(times_s) - STRETCHES
+    more = [f"{left} stretch{'es' * (left > 1)} more"] if left > 0 else []
     return f"from {listing([*times_s[:STRETCHES], *more])}" if times_s else ""
 
 
@@ -108,9 +112,12 @@ def of_half_speed(content: Verdict, too_slow_below: float, ending: str, motion_u
     if key not in first or not 0.0 < half < too_slow_below:
         return []
     spread = first.get("plus_minus", {}).get(key)
+    recorded = expected.get("recorded", {}).get(f"loop_{ending}", abs(first[key]))
+    if spread is not None and spread > recorded:
+        return []  # a loop of 0 ± 4 mm says nothing
     loop = size(first[key], unit) if spread is None else plus_minus(first[key], spread, unit)
     return [
-        f"the verdict foretells a loop of {loop} at half the speed, {number(half)} {motion_unit}/s, if the "
+        f"the verdict foretells a loop of {loop} at half the speed, {quantity(half, f'{motion_unit}/s')}, if the "
         "explanation is right. Nothing that was recorded says whether it is right at that speed: hence no band there"
     ]
 
@@ -143,7 +150,7 @@ def of_rivals(predicted: Array, curves: dict[str, Array], inside: Mask, channel:
         near, far = (size(float(gap[rows].max()), unit) for rows in (inside, ~inside))
         return f"{near} from {channel} within what was recorded and {far} outside"
 
-    also = ", and note 1 includes it" * bool(inside.mean() >= REPORTED)
+    also = ". Note 1, which is of nine of ten readings, includes it" * bool(inside.mean() >= REPORTED)
     which = "the other explanation" if len(curves) == 1 else "another explanation"
     return [
         f"{column_of(ids, channel)}: the reading if {which} is right ({ids}). It differs by at most {most(curve)}{also}"

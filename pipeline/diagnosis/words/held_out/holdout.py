@@ -85,6 +85,13 @@ def whose(content: Verdict) -> str:
     return f" (of {other}, which the procedure names without these strokes)" if other else ""
 
 
+def whose_if_known(content: Verdict) -> str:
+    """As `whose`; nothing where a file does not say what is named without those strokes."""
+    evidence = content.get("evidence")
+    chosen = evidence.get("chosen_without_them") if isinstance(evidence, dict) else None
+    return whose(content) if isinstance(chosen, list) and all(isinstance(id_, str) for id_ in chosen) else ""
+
+
 def simulator(content: Verdict) -> str:
     """Of which simulator the last error on those strokes is; goes after `the simulator`."""
     if other_name(content) == NO_EFFECT:

@@ -41,7 +41,8 @@ def quantity(value: float, unit: str, digits: int = 2, whole: bool = False) -> s
     """A number with its unit, or with a smaller unit where that reads better; nothing but the number for a share."""
     if unit in SMALLER and 0.0 < abs(value) < LEAST:
         value, unit = value * FACTOR.get(unit, 1e3), SMALLER[unit]
-    return f"{number(value, digits, whole)} {said_unit(unit)}".strip()
+    shown = number(value, digits, whole)
+    return f"{shown} {said_unit(f'turn{unit[5:]}' if shown == '1' and unit.startswith('turns') else unit)}".strip()
 
 
 def plus_minus(value: float, half_width: float, unit: str) -> str:
@@ -63,8 +64,9 @@ def to_tell(value: float, apart: float, unit: str) -> str:
 def to_the_band(value: float, half_width: float, digits: int = 6) -> str:
     """A number with one decimal more than the first digit of half of its interval; with so many digits without one."""
     if not half_width > 0.0:
-        return f"{value:.{digits}g}"
-    return f"{value:.{min(max(1 - math.floor(math.log10(half_width)), 0), 9)}f}"
+        return f"{value + 0.0:.{digits}g}"
+    shown = f"{value:.{min(max(1 - math.floor(math.log10(half_width)), 0), 9)}f}"
+    return shown if float(shown) else shown.removeprefix("-")  # no -0.0
 
 
 def span(low: float, high: float, unit: str, whole: float) -> str:
@@ -75,7 +77,7 @@ def span(low: float, high: float, unit: str, whole: float) -> str:
 def ends(low: float, high: float, unit: str, digits: int = 3) -> str:
     """A range of a quantity, so many digits each, said as one where both read alike: 17.4 N, 1.3 to 4.1 turns/s."""
     least, most = number(low, digits), quantity(high, unit, digits)
-    return most if most.startswith(f"{least} ") else f"{least} to {most}"
+    return most if most.startswith(f"{least} ") else f"{least} to {re.sub('^1 turn(?!s)', '1 turns', most)}"
 
 
 def at(value: float, unit: str, whole: float) -> str:

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...mechanisms.library import mechanisms
-from ..language.quantity import at, duration, ends, number, quantity, span
+from ..language.quantity import at, duration, ends, quantity, span
 from ..language.vocabulary import Vocabulary
 from ..named.missing_signs import missing
 from . import second_load
@@ -60,7 +60,8 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     under = f" under {hung}" if words.load is not None and known["load"][1] > 0.0 else ""
     speed = ends(slow, fast, f"{words.motion_unit}/s", 2)
     if "speed" in lacking:
-        speed = f"{number(fast)} {words.motion_unit}/s, then as many at {number(fast / 2.0)} {words.motion_unit}/s"
+        usual, half = (quantity(each, f"{words.motion_unit}/s") for each in (fast, fast / 2.0))
+        speed = f"{usual}, then as many at {half}"
     if lasting:
         stand = duration(lasting)
         still = f", and in the first one hold {stand} at {top} and rest {stand} at {bottom} after it"
