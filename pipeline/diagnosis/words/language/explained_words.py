@@ -42,7 +42,8 @@ def of_effect(entry: Part, words: Vocabulary) -> str:
 
 def tells(id_: str, words: Vocabulary) -> str:
     """The test that tells an effect from others, in the words of a rig, without a full stop."""
-    return on_rig(mechanisms()[id_].told_apart_by, words)
+    test = mechanisms()[id_].told_apart_by
+    return on_rig(test if words.twisted else test.replace("two twists", f"two {words.motion}s"), words)
 
 
 def on_rig(sentence: str, words: Vocabulary) -> str:
@@ -57,5 +58,5 @@ def on_rig(sentence: str, words: Vocabulary) -> str:
     )
     sentence = sentence if words.motion_unit in ANGLES else sentence.replace(TURN, DRIVEN)
     for of_string, own in (("string", words.string), ("twist", words.motion), ("displacement", words.reading)):
-        sentence = re.sub(rf"\b{of_string}(s?)\b", rf"{own}\1", sentence)
+        sentence = re.sub(rf"\b{of_string}\b", own, sentence)
     return sentence
