@@ -24,6 +24,7 @@ from .printed import WAIT_S
 from .session import capture, capture_lines
 from .told_clock import tell_clock
 from .told_lines import clock_question, tell_lines
+from .undescribed import warn_undescribed
 
 GAPS_TOLD = 5
 
@@ -179,6 +180,7 @@ def main() -> int:
         if arguments.run_dir is None:
             parser.error("PORT and RUN_DIR are needed")
         folder = arguments.run_dir
+        warn_undescribed(folder)
         try:
             if arguments.text:
                 if question := doubt(columns, folder):

@@ -91,7 +91,9 @@ def _in_our_units(channel: str, role: Role) -> Array | None:
     return np.asarray(factor * role.scale * role.values + shift)
 
 
-def _preview(path: Path, kind: str, roles: dict[str, Role], columns: dict[str | int, Array]) -> str:
+def _preview(
+    path: Path, kind: str, roles: dict[str, Role], columns: dict[str | int, Array], words: dict[str, str]
+) -> str:
     """The first rows as they would be read, and the columns that nothing is read from."""
     read = {channel: values for channel, role in roles.items() if (values := _in_our_units(channel, role)) is not None}
     count = max((len(values) for values in columns.values()), default=0)
@@ -101,6 +103,7 @@ def _preview(path: Path, kind: str, roles: dict[str, Role], columns: dict[str | 
         lines += ["its first rows, as they are read:", shown.to_string(index=False)]
     used = {role.column for role in roles.values()}
     free = [f"  {key_name(column)}: {_span(values)}" for column, values in columns.items() if column not in used]
+    free += [f"  {name}: {what}" for name, what in words.items()]
     more = [f"  and {len(free) - SHOWN_COLUMNS} more"] if len(free) > SHOWN_COLUMNS else []
     return "\n".join([*lines, *(["not read:"] if free else []), *free[:SHOWN_COLUMNS], *more])
 
@@ -125,4 +128,4 @@ def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
         lines += ["  # two axes in one file: write their channels under axes (docs/import.md); each makes a run"]
     for channel in wanted:
         lines += _channel(channel, roles.get(channel), free)
-    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns) + damaged + seen.uneven
+    return "\n".join(lines) + "\n", _preview(path, kind, roles, columns, seen.words) + damaged + seen.uneven + seen.foot

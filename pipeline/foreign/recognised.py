@@ -1,5 +1,6 @@
 """What a foreign file holds, as far as its header and numbers tell: how it is written, and which column is what."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,12 +10,13 @@ import pandas as pd
 from ..formats import read_foreign
 from ..formats.text import Uneven, even_lines
 from ..formats.text_layout import NUMBER
-from ..ground.complaint import key_name
+from ..ground.complaint import key_name, short
 from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.strict_yaml import write_yaml
 from ..ground.text_file import TextFile
+from ..run.file_lines import line_or_row, named
 from ..run.no_number import are_few
 from ..run.read_log import too_long
 from ..systems import System
@@ -28,14 +30,17 @@ THOUSANDS = r"[+-]?\d{1,3}(?:[.']\d{3})+(?:,\d*)?|[+-]?\d{1,3}(?:,\d{3})+(?:\.\d
 class Recognised:
     """How a file is written, its columns of numbers, and the channels that they are.
 
-    A column, of shape (rows,), is in its own unit. `uneven` says what the import does about lines with
-    fields too many, on a line of its own; it is empty without such.
+    A column, of shape (rows,), is in its own unit. `words` has what stands in the other columns, by name. `uneven` and
+    `foot` say what the import does about lines with fields too many and about those below the numbers, each on a line
+    of its own; they are empty without such.
     """
 
     layout: TextFile
     columns: dict[str | int, Array]
     roles: dict[str, Role]
     uneven: str
+    words: dict[str, str]
+    foot: str
 
 
 def layout_yaml(layout: TextFile) -> str:
@@ -91,6 +96,25 @@ def _without_foot(layout: TextFile, columns: dict[str | int, Array]) -> tuple[Te
     return layout.model_copy(update={"rows": (0, end)}), kept
 
 
+def _foot(path: Path, layout: TextFile, end: int, rows: int) -> str:
+    """What the import does about the rows of a table from `end` on, below its numbers; empty without such."""
+    if end >= rows:
+        return ""
+    which = named(path, layout, list(range(end, rows)))
+    return f"\n{counted(rows - end, line_or_row(path))} below the numbers, which the import leaves out: {which}"
+
+
+def _words(table: pd.DataFrame, columns: Collection[str | int], end: int) -> dict[str, str]:
+    """What stands in each column of a table that is none of numbers, in its rows up to `end`."""
+    words = {}
+    for place, name in enumerate(table.columns):
+        if name not in columns and place not in columns:
+            full = table.iloc[:end, place].dropna().astype(str).str.strip()
+            full = full[full != ""]
+            words[key_name(name)] = f"no numbers, but such as {short(full.iloc[0])}" if len(full) else "empty"
+    return words
+
+
 def _roles(
     system: System, columns: dict[str | int, Array], units: dict[str | int, str], behind: list[str]
 ) -> dict[str, Role]:
@@ -117,6 +141,8 @@ def recognise(path: Path, system: System) -> Recognised:
     if not columns:
         raise BadInput(path, "file", "holds no column of numbers", BY_HAND)
     layout, columns = _without_foot(guessed.layout, columns)
+    end = layout.rows[1] if layout.rows else len(table)
+    words, foot = _words(table, columns, end), _foot(path, guessed.layout, end, len(table))
     named = dict(zip([*table.columns], guessed.units, strict=False))
     units = {column: named.get(column if isinstance(column, str) else table.columns[column], "") for column in columns}
-    return Recognised(layout, columns, _roles(system, columns, units, guessed.behind), uneven)
+    return Recognised(layout, columns, _roles(system, columns, units, guessed.behind), uneven, words, foot)

@@ -226,6 +226,21 @@ def test_ctrl_c_or_kill_ends_a_recording_in_good_order(rig, tmp_path, number):
     assert recording.account.end.reason == 1
 
 
+def test_a_folder_that_nobody_described_is_named_at_the_start_and_recorded_all_the_same(rig, tmp_path):
+    """A slip of the hand, raw/ for raw/example-2: 48 s were recorded before a word was said of it."""
+    raw = tmp_path / "raw"
+    for name, has_recording in (("example-1", True), ("example-2", False)):
+        (raw / name).mkdir(parents=True)
+        (raw / name / "run.yaml").write_text("run: it\n")
+        if has_recording:
+            (raw / name / "recording.frames").touch()
+    done = run("pipeline.capture", rig(), raw)
+    first = done.stdout.splitlines()[0]
+    assert first.startswith(f"warning: {raw}: run.yaml: is missing"), done.stdout
+    assert f"It is recorded into {raw} all the same" in first and first.endswith(f"Did you mean {raw / 'example-2'}?")
+    assert done.returncode == 0 and info(raw)["samples"]["received"] > 0
+
+
 def test_after_a_recording_signals_do_what_they_did_before(rig, tmp_path):
     numbers = (signal.SIGINT, signal.SIGTERM)
     before = [signal.getsignal(number) for number in numbers]

@@ -336,6 +336,17 @@ def test_damaged_rows_are_named_by_their_lines_and_what_the_import_does_about_th
     assert many in done.stderr and "first in line 301, '75,0#;;7Ã9,;'. The import refuses it so" in done.stderr
 
 
+def test_what_is_not_read_is_named_columns_of_words_and_lines_below_the_numbers_too(tmp_path):
+    """A column of remarks and the foot of a file were passed over without a word."""
+    german = GERMAN.assign(Bemerkung="", Zustand="OK").to_csv(sep=";", decimal=",", index=False)
+    (tmp_path / "log.csv").write_text(german + "Ende der Messung;;;;;\nBediener: X;;;;;\n", encoding="cp1252")
+    done = program("--guess", "log.csv", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    free = "not read:\n  Status: 0 to 0\n  Bemerkung: empty\n  Zustand: no numbers, but such as 'OK'\n"
+    foot = "2 lines below the numbers, which the import leaves out: line 2302, 'Ende der Messung;;;;;'; line 2303, "
+    assert free in done.stderr and foot in done.stderr, done.stderr
+
+
 @pytest.mark.parametrize(
     ("unit", "column", "turn"),
     [
