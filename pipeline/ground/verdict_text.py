@@ -5,6 +5,7 @@ import re
 MOST = 2000  # letters that are shown of its first words
 TO_DO = "What to do"  # begins the heading under which it says it
 STEP = re.compile(r"^  \d+\. ", re.M)
+MAY_ADOPT = "You may adopt"  # begins the sentence of a verdict that lets a person adopt what it names
 RECORD = re.compile(r"\brecord\b(?! FILE)", re.I)
 
 

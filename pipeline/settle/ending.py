@@ -7,12 +7,13 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.files import write_text
-from ..ground.verdict_text import record_asked
+from ..ground.verdict_text import MAY_ADOPT, record_asked, to_do
 from .choose import Budget
 from .step import Place, Step
 
 NAME = "settled.json"
 OPTIONAL = "Optional"  # begins a step of a verdict that nobody has to take
+BEFORE = "before adopting, "  # what the steps below it say by their order
 
 
 def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: Budget, why: str, sentence: str) -> None:
@@ -36,7 +37,7 @@ def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: B
         f"settled: {sentence}{named}" if why == "verdict" else f"ended, not settled: {sentence}",
         f"  the last verdict: {folder / 'verdict.txt'}",
         f"  how it ended: {place.out / NAME}",
-        f"  next: {_next(folder, verdict['verdict'], runs)}",
+        *_next(folder, verdict["verdict"], runs),
     ]
     if why != "verdict" and (more := going_on(sentence, budget)):
         lines.append(f"  or: {more}")
@@ -53,21 +54,29 @@ def going_on(sentence: str, budget: Budget) -> str:
 def _recording(asked_for: str) -> str:
     """The recording that a verdict's page asks for, or proposes where its step is optional."""
     if asked_for.startswith(OPTIONAL):
-        return f"to be surer still, its page proposes one more recording: {asked_for.partition(': ')[2] or asked_for}"
-    return f"that verdict asks for another recording: {asked_for}"
+        run = (asked_for.partition(": ")[2] or asked_for).replace(BEFORE, "")
+        return f"optional, to be surer of a name: {run} (how: details.txt beside the last verdict)"
+    return f"record once more, as the last verdict asks: {asked_for}"
 
 
-def _next(folder: Path, verdict: str, runs: Sequence[Path]) -> str:
-    """What a person does after the loop."""
+def _next(folder: Path, verdict: str, runs: Sequence[Path]) -> list[str]:
+    """What a person does after the loop, in its order, a line each."""
     page = folder / "verdict.txt"
-    asked_for = record_asked(page.read_text(encoding="utf-8")) if page.is_file() else ""
-    recording = _recording(asked_for) if asked_for else "nothing to record"
+    text = page.read_text(encoding="utf-8") if page.is_file() else ""
+    asked_for = record_asked(text)
+    recording = [_recording(asked_for)] if asked_for else []
     if verdict in ("explained", "parameters"):
         adopt = shlex.join([*command("adopt").split(), str(folder / "diagnosis.json"), str(runs[0])])
-        return f"{recording}. Where that verdict advises to adopt it, for each run: {adopt}"
+        lets = MAY_ADOPT in to_do(text) if text else True
+        steps = [*recording, *([f"adopt what the last verdict names, for each run: {adopt}"] if lets else [])]
+        if len(steps) > 1:
+            return ["  next, in this order:", *(f"    {place}. {step}" for place, step in enumerate(steps, start=1))]
+        start = "" if recording else "nothing to record; "
+        against = "" if lets else "; the last verdict does not advise to adopt it" if recording else "nothing to adopt"
+        return [f"  next: {start}{''.join(steps)}{against}"]
     if verdict == "consistent":
-        return recording if asked_for else "nothing to record: the simulator fits as it is"
+        return [f"  next: {''.join(recording) or 'nothing to record: the simulator fits as it is'}"]
     names = [*map(str, runs), "NEW_RUN", "--together", "--out", "NEW_FOLDER"]
     diagnose = shlex.join([*command("diagnose").split(), *names])
     reads = "what it could be" if verdict == "unknown" else "what tells the explanations apart"
-    return f"read there {reads}. After another run made by hand: {diagnose}"
+    return [f"  next: read there {reads}. After another run made by hand: {diagnose}"]

@@ -47,12 +47,18 @@ def test_it_says_nothing_to_record_only_where_its_verdict_asks_for_no_recording(
     """`next: nothing to record` stood above a verdict whose first step was to record strokes at two speeds."""
     text = said(tmp_path / "a", capsys, "explained", "verdict", "the verdict is explained", ASKS)
     assert "nothing to record" not in text and "pipeline.adopt" in text
-    record = "before adopting, record 7 strokes as before, 0 to 20 turns under 20 N, at 3.95 turns/s, then as many at"
-    surer = "to be surer still, its page proposes one more recording"
-    assert f"next: {surer}: {record} 1.98 turns/s. Where" in text, "it `asks` for what is `Optional`"
+    record = "record 7 strokes as before, 0 to 20 turns under 20 N, at 3.95 turns/s, then as many at 1.98 turns/s"
+    ordered = text.partition("  next, in this order:\n")[2].splitlines()
+    surer = "1. optional, to be surer of a name"
+    assert ordered[0] == f"    {surer}: {record} (how: details.txt beside the last verdict)", "no `before adopting`"
+    assert ordered[1].startswith("    2. adopt what the last verdict names, for each run: ") and len(ordered) == 2
+    assert "that verdict" not in text, "which verdict was that?"
     needed = ASKS.replace("Optional, to be surer of a name: before adopting, record", "Record")
     text = said(tmp_path / "c", capsys, "explained", "verdict", "the verdict is explained", needed)
-    assert "next: that verdict asks for another recording: Record 7 strokes as before, 0 to 20 turns" in text
+    assert "1. record once more, as the last verdict asks: Record 7 strokes as before, 0 to 20 turns" in text
+    against = needed.replace("You may adopt this to predict motions like the recorded ones", "Adopting gains nothing")
+    text = said(tmp_path / "d", capsys, "explained", "verdict", "the verdict is explained", against)
+    assert "pipeline.adopt" not in text and "; the last verdict does not advise to adopt it" in text
     none = ASKS.replace("record 7 strokes", "wind 7 strokes")
     assert "nothing to record" in said(tmp_path / "b", capsys, "explained", "verdict", "the verdict is explained", none)
 

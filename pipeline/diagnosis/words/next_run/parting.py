@@ -22,8 +22,9 @@ def sentence(content: Verdict) -> str:
     close, own = _close(run), {ids: _called(ids, names) for ids in names}
     if len(close) == len(names) * (len(names) - 1) // 2:
         return f"It is not sure to tell any of the {len(names)} likeliest explanations from all others."
-    alone = [f"({own[group[0]]})" if "+" in own[group[0]] else own[group[0]] for group in groups if len(group) == 1]
-    parts = [f"it can tell {listing(alone)} from the others"] if alone else []
+    alone = [own[group[0]] for group in groups if len(group) == 1]
+    apart = f"{', '.join(alone[:-1])}, and {alone[-1]}," if len(alone) > 1 and "+" in "".join(alone) else listing(alone)
+    parts = [f"it can tell {apart} from the others"] if alone else []
     left = [part for group in groups if len(group) > 1 for part in _left(group, close, own)]
     parts += ["it can tell these apart"] if not alone and all("stay together" in part for part in left) else []
     return f"Of the {len(names)} likeliest explanations {'; '.join([*parts, *left])}."

@@ -35,7 +35,7 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
         need = f"Make the run that can decide {question}{others}, if you need to know. {where}"
         return [[need, *alone]]
     if worth.raises(run):
-        hard = ", the two that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
+        hard = ", the two explanations that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {question}{hard}: try the run that tells them apart best{others}."
         tried = "About half of such runs decided in tests."
         tells = parting.sentence(content) if short and parting.some(content) else ""

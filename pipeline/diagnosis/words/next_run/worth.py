@@ -9,7 +9,7 @@ from ...proposal import design
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
 from ..held_out import in_vain
-from ..language.quantity import listing, number, place_near, size, times, to_tell
+from ..language.quantity import number, place_near, size, times, to_tell
 from ..language.vocabulary import Vocabulary
 from . import parting
 
@@ -121,13 +121,11 @@ def share(ids: list[str], content: Verdict) -> float | None:
 def question(content: Verdict) -> str:
     """What the run is to answer: what the two explanations that it parts differ in."""
     first_ids, other_ids = proposal(content)["parts"]
-    rests = [
-        listing([id_ for id_ in ids if id_ not in both])
-        for ids, both in ((first_ids, other_ids), (other_ids, first_ids))
-    ]
-    if not all(rests):
+    pairs = ((first_ids, other_ids), (other_ids, first_ids))
+    rests = [rivals.called([id_ for id_ in ids if id_ not in both]) for ids, both in pairs if set(ids) - set(both)]
+    if len(rests) < 2:
         return f"whether {''.join(rests)} is at work"
-    return f"which is at work: {', or '.join(rests) if any(' and ' in rest for rest in rests) else ' or '.join(rests)}"
+    return f"which is at work: {' or '.join(rests)}"
 
 
 def differing(content: Verdict) -> set[str]:

@@ -1,6 +1,7 @@
 """Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
 
 from ....ground.command import program_name
+from ....ground.verdict_text import MAY_ADOPT as MAY
 from ...document.content import Verdict
 from ..held_out import holdout, in_vain
 from ..language.quantity import listing, size
@@ -11,7 +12,6 @@ from ..next_run.run_asked import more_strokes
 from . import report
 
 NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
-MAY = "You may adopt"
 
 
 def worse(content: Verdict) -> str:

@@ -35,10 +35,25 @@ def sentence(content: Verdict, words: Vocabulary) -> str:
     if single:
         then = f"{UNKNOWN} of {_named(content, unsure, 'and')} acts{beside}"
     elif lead and set(lead) <= set(common):
-        then = f"whether {_named(content, unsure, 'or')} acts{beside} is open"
+        then = _open(content, unsure, sets, f"acts{beside}", f"act{beside}")
     else:
-        then = f"whether {_named(content, unsure, 'or')} is at work is open"
+        then = _open(content, unsure, sets, "is at work", "are at work")
     return f"{first}; {then}" if first else then
+
+
+def _open(content: Verdict, unsure: list[str], sets: list[set[str]], acts: str, act: str) -> str:
+    """That it is open which effects are at work, so that nobody takes for either-or what one explanation has together.
+
+    `acts` and `act`: what one does, and what several do.
+    """
+    within = [each & set(unsure) for each in sets]
+    if all(len(each) < 2 for each in within):
+        return f"whether {_named(content, unsure, 'or')} {acts} is open"
+    if all(len(each) in (0, len(unsure)) for each in within):
+        return f"whether {_named(content, unsure, 'and')} {act} is open"
+    if len(unsure) == 2:
+        return f"whether {', '.join(_one(content, id_) for id_ in unsure)} or both {act} is open"
+    return f"which of {_named(content, unsure, 'and')} {act} is open"
 
 
 def _likely(content: Verdict, sure: list[str], likely: list[str]) -> str:
@@ -58,7 +73,8 @@ def _named(content: Verdict, ids: list[str], last: str) -> str:
     """Effects with their percentages; of many the first ones, and how many more."""
     if len(ids) <= NAMED + 1:
         return listing([_one(content, id_) for id_ in ids], last)
-    return f"{', '.join(_one(content, id_) for id_ in ids[:NAMED])} {last} one of {len(ids) - NAMED} more"
+    one_of = "one of " * (last == "or")
+    return f"{', '.join(_one(content, id_) for id_ in ids[:NAMED])} {last} {one_of}{len(ids) - NAMED} more"
 
 
 def _one(content: Verdict, id_: str) -> str:

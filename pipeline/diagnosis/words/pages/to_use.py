@@ -19,8 +19,9 @@ def predict(content: Verdict, words: Vocabulary, folders: list[Path], out: Path 
     loads = "loads, speeds" if hung(content, words) else "speeds"
     head = f"To predict the rig, at {loads} and {words.motion}s like those recorded"
     ids = [entry["id"] for entry in content["mechanisms"]]
+    # of the last run, for it left the string as the next plan finds it
     planned = predictions(out / "diagnosis.json", folders, ids)[1::2]
-    return [[f"{head}. {columns_of_plan(words, hung(content, words))}:", f"  {planned[0]}", *of_staying(ids)]]
+    return [[f"{head}. {columns_of_plan(words, hung(content, words))}:", f"  {planned[-1]}", *of_staying(ids)]]
 
 
 def adopt(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:

@@ -5,6 +5,8 @@ import copy
 import pytest
 from made_content import content, full, told
 
+from pipeline.diagnosis.words.next_run import parting, worth
+
 
 def parted(*gaps, **changes):
     """A tie of three: friction with creep, heat or wear; `gaps` as foretold of creep-heat, creep-wear, heat-wear."""
@@ -39,6 +41,20 @@ def test_a_run_says_which_of_three_explanations_it_parts_and_which_it_leaves_tog
     assert said in told(copy.deepcopy(made))
     section = " ".join(full(made).partition("\nThe run to make next\n")[2].partition("\n\n")[0].split())
     assert section.count(said) == 1, "where the run stands, and once"
+
+
+def test_an_explanation_of_several_effects_stands_in_no_brackets_and_counts_as_one():
+    """`jam, or friction_hysteresis and radius_compaction, the two that are hardest to tell apart`: which two?"""
+    made = parted(400.0, 400.0, 9.1)
+    for pair in made["next_run"]["pairs"]:
+        pair["ids"] = [[*ids, "slack"] if ids[-1] == "creep" else ids for ids in pair["ids"]]
+    made["mechanisms"].append({**made["mechanisms"][-1], "id": "slack"})
+    said = "it can tell creep + slack from the others; thermal and wear stay together"
+    assert said in parting.sentence(made)
+    made["next_run"]["parts"] = [["creep", "slack"], ["thermal"]]
+    assert worth.question(made) == "which is at work: creep + slack or thermal"
+    made["next_run"] |= {"gap_now": 9.0, "gap_then": 30.0}
+    assert "the two explanations that are hardest to tell apart" in told(made)
 
 
 def test_two_that_the_run_is_to_decide_between_never_stay_together_over_a_third():

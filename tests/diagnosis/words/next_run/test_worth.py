@@ -24,9 +24,7 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     assert "These two are the closest of the 4 likeliest explanations." in text
     made["next_run"]["parts"][0].append("wear")
     text = told(copy.deepcopy(made))
-    assert (
-        "at work: creep and wear, or thermal" in text and "without it report the best explanation as one of 5." in text
-    )
+    assert "at work: creep + wear or thermal" in text and "without it report the best explanation as one of 5." in text
     assert "; the best one differs from both by at least as much." in text
     made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
     made["fit"]["heldout"]["explained_mm"] = 0.95

@@ -7,6 +7,7 @@ from made_content import SYSTEMS, content, to_adopt
 
 from pipeline.diagnosis.words.pages.details import details_text
 from pipeline.diagnosis.words.pages.spoken import spoken
+from pipeline.diagnosis.words.pages.verdict import verdict_text
 
 
 def test_what_is_named_comes_with_the_command_that_adopts_it():
@@ -37,3 +38,11 @@ def test_the_command_that_adopts_is_told_only_where_adopting_is_advised(sigma, f
     assert ("Do not adopt before the radius is measured again." in use) is first
     assert ("with the dimensions that fit with them; yours stay as measured" in use) is not first
     assert ("python -m pipeline.adopt 'reports/nylon 3/diagnosis.json' raw/nylon-3" in use) is not first
+
+
+def test_the_page_simulates_and_settles_the_run_that_was_recorded_last():
+    """On one page `settle` had the last run and `simulate` the first, and no reason was said."""
+    folders = [Path("raw/nylon-3"), Path("raw/nylon-4")]
+    text = verdict_text(content(run=["nylon-3", "nylon-4"]), SYSTEMS["mm"], folders, Path("reports/both"))
+    said = [line.split()[2:4] for line in text.splitlines() if "python -m pipeline.s" in line]
+    assert said == [["pipeline.settle", "raw/nylon-4"], ["pipeline.simulate", "raw/nylon-4"]]

@@ -322,7 +322,7 @@ def test_the_first_sentence_of_a_tie_says_first_what_is_sure():
         ),
         (
             confident(0.3, 0.4, alternatives=[["thermal"]]),
-            "nylon-3: whether creep (40 %), friction_hysteresis (30 %) or th",
+            "nylon-3: which of creep (40 %), friction_hysteresis (30 %) and th",
         ),
     ):
         made["evidence"]["moved_sigma"] = NEAR
@@ -332,6 +332,21 @@ def test_the_first_sentence_of_a_tie_says_first_what_is_sure():
     swap["mechanisms"] = swap["mechanisms"][:1]
     first = " ".join(page(swap).partition("\n\n")[0].split())
     assert first.endswith("friction_hysteresis (48 %) or backlash (0 %) is at work; it is not known which (ambiguous).")
+
+
+@pytest.mark.parametrize(
+    ("others", "said"),
+    [
+        ([["wear", "jam"]], "whether wear (2 %) and jam (0 %) are at work is open"),
+        ([["wear", "jam"], ["wear"]], "whether wear (2 %), jam (0 %) or both are at work is open"),
+        ([["wear", "jam"], ["slack"]], "which of wear (2 %), jam (0 %) and slack (0 %) are at work is open"),
+        ([["wear"], ["jam"]], "whether wear (2 %) or jam (0 %) is at work is open"),
+    ],
+)
+def test_effects_that_one_explanation_has_together_are_no_either_or(others, said):
+    """`whether plastic_elongation or radius_compaction is at work`, though the one that was kept has both."""
+    made = confident(0.93, 0.9, alternatives=others, evidence__moved_sigma=NEAR)
+    assert said in " ".join(page(made).partition("\n\n")[0].split())
 
 
 def test_a_single_explanation_is_reported_with_its_probability():
