@@ -14,7 +14,7 @@ from .diagnosis.document.content import Verdict
 from .diagnosis.fit.adopt import acts_from, adoptions, checked
 from .diagnosis.prediction.simulation import of_run, read_diagnosis
 from .diagnosis.words.language.quantity import listing
-from .diagnosis.words.language.sections import wrapped
+from .diagnosis.words.language.sections import section, wrapped
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.pages.adoption import adopted_predictions, hung, weighed_anew
 from .diagnosis.words.pages.advice import instead
@@ -32,24 +32,25 @@ from .run.run_dir import run_dir
 from .run.samples import read_strokes
 
 MOST = 5  # explanations that are named
+HEADINGS = ("What changed", "What it means", "What comes next")
 
 
-def check(content: Verdict, source: Path, folder: Path) -> list[str]:
-    """What adopting changes, in words: the errors on the run's recording, and dimensions.
+def check(content: Verdict, source: Path, folder: Path) -> tuple[list[str], list[str]]:
+    """What adopting changes, in words: the errors on the run's recording, and the dimensions.
 
     A run without a recording takes any known names. Raises BadInput unless what a diagnosis names can act in the run.
     """
     for number, entry in enumerate(content["simulation"]):
         checked(entry, f"{KEY}[{number}]", str(source))
     if not has_recording(folder):
-        return []
+        return [], []
     run, samples, strokes = read_strokes(folder)
     bare = without_effects(run, samples, strokes)
     acts_from(content["simulation"], bare.drivers, str(source))
     adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
     errors = before_after.told(bare, of_run(run), of_run(adopting), source, before_after.is_of(content, run.run))
     own = before_after.on_unseen(content, bare.drivers.units.reading, run.run)
-    return [*errors, *own, *before_after.dimensions(content)]
+    return [*errors, *own], before_after.dimensions(content)
 
 
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
@@ -142,7 +143,7 @@ def adopt(source: Path, folder: Path, sure: bool = False) -> None:
         raise BadInput(source, "parameters", f"was made with {other}", "diagnose the run again, and adopt that")
     words = Vocabulary.of(run.system)
     before_after.refuse_unadvised(content, words, source, sure)
-    errors = check(content, source, folder)
+    errors, dimensions = check(content, source, folder)
     if run.string and run.string.material == SYNTHETIC:
         print(
             "beware: the main job records this run anew, and then its run.yaml holds nothing adopted", file=sys.stderr
@@ -163,17 +164,21 @@ def adopt(source: Path, folder: Path, sure: bool = False) -> None:
         return
     write(path, made)
     doubt = before_after.against_advice(content, words, taken_out(folder))
-    report = [*doubt, f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
-    report += sentences(content)
-    others = origin[-1]["tied"] if origin else []
+    changed = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
+    changed += [*sentences(content), *dimensions]
+    others, means = origin[-1]["tied"] if origin else [], errors
     if others:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
         sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
-        report.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
-    predict = adopted_predictions(folder, words, hung(content, words), ids)
-    meant = ["What its numbers mean, if you are curious:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
-    out = ["To take all of it out of run.yaml again:", taken_out(folder)] * (not doubt)
-    show([*report, *errors, before_after.NEXT, *predict, *meant, weighed_anew(words), *out])
+        means.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
+    then = [*adopted_predictions(folder, words, hung(content, words), ids), before_after.NEXT]
+    then += ["What its numbers mean, if you are curious:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
+    then += ["To take all of it out of run.yaml again:", taken_out(folder)] * (not doubt)
+    if doubt:
+        show([*doubt, before_after.KEPT])
+        print()
+    groups = zip(HEADINGS, (changed, [*means, weighed_anew(words)], then), strict=True)
+    print("\n\n".join(section(head, lines) for head, lines in groups))
 
 
 def show(lines: list[str]) -> None:

@@ -29,6 +29,7 @@ NEXT = (
     "measured them, which it calibrates anew. Give it another --out: in the same folder it replaces the verdict that "
     "was adopted."
 )
+KEPT = "run.yaml keeps that advice, and later verdicts repeat it."
 WORSE = 1.1  # times the error before: less may be chance
 HARDLY, MOST = 0.05, 8  # sigma: a dimension that stayed; dimensions that are named
 
@@ -164,7 +165,7 @@ def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: b
     rows = [["on this recording, rms of single samples", *columns]]
     rows.append([f"error of {program_name('simulate')}"])
     if problem.system.free_zero:
-        rows.append(["the same with the zero of the reading at its best, as in a verdict"])
+        rows.append(["the same, if the whole recording sets the zero"])
     for row, before_and_now in zip(rows[1:], zip(*errors, strict=True), strict=False):
         row += [size(error, unit) for error in before_and_now]
     return aligned(rows)

@@ -222,14 +222,16 @@ def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, d
     diagnosis.write_text(json.dumps(content))
     before = [errs(), about_its_median()]
     done = programs.run("pipeline.adopt", diagnosis, folder)
-    lines = done.stdout.splitlines()
+    heads = [line for line in done.stdout.splitlines() if not line.startswith(" ")]
+    assert heads == ["What changed", "", "What it means", "", "What comes next"], "it was one block of 30 lines"
+    lines = [line.removeprefix("  ") for line in done.stdout.splitlines()]
     place = next(number for number, line in enumerate(lines) if line.startswith("on this recording"))
     head, first, second = lines[place : place + 3]
     assert head.split("   ")[0] == "on this recording, rms of single samples" and head.endswith("now")
     set_, free = ([float(one) for one in re.findall(r"([0-9.]+) mm", row)] for row in (first, second))
-    assert set_ == pytest.approx([before[0], errs()], rel=0.05) and first.startswith("error of pipeline.simulate")
+    assert set_ == pytest.approx([before[0], errs()], rel=0.05) and first.startswith("error of pipeline.simulate ")
     assert free == pytest.approx([before[1], about_its_median()], rel=0.05) and second.startswith(
-        "the same with the zero of the reading at its best"
+        "the same, if the whole recording sets the zero "
     )
     assert f"  python -m pipeline.adopt --explain {folder}" in lines
     means = programs.run("pipeline.adopt", "--explain", folder).stdout
@@ -309,9 +311,9 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
     judged(diagnosis, "ambiguous", TIED, next_experiment=NEXT)
     done = programs.run("pipeline.adopt", diagnosis, folder)
     *_, before_last, last = done.stdout.splitlines()
-    assert before_last == "To take all of it out of run.yaml again:"
+    assert before_last.strip() == "To take all of it out of run.yaml again:"
     assert "not weighed again" in done.stdout, "before the command that takes it out"
-    assert last == f"  python -m pipeline.adopt --remove {folder}"
+    assert last == f"    python -m pipeline.adopt --remove {folder}"
     assert (folder / "run.yaml").read_bytes() != before
     done = programs.run(*last.split()[-3:])
     assert done.returncode == 0 and "are taken out (they held sensor_drift)" in done.stdout, done.stderr

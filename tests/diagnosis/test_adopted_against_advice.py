@@ -1,6 +1,7 @@
 """A recording whose verdict says to adopt nothing is adopted all the same: whoever comes later is told of it."""
 
 import json
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -101,6 +102,25 @@ def test_a_plan_s_error_says_whose_it_is_and_the_loop_has_the_sign_that_lifespan
         assert f"Of it 2.3 mm is what strokes that no fit had seen were missed by {whose}, " in done.stdout
         assert "difference: winding less unwinding)" in done.stdout
         assert "+0.2 mm" in done.stdout and " 0.0 mm" in done.stdout and "-0.0" not in done.stdout
+
+
+def test_rows_that_do_not_add_up_say_why_and_a_formula_has_the_symbols_of_its_elements(visit) -> None:
+    """The rows of creep added up to -0.670 mm under a head of -0.677 mm; F stood beside the root of the load."""
+    creep, friction = flat(visit.explained.stdout).split(" Its formula: ")[:2]
+    head = float(re.search(r"rms, and by (-[0-9.]+) mm at 20 against 0 turns", creep)[1])
+    rows = [float(way) for way in re.findall(r" (-[0-9.]+) mm (?:lengthens)", creep)]
+    (shown, whole, least) = re.search(
+        r"last column add up to (-[0-9.]+) mm, not to (-[0-9.]+) mm: where – stands it is less than ([0-9.]+) mm each",
+        creep,
+    ).groups()
+    assert (float(shown), float(whole)) == (pytest.approx(sum(rows), abs=2e-3), head) and float(least) < 0.01
+    assert "dx = -sum k_i f_i g_i s_i" in flat(visit.explained.stdout) and "F/K" not in friction
+
+
+def test_what_adopting_prints_stands_in_groups(visit) -> None:
+    heads = [line for line in visit.adopted.stdout.splitlines() if line[:1].strip()]
+    assert heads[-3:] == ["What changed", "What it means", "What comes next"]
+    assert "run.yaml keeps that advice" in visit.adopted.stdout
 
 
 def test_a_run_yaml_of_an_earlier_program_is_read_and_says_nothing_of_advice(visit, tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...fit.problem import Act
 from ...mechanisms.interface import Mechanism
@@ -14,11 +14,12 @@ from ..language.quantity import at, listing, number, percent, said_unit, size, t
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from .formulas import direction, does, formula, letter_by_letter, of_strings_alone
-from .shape_numbers import meaning_of, shape_number, unit_of_shape
+from .shape_numbers import LOADS, meaning_of, shape_number, unit_of_shape
 
 HEAD = (
     "What each number under simulation means, if you are curious: nobody needs them to predict. What a number does is "
-    "said for this recording, all else held. Sources of the formulas: docs/physics.md."
+    "said for this recording, all else held; where – stands, it moves nothing alone, or both ends hardly differ. "
+    "Sources of the formulas: docs/physics.md."
 )
 NO_SENTENCES: Mapping[str, str] = {}
 UNSEEN = 0.01  # of the rms of an effect: a difference between two motions that is less is none
@@ -95,12 +96,18 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
             if of_strings_alone(meaning_of(key), words):
                 continue
             name = drivers.units.name(key)
-            rows.append([name, f"{number(value, 3)} {unit_of_shape(key, name)}".strip(), UNKNOWN, UNKNOWN])
-            described.append(shape_number(key, words))
+            units, kept = drivers.units, ""
+            spelled = f"{number(value, 3)} {unit_of_shape(key, name)}"
+            if key in LOADS:
+                spelled = f"{number(units.load_size * value, 3)} {units.load}"
+                kept = f"; run.yaml has it as {number(value, 3)}, in {number(units.load_size)} {units.load}"
+            rows.append([name, spelled.strip(), UNKNOWN, UNKNOWN])
+            described.append(f"{shape_number(key, words)}{kept}")
     head, *table = aligned([["number", "value", "reading moved, rms", _between(whole, words)], *rows])
-    made = f", of {listing(shares)}" * (len(shares) == len(names))
-    several = [f"    It is made of {len(names)} elements{made}: the first {len(names)} rows."] * (len(names) > 1)
+    made = f" {listing(shares)} are weights, which need not add up to 100 %." * (len(shares) == len(names))
+    several = [f"    It is made of {len(names)} elements: the first {len(names)} rows.{made}"] * (len(names) > 1)
     written = [f"  {act.id}: {does_here} In all it {_moves(whole, words)}.", *several, *_shares(mechanism, names)]
+    written += _adding_up(whole, each, words)
     written.append(f"    {head}")
     for row, what in zip(table, described, strict=True):
         written += [f"    {row}", f"      {what}"]
@@ -110,6 +117,19 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
         f"    Its formula: {equation}",
         *(f"    {letters}" for letters in [letter_by_letter(equation, mechanism, words)] if letters),
     ]
+
+
+def _adding_up(whole: Size, each: Sequence[Size], words: Vocabulary) -> list[str]:
+    """By how much the rows of the last column do not add up to what the whole effect does there, and why."""
+    least = UNSEEN * whole.rms
+    shown = [moved.at_top for moved in each if abs(moved.at_top) > least]
+    ways = [_cells(replace(whole, at_top=total), words, whole.rms)[1] for total in (sum(shown), whole.at_top)]
+    if ways[0] == ways[1] or not shown or UNKNOWN in ways:
+        return []
+    small = abs(sum(moved.at_top for moved in each) - whole.at_top) < least
+    left_out = f"where – stands it is less than {size(least, words.unit)} each"
+    why = left_out if small else "what each number does depends on the others"
+    return [f"    The rows of the last column add up to {ways[0]}, not to {ways[1]}: {why}."]
 
 
 def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:

@@ -85,6 +85,4 @@ def shape_number(key: str, words: Vocabulary) -> str:
 
 def unit_of_shape(key: str, name: str) -> str:
     """Unit of the library's number `key`, which is called `name` on this rig; empty where it has none."""
-    if key in LOADS:
-        return "x 10 N"
     return said_unit(unit_of(name)) if unit_of_nonlinear(key) != "1" else ""

@@ -65,10 +65,14 @@ def test_what_an_effect_does_in_the_recording_stands_first(problem) -> None:
     own, does = sizes(problem, state), {"friction_hysteresis": "Half the width of the loop is 0.026 turns."}
     said = coefficients.lines(state.acts, problem.drivers, words, own, does)
     assert said[1].startswith("  friction_hysteresis: Half the width of the loop is 0.026 turns. In all it moves ")
-    assert said[2] == "    It is made of 2 elements, of 42 % and 65 %: the first 2 rows."
+    assert said[2] == (
+        "    It is made of 2 elements: the first 2 rows. 42 % and 65 % are weights, which need not add up to 100 %."
+    )
+    said = [line for line in said if not line.startswith("    The rows of the last column add up to ")]
     rows = said[4:-2]
     assert len(rows) % 2 == 0 and all(row.startswith("      ") for row in rows[1::2]), "each row has its meaning"
-    assert rows[-2].split()[:4] == ["usual_load", f"{shape['usual_load']:.3g}", "x", "10"]
+    assert rows[-2].split()[:3] == ["usual_load", f"{10.0 * shape['usual_load']:.3g}", "N"]
+    assert f"run.yaml has it as {shape['usual_load']:.3g}, in 10 N" in rows[-1] and "where – stands" in said[0]
     assert said[-2].endswith(mechanisms()["friction_hysteresis"].variants["play_turns"])
 
 
@@ -83,7 +87,7 @@ def test_sizes_of_one_table_have_one_unit(problem) -> None:
 def test_each_letter_of_a_formula_is_explained(problem, id_: str) -> None:
     mechanism, words = mechanisms()[id_], Vocabulary.of(problem.system)
     for equation in (mechanism.equation, *mechanism.variants.values()):
-        formula = re.split(r", (?:s: stop|theta' the|e: any|s sticks)|; half|: any| where ", equation)[0]
+        formula = re.split(r", (?:s_i: stop|theta' the|e: any|s sticks)|; half|: any| where ", equation)[0]
         said = formulas.letter_by_letter(equation, mechanism, words)
         for letter in set(formulas.LETTER.findall(formula)) - NO_LETTERS:
             bare = letter if f" {letter}: " in said else re.sub("'+$|^d", "", letter)
