@@ -14,8 +14,9 @@ def warn_undescribed(folder: Path) -> None:
         read_run(folder)
     except BadInput as error:
         meant = f" Did you mean {' or '.join(waiting)}?" if (waiting := _waiting(folder)) else ""
-        kept = f"It is recorded into {folder} all the same; until then nothing can use it."
-        print(f"warning: {error} {kept}{meant}", flush=True)
+        print(  # the mend is said at the end, where nobody needs to hurry
+            f"warning: {error.file}: {error.field}: {error.problem}. It is recorded all the same.{meant}", flush=True
+        )
 
 
 def _waiting(folder: Path) -> list[str]:

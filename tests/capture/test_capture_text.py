@@ -326,6 +326,7 @@ def test_what_a_rig_prints_without_names_is_kept_and_named_by_recover(rig, tmp_p
 def test_a_misspelt_channel_is_asked_about_before_anything_is_recorded(rig):
     _, start = rig
     process = start("--columns", "time_ms,motor_truns,displacement_mm")
+    assert "run.yaml: is missing" in process.stdout.readline()
     assert process.stdout.readline().startswith(
         "--columns: motor_truns is no channel; did you mean time_ms,motor_turns,displacement_mm? What is recorded"
     )
@@ -348,7 +349,7 @@ def test_a_recording_without_names_is_named_afterwards_as_if_they_had_been_known
     folder = tmp_path / "run-1"
     status, said, began_s, ended_s = nameless(ours, start, folder)
     command = f"python -m pipeline.capture --recover {folder} --columns time_ms,motor_turns,displacement_mm,load_n"
-    warning = next(one for one in said.splitlines() if one.startswith("warning"))
+    warning = next(one for one in said.splitlines() if one.startswith("warning: no line"))
     assert status == 2 and warning.endswith(command) and said.rstrip().endswith(f"{command}."), said
     assert " bad" not in said and "lines of 4 numbers like" in said, said
     kept = (folder / "recording.lines").read_bytes()
@@ -443,7 +444,7 @@ def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
     for number in range(2000):
         os.write(ours, line(number) + (b"moving on\r\n" if number % 50 == 0 else b""))
         ready, _, _ = select.select([process.stdout], [], [], 0.02)
-        if ready and "Ctrl-C or kill" not in (said := process.stdout.readline()):
+        if ready and not re.search(r"Ctrl-C or kill|run\.yaml: is missing", said := process.stdout.readline()):
             break
     assert re.fullmatch(
         r"reads time_ms = \d+, motor_turns = [\d.]+, displacement_mm = [\d.]+; "
@@ -501,6 +502,7 @@ def test_a_port_that_comes_late_is_waited_for(tmp_path):
     command += ["--columns", "time_ms,motor_turns,displacement_mm"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     try:
+        assert process.stdout.readline().startswith(f"warning: {folder}: run.yaml: is missing")
         assert process.stdout.readline() == f"{link}: is not there yet; waiting 10 s for it\n"
         link.symlink_to(os.ttyname(theirs))
         until((folder / "recording.lines").exists, process)
@@ -531,7 +533,7 @@ def test_a_run_without_a_sample_is_no_success_and_says_so_while_it_records(rig, 
     until(lambda: (folder / "recording.lines").read_bytes().endswith(COMMAS), process)
     process.send_signal(signal.SIGINT)
     said, _ = process.communicate(timeout=60)
-    assert process.returncode == 2 and "warning: no line is read yet, but all are kept: " in said.splitlines()[1], said
+    assert process.returncode == 2 and "warning: no line is read yet, but all are kept: " in said.splitlines()[2], said
     assert "--recover" in said.splitlines()[-1] and "Traceback" not in said
     assert (folder / "recording.lines").exists() and not (folder / "capture.json").exists()
     assert not (folder / "recording.csv").exists()
