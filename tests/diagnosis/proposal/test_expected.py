@@ -96,7 +96,7 @@ def test_the_table_has_a_column_for_each_explanation_and_no_row_that_nobody_woul
     assert rows[0] == ["What to expect of", "with creep", "with thermal"], "without what both have"
     assert rows[1:4] == [
         ["change in a hold of 2 min at 30.7 turns under 20 N", "-0.28 mm", "hardly"],
-        ["the loop at half the speed, 1 turns/s", "0.10 mm", "0.20 mm"],
+        ["the loop at half the speed, 1 turn/s", "0.10 mm", "0.20 mm"],
         ["change in a rest of 2 min at 0 turns after it", "+0.10 mm", "–"],
     ], "what tells most comes first, what only one foretells last"
     assert "Differences of less than 0.033 mm tell nothing" in rows[-2][0] and len(rows) == 7
@@ -117,7 +117,7 @@ def test_each_number_has_its_plus_minus_and_rows_within_it_are_left_out():
     table = lines(content(evidence__expected=EXPECTED | {"explanations": both}), WORDS)
     rows = [re.split(r" {3,}", line) for line in table]
     assert rows[1] == ["change in a hold of 2 min at 30.7 turns under 20 N", "-0.28 ± 0.02 mm", "0.00 ± 0.06 mm"]
-    assert rows[2] == ["the loop at half the speed, 1 turns/s", "0.10 ± 0.02 mm", "0.20 ± 0.06 mm"]
+    assert rows[2] == ["the loop at half the speed, 1 turn/s", "0.10 ± 0.02 mm", "0.20 ± 0.06 mm"]
     assert not any(row[0].startswith("the loop of a stroke as before") for row in rows)
     assert "less than their ±: the loop of a stroke as before under 20 N." in table[-1]
     text = " ".join(table)

@@ -4,7 +4,7 @@ import re
 
 from ...document.content import Part, Verdict
 from ..explanations import rivals
-from ..language.quantity import at, duration, listing, number, percent, plus_minus, quantity, size
+from ..language.quantity import at, duration, listing, percent, plus_minus, quantity, size
 from ..language.sections import WIDE
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
@@ -166,7 +166,7 @@ def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
     full, half, twice = (
         f" under {quantity(share * known['load'], words.load_unit)}" * bool(hung) for share in (1.0, 0.5, 2.0)
     )
-    speed = f"{number(known['speed_per_s'] / 2.0)} {words.motion_unit}/s"
+    speed = quantity(known["speed_per_s"] / 2.0, f"{words.motion_unit}/s")
     rows = {
         **({} if "recorded" in known else {"loop_as_before": f"the loop of a stroke as before{full}"}),
         "loop_half_speed": f"the loop at half the speed, {speed}",
