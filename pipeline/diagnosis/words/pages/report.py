@@ -16,6 +16,12 @@ NAMED = 3  # other explanations that a report names
 ONLY_PART = "Of {} only that share, not what {} in all nor {} constants (loop, times): dimensions could make the rest."
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
+ADOPTED = "of {}: what the verdict lets report that was adopted (its details.txt, To report it)"
+HELD = (
+    "Do not report that this recording shows no effect: {} {} in the simulator. Nor report a size under What was "
+    "adopted as measured here: the adopted numbers were held."
+)
+
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
@@ -25,9 +31,10 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     missing = f"{left} rms is missing after calibration, noise taken off"
     if not content["mismatch"][f"rms_{words.ending}"]:
         missing = "after calibration nothing is missing beyond the noise"
-    missing += _unseen(content, words)
+    missing += _beside(content) + _unseen(content, words)
     statements = [
         missing,
+        *_of_adopted(content),
         *_sure(content, words),
         *_own(content, words),
         *_open(content, words),
@@ -39,7 +46,26 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *(f"- {statement};" for statement in statements[:-1]),
         f"- {statements[-1]}.",
         *_not_yet(content, words),
+        *_held(content),
     ]
+
+
+def _beside(content: Verdict) -> str:
+    """With which adopted effects in the simulator that is so, where there are some; ends a statement."""
+    ids = holdout.included(content)
+    return f", with {listing(ids)} adopted (in run.yaml)" if ids else ""
+
+
+def _of_adopted(content: Verdict) -> list[str]:
+    """Where it stands what can be reported of adopted effects."""
+    ids = holdout.included(content)
+    return [ADOPTED.format(listing(ids))] if ids else []
+
+
+def _held(content: Verdict) -> list[str]:
+    """What is no result where effects are adopted: their sizes here, and a rig without them."""
+    ids = holdout.included(content)
+    return [HELD.format(listing(ids), "are" if len(ids) > 1 else "is")] if ids else []
 
 
 def _unseen(content: Verdict, words: Vocabulary) -> str:
