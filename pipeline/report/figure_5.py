@@ -33,6 +33,7 @@ FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an
 CLEAR = 0.8  # of the least error: where an axis begins that has none below its foot
 BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
 BARS = f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out."
+FOOTED = "An error that stands on the lower axis is {} or less."
 BEST = "{}: the least forward error on this material's held-out points of all other than INN and traditional."
 TAKEN = "{}: the model to take, by the rule on the page of the models."
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
@@ -83,8 +84,8 @@ def foot_of(sizes: list[Array]) -> float:
     return float(max(step * decade for step in STEPS if step * decade <= least * (1.0 + 1e-9)))
 
 
-def _footed(row: list[Axes], unit: str) -> None:
-    """Smaller errors of a row of axes stand on its foot, and the label says so."""
+def _footed(row: list[Axes], unit: str) -> str:
+    """Smaller errors of a row of axes stand on its foot; that foot with its unit where there are such, else empty."""
     lines = [line for axes in row for line in axes.get_lines()]
     by_model: dict[str, list[Array]] = {}
     for line in lines:
@@ -102,7 +103,8 @@ def _footed(row: list[Axes], unit: str) -> None:
     )
     for axes in row:
         axes.set_ylim(bottom=max(foot, CLEAR * least))
-    row[0].set_ylabel(f"rms error ({unit})" + (f"\non the axis: {foot:g} or less" if is_below else ""))
+    row[0].set_ylabel(f"rms error ({unit})")
+    return f"{foot:g} {unit}" if is_below else ""
 
 
 def _drawn(
@@ -159,7 +161,7 @@ def figure_5(
     )  # fmt: skip
     styles = dict(zip(learned, LEARNED, strict=False))
     shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
-    windings_measured = [winding(recorded, stroke) for stroke in strokes]
+    windings_measured, feet = [winding(recorded, stroke) for stroke in strokes], list[str]()
     for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
         given, answer, _ = way
         curve_label, unit = ((MILLIMETRES, "mm"), (TURNS, "turns"))[row]
@@ -180,7 +182,7 @@ def figure_5(
             letter = "abcdef"[columns * row + column]
             name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", curve_label if first else "")
             name(below, f"error of ({letter}) along the stroke", label[1], "")
-        _footed(list(grid[2 * row + 1]), unit)
+        feet.append(_footed(list(grid[2 * row + 1]), unit))
     if strokes:
         why = [BEST.format(best) if best else "", TAKEN.format(taken) if taken else ""]
         which = in_figure(every, strokes, paper.STROKES)
@@ -189,6 +191,7 @@ def figure_5(
             which,
             together(recorded, strokes),
             BARS if shown else "",
+            FOOTED.format(" or ".join(filter(None, feet))) if any(feet) else "",
             *why,
             clipped(windings_measured, "Inverse"),
         )

@@ -18,10 +18,10 @@ from .marks import add_mark, mark_from
 GROUPS = {  # of trainings, from above to below
     "random_forward": "A  trained on the\nforward error alone",
     "random_both": "B  trained on the\nerrors of both ways",
-    "identity_forward": "C  as A, but with shuffles\nthat undo each other",
+    "identity_forward": "C  as A, but a last shuffle\nputs all values back",
     "inn": "D  as C, with the settings\nof the INN of Tables I, II",
 }
-LETTERS = {group: words[0] for group, words in GROUPS.items() if group != "inn"}  # of those that differ in one thing
+LETTERS = {group: words[0] for group, words in GROUPS.items()}
 WHOLE = ("o", "0.25", "whole error")
 PARTS = {"leak_rmse": ("^", COLOURS[1], "leak alone"), "residual_rmse": ("s", COLOURS[0], "rest alone")}
 READING = (
@@ -29,8 +29,8 @@ READING = (
     " pass through it, and should come out unchanged.",
     "Leak: the error of θ from their change, as the way back is given the true ones. Rest: the error of θ that comes"
     " from the error of x. Mended: the leak is smaller than the rest.",
-    "Between its blocks an INN shuffles its values. In A and B chance draws the shuffles, so that θ may end up where a"
-    " constant should.",
+    "Between its blocks an INN shuffles its values by chance, so that θ may end where a constant should (A, B). In C"
+    " and D a last shuffle puts each value back to its place.",
     "A mark is one training, on points that it has not seen. Floor: the least error of a model that is not told"
     " whether the motor winds or unwinds.",
 )

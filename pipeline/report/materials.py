@@ -31,7 +31,7 @@ PAGES = {
 
 
 def html_table(folder: Path, number: int, up: str) -> Markup:
-    """Table I or II, the model's name in every row, and where to take it from."""
+    """Table I or II, the model's name once until it is sorted, and where to take it from."""
     stem = f"table_{number}"
     caption, head, rows, notes = from_markdown((folder / f"{stem}.md").read_text(encoding="utf-8"))
     head = [title.replace("(θ/2π)", "(turns)") for title in head]  # the paper's word for them
@@ -41,8 +41,25 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
     )
     words = caption.replace(paper.TITLES[number], paper.TITLES[number].lower()).replace("TABLE", "Table")
     below = " ".join(line for line in notes if line.startswith((OF_WHAT, SHOWN, TOGETHER, OTHERWISE)))
-    files_line = Markup('\n<p class="soft">n is the number of the stroke. {} The same as {}.</p>').format(below, files)
-    return table(head, rows, words, (0, 1)) + files_line
+    apart = _apart((folder / f"{stem}.csv").read_text(encoding="utf-8"), number)
+    shape = Markup('\n<p class="soft">n is the number of the stroke. {} The same numbers as {}{}.</p>')
+    once = [[Markup('<span class="again">{}</span>').format(row[0]) if is_again else row[0], *row[1:]]
+            for row, is_again in zip(rows, _again(rows), strict=True)]  # fmt: skip
+    return table(head, once, words, (0, 1)) + shape.format(below, files, apart)
+
+
+def _again(rows: Sequence[Sequence[str]]) -> list[bool]:
+    """Whether each row is of the model of the row above it, whose name then stands there already."""
+    return [place > 0 and row[0] == rows[place - 1][0] for place, row in enumerate(rows)]
+
+
+def _apart(csv: str, number: int) -> str:
+    """In what the files of Table I or II differ from the page; empty where in nothing."""
+    empty = sorted({line.split(",")[-4] for line in csv.splitlines()[1:] if line.endswith(",,")})
+    differences = ["the files call the turns θ/2π, as the paper does"] if paper.UNITS[number] == "θ/2π" else []
+    if empty:
+        differences.append(f"the csv has {' and '.join(empty)} too, in empty cells, since programs read all three")
+    return "".join(f"; {difference}" for difference in differences)
 
 
 def part(reports: Path, material: str, runs: Sequence[Text] = (), up: str = "") -> Markup:

@@ -36,7 +36,8 @@ NOTES = """\
 RMSE on held-out points, winding and unwinding together unless a column says otherwise: the median over the seeds, with
 the lowest and the highest in brackets where they differ. `within` cuts each stroke into short blocks, at most 80 a
 winding, and holds out one block in four; `later` holds out the last quarter of the strokes, whole. (A diagnosis of one
-run leaves out the last 30 % of its strokes: the errors in its verdict and in the table of runs are other numbers.) n
+run leaves out the last 30 % of its strokes, and may name other effects without them than the model `diagnosed` does
+without the last quarter: the errors in its verdict and in the table of runs can be several times smaller or larger.) n
 is the number of the stroke. The last four columns are quarters of the material's range of twist, the lowest first.
 **Bold**: the least of a column.
 

@@ -14,9 +14,11 @@ from .web.page import Text, paragraph, together
 from .web.table import table
 
 LATER = (
-    "Later strokes are the last quarter of a string's strokes, which the fit of a model leaves out. The unseen strokes"
-    " in the table of runs are the last 30 % of one run's strokes, which its diagnosis leaves out: so the errors there"
-    " are other numbers."
+    "Later strokes are the last quarter of a string's strokes, which the fit of a model leaves out: of five the fifth."
+    " The unseen strokes in the table of runs are the last 30 % of one run's strokes, which its diagnosis leaves out:"
+    " of five the last two, with their holds and rests. Each of the two diagnoses sees other strokes and may name other"
+    " effects, which foresee what follows differently. So the error of the diagnosed simulator can be several times as"
+    " large in one table as in the other, a sign that the effects are not settled."
 )
 FAR = 10.0  # times the floor: an error so large is coloured
 WAYS, SPLITS = ("forward", "inverse"), ("within", "later")

@@ -266,6 +266,7 @@ def test_the_pages_say_why_the_error_on_later_strokes_of_a_model_is_not_that_of_
         str(table) for table in (materials_table(reports, [MATERIAL], str), runs_table(reports, {}, {}, str))
     )
     assert LATER in html.unescape(index) and "the last quarter" in LATER and share in LATER
+    assert "may name other effects" in LATER and "other numbers" not in LATER, "7.3 mm stood beside 2.3 mm of one run"
     assert f"rms error on unseen strokes (the {share})" in runs
     assert share in NOTES and "the last quarter" in NOTES
     assert "diagnosed simulator, forward: mm (× floor)" in index, "a number without a unit"

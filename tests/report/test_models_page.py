@@ -251,6 +251,8 @@ def test_the_leaks_figure_explains_itself_and_no_legend_lies_on_data():
     assert "cancel" not in words, "nothing to explain: no part is larger than the whole here"
     assert "the twist θ into the contraction x" in words and "Mended: the leak is smaller than the rest." in words
     rows = " ".join(label.get_text() for label in figure.axes[0].get_yticklabels())
+    assert all(f"{letter} 0." in lines[2] for letter in "ABCD"), "C alone said no number of D"
+    assert "puts all values back" in rows and "undo each other" not in rows + words
     assert all(letter in rows for letter in "ABCD") and "with the settings\nof the INN of Tables I, II" in rows
     assert all(axes.get_xlabel().endswith(("(mm)", "(turns), logarithmic")) for axes in figure.axes)
 
@@ -271,7 +273,7 @@ def test_the_leaks_figure_calls_a_remedy_what_is_one_on_its_data(leaks, words):
         leak.loc[(leak["model"] == group) & (leak["metric"] == "leak_rmse"), "value"] = value
     figure = drawn_leak(leak)
     fails = "why an INN trained one way fails the other way" in figure.get_suptitle()
-    assert fails == (leaks[0] > 0.05) and f"{words}." in " ".join(figure.get_supxlabel().split())
+    assert fails == (leaks[0] > 0.05) and f"{words}, D " in " ".join(figure.get_supxlabel().split())
 
 
 def test_a_leak_that_is_larger_than_the_whole_error_is_explained():

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pandas as pd
 import pytest
+from in_a_browser import clicked, needs_browser
 
 from pipeline.ground import schemas
 from pipeline.report import paper
@@ -13,6 +14,7 @@ from pipeline.report.made_by import MadeBy
 from pipeline.report.materials import html_table
 from pipeline.report.table_forms import from_markdown, to_csv, to_latex, to_markdown
 from pipeline.report.tables import rows, write
+from pipeline.report.web.page import document
 
 TITLES = {"inn": "INN model", "mlp": "MLP model", "traditional": "Traditional model"}
 HEADERS = {
@@ -150,7 +152,13 @@ def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_pa
         write(made_metrics(strokes=range(1, 13)), number, TITLES, SMALL, tmp_path)
     assert html_table(tmp_path, 1, "").count("The paper shows strokes 1, 5 and 9.") == 1
     inverse = html_table(tmp_path, 2, "")
-    assert inverse.count("(turns)") == 3 and "θ/2π" not in inverse, "the paper's head is no unit"
+    assert inverse.count("(turns)") == 3 and "(θ/2π)" not in inverse, "the paper's head is no unit"
+    assert "; the files call the turns θ/2π, as the paper does." in inverse and "csv has" not in inverse
+    assert "θ/2π" not in html_table(tmp_path, 1, "") and inverse.count('class="again"') == 2 * len(TITLES)
+    write(made_metrics(strokes=range(1, 7)), 2, TITLES, SMALL, tmp_path)
+    six = html_table(tmp_path, 2, "")
+    assert "n=9" not in six.split("</table>")[0], "and the page says why the csv has it"
+    assert "; the csv has n=9 too, in empty cells, since programs read all three." in six
     assert "n is the number of the stroke." in inverse
     write(made_metrics(), 1, TITLES, SMALL, tmp_path)
     assert "The paper shows" not in (tmp_path / "table_1.md").read_text()
@@ -273,3 +281,20 @@ def test_comparison_says_when_later_was_skipped():
 def test_the_papers_numbers_are_the_papers():
     assert paper.TABLES[2]["traditional"][9] == (3.239, 6.945, 3.470)
     assert sum(len(by_stroke) * 3 for table in paper.TABLES.values() for by_stroke in table.values()) == 36
+
+
+@needs_browser
+def test_the_caption_of_a_wide_table_wraps_and_a_name_stands_once_until_the_table_is_sorted(tmp_path):
+    """On a narrow page the caption was cut before its mark, "(small fit: not a result"; names stood in each row."""
+    write(made_metrics(), 1, TITLES, SMALL, tmp_path)
+    (tmp_path / "page.html").write_text(document("made", html_table(tmp_path, 1, ""), SMALL))
+    script = """<script>
+      document.querySelector("table").style.width = "3000px";
+      const caption = document.querySelector("caption span");
+      const seen = () => getComputedStyle(document.querySelector(".again")).visibility;
+      caption.textContent = "a long caption ".repeat(50);
+      const before = seen(), right = caption.getBoundingClientRect().right;
+      document.querySelector("th:last-child button").click();
+      document.title = [right <= innerWidth, before, seen()].join("|");
+    </script></body>"""
+    assert clicked(tmp_path / "page.html", script, tmp_path) == "true|hidden|visible"

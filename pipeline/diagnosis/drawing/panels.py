@@ -23,8 +23,9 @@ COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "li
 SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
 BAND = "0.92"  # the noise
 BINS = 24
-TITLE_WIDE, LEGEND_WIDE = 34, 44  # characters
+TITLE_WIDE, LEGEND_WIDE = 34, 30  # characters
 HIGHEST = 0.65  # of an axis' height: where the largest error on unseen strokes stands at most
+A_LINE = 0.055  # of the same: so much lower for each further line of the legend
 NAMED = "as diagnosed"
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
@@ -150,16 +151,22 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    below = "closest,\nno name" if closest else "named without\nthese strokes" if without else NAMED.replace(" ", "\n")
+    below = "closest,\nno name" if closest else "named\nwithout" if without else NAMED.replace(" ", "\n")
+    lines = 0
     if any(hollow):
         which = f"closest, no name: {closest}" if closest else f"named without these strokes: {without}"
-        axes.plot([], [], ls=":", marker="o", mfc="white", color=colours[-1], label=fill(which, LEGEND_WIDE))
+        axes.plot(
+            [], [], ls=":", marker="o", ms=5, mfc="white", color=colours[-1], label=(label := fill(which, LEGEND_WIDE))
+        )
+        lines = label.count("\n")
     axes.set(
         xticks=places, xticklabels=[below if name == NAMED else name for name in names], xlim=(-0.6, len(names) - 0.4)
     )
     axes.axhline(floor, color="k", ls="--", lw=0.8, label=noise)
     low, high = 0.5 * min(*values, floor), max(*values, floor)
-    room = low * (high / low) ** (1.0 / HIGHEST)  # for the label of the highest point, and the legend above that
+    room = low * (high / low) ** (
+        1.0 / (HIGHEST - A_LINE * lines)
+    )  # for the label of the highest point, and the legend above that
     axes.set(yscale="log", ylabel=f"rms ({unit})", ylim=(low, max(3.0 * high, room)))
     axes.tick_params(axis="x", labelsize=8)
     plain(axes.yaxis)

@@ -23,6 +23,7 @@ function show(table, first) {
   const [field, ways] = [table.field, table.ways], rows = [...table.tBodies[0].rows];
   if (!field) return;
   const wanted = field.value.toLowerCase(), only = field.only;
+  table.classList.toggle("filtered", Boolean(wanted)); // a name that stands once may be hidden with its row
   const fits = row => only ? [...row.cells].some(cell => cell.textContent === only)
     : row.textContent.toLowerCase().includes(wanted);
   const found = rows.filter(fits), until = ways && first !== null ? first + SHOWN : found.length, from = first || 0;

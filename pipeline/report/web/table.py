@@ -31,7 +31,7 @@ def table(
         )
         for row in rows
     )
-    caption_line = Markup("<caption>{}</caption>\n").format(caption) if caption else Markup("")
+    caption_line = Markup("<caption><span>{}</span></caption>\n").format(caption) if caption else Markup("")
     return Markup(
         '<div class="scroll"><table class="{}">\n{}<thead>\n{}<tr>{}</tr>\n</thead>\n'
         "<tbody>\n{}\n</tbody></table></div>"

@@ -2,6 +2,7 @@
 
 import copy
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -172,7 +173,7 @@ def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_th
     _, axes = plt.subplots()
     held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
     panels.held_out(axes, held, 0.02, "mm", "mm", without="creep + wear")
-    assert axes.get_xticklabels()[2].get_text() == "named without\nthese strokes"
+    assert axes.get_xticklabels()[2].get_text() == "named\nwithout", "its legend says without what"
     called = [" ".join(text.get_text().split()) for text in axes.get_legend().get_texts()]
     assert called == ["named without these strokes: creep + wear", "noise"]
     faces = axes.collections[-1].get_facecolors()
@@ -367,6 +368,22 @@ def test_a_long_name_of_what_was_named_without_the_last_strokes_hangs_below_no_a
     panels.held_out(axes, held, 0.031, "mm", "mm", without="plastic_elongation + shaft_windup")
     assert all(len(label.get_text().splitlines()) <= 2 for label in axes.get_xticklabels())
     plt.close("all")
+
+
+def test_the_words_of_a_narrow_panel_of_unseen_strokes_stay_in_it_and_apart() -> None:
+    """Beside long names of explanations the legend ran over the frame, its sign lay on the axis, two labels touched."""
+    figure = plt.figure(figsize=(figures.SIZE_INCHES[0], 3.6), layout="constrained")
+    ranked, axes = figure.subplots(1, 2, width_ratios=[3, 2])
+    ranked.set_yticks([0.5], ["friction_hysteresis + plastic_elongation + radius_compaction"], fontsize=7)
+    held = {"nominal_mm": 1.4, "calibrated_mm": 0.32, "explained_mm": 0.037}
+    named = "creep + friction_hysteresis + radius_compaction"
+    panels.held_out(axes, held, 0.031, "mm", "mm", "noise of single samples: 0.031 mm", without=named)
+    figure.draw_without_rendering()
+    frame, legend = axes.get_window_extent(), axes.get_legend().get_window_extent()
+    assert frame.x0 + 2 < legend.x0 and legend.x1 < frame.x1
+    labels = [label.get_window_extent() for label in axes.get_xticklabels()]
+    assert all(left.x1 + 5 < right.x0 for left, right in pairwise(labels))
+    plt.close(figure)
 
 
 def test_what_comes_closest_is_drawn_hollow_and_called_no_name() -> None:
