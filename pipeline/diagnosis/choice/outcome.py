@@ -1,5 +1,6 @@
 """What a study found, and the verdict on it."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -48,6 +49,15 @@ class Study:
         """What predicts the rig: with what is named, or with what comes closest, or the base."""
         return self.closest or self.state
 
+    def beside_chance(self, ids: tuple[str, ...]) -> tuple[str, ...]:
+        """An explanation with what is random in it, which was seen and not weighed, so that it stands in each."""
+        return with_random(ids, self.random)
+
+    def explanation(self, ids: tuple[str, ...]) -> Explanation:
+        """The best explanation by these mechanisms; what is random in it has no curve that could be fitted."""
+        fitted = tuple(id_ for id_ in ids if id_ not in self.random)
+        return replace(self.search.explain(fitted or ids), ids=ids)
+
     @property
     def best_ids(self) -> tuple[str, ...]:
         """Ids of what the best explanation names."""
@@ -87,10 +97,11 @@ def decide(
     better = left["nominal"] ** 2 - left["base"] ** 2
     new = {id_: nonlinear for id_, nonlinear in random.items() if id_ not in {act.id for act in problem.included}}
     if new:
-        sets = [
-            replace(explanation, ids=tuple(sorted({*explanation.ids, *new})))
-            for explanation in sets or [search.nothing]
-        ]
+        together: dict[tuple[str, ...], Explanation] = {}
+        for explanation in sets or [search.nothing]:  # with and without the random effect is one explanation then
+            ids = with_random(explanation.ids, new)
+            together.setdefault(ids, replace(explanation, ids=ids))
+        sets, judged = list(together.values()), replace(judged, likely=_likely_beside(judged.likely, new))
         acting = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
         silent = [chance.act(problem, id_, nonlinear) for id_, nonlinear in new.items() if id_ not in acting]
         best = replace(best, acts=(*best.acts, *silent))
@@ -118,6 +129,20 @@ def decide(
         problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks,
         judged,
     )  # fmt: skip
+
+
+def with_random(ids: tuple[str, ...], random: Iterable[str]) -> tuple[str, ...]:
+    """Ids of an explanation and of what is random, sorted; the same ids where nothing random was seen."""
+    return tuple(sorted({*ids, *random})) if random else ids
+
+
+def _likely_beside(likely: dict[tuple[str, ...], float], random: Iterable[str]) -> dict[tuple[str, ...], float]:
+    """Probabilities of explanations, in shares of 1, once what is random stands in each; stand-ins alone stay so."""
+    together: dict[tuple[str, ...], float] = {}
+    for ids, share in likely.items():
+        beside = with_random(ids, random) if physics(ids) else ids
+        together[beside] = together.get(beside, 0.0) + share
+    return together
 
 
 def bare(problem: Problem, noise: Noise) -> float:

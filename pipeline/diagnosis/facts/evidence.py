@@ -4,7 +4,7 @@ Nothing here decides: the verdict is already made.
 """
 
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any, TypeVar
 
 import numpy as np
@@ -34,12 +34,13 @@ def listed(study: Study) -> list[Explanation]:
     shown = {explanation.ids: explanation for explanation in (study.search.nothing, *study.sets)}
     likeliest = sorted(study.judged.likely, key=lambda ids: -study.judged.likely[ids])
     for ids in likeliest[: len(study.sets) + RULED_OUT]:
-        if len(shown) < LISTED and tuple(sorted({*ids, *study.random})) not in shown:
-            shown[ids] = study.search.explain(ids)
+        if len(shown) < LISTED and ids not in shown:
+            shown[ids] = study.explanation(ids)
     for size in range(max((len(explanation.ids) for explanation in study.sets), default=1), 0, -1):
         for explanation in study.search.all_of(size)[: SINGLES if size == 1 else OTHERS]:
-            if len(shown) < LISTED:
-                shown.setdefault(explanation.ids, explanation)
+            ids = study.beside_chance(explanation.ids)
+            if len(shown) < LISTED and ids not in shown:
+                shown[ids] = replace(explanation, ids=ids)
     return sorted(
         shown.values(), key=lambda explanation: (-float(f"{explanation.energy:.6g}"), len(explanation.ids))
     )  # no rounding
@@ -90,7 +91,8 @@ def explanations(study: Study, ending: str, calibrated: float) -> list[dict[str,
 
 def probability(study: Study, ids: tuple[str, ...]) -> float | None:
     """The judge's probability of an explanation; None where the judge did not weigh it, as on rigs without a string."""
-    return _of(study, study.judged.likely, ids) if study.problem.drivers.levered else None
+    likely = study.judged.likely
+    return likely.get(study.beside_chance(ids), likely.get(ids)) if study.problem.drivers.levered else None
 
 
 def left_out(study: Study) -> list[dict[str, Any]]:
@@ -107,7 +109,7 @@ def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[d
 
 def _of(study: Study, weighed: Mapping[tuple[str, ...], T], ids: tuple[str, ...]) -> T | None:
     """What is known of an explanation that was weighed; what is random stands in each of them, seen and not weighed."""
-    return weighed.get(ids, weighed.get(tuple(id_ for id_ in ids if id_ not in study.random)))
+    return weighed.get(tuple(id_ for id_ in ids if id_ not in study.random)) or weighed.get(ids)
 
 
 def fitted(search: Search, explanation: Explanation) -> Array:

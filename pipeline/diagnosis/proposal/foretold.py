@@ -42,7 +42,7 @@ def rivals(study: Study) -> list[Explanation]:
     if study.verdict != "explained" or likely.get(study.sets[0].ids, 1.0) >= SURE or len(likely) < 2:
         return []
     others = [ids for ids in likely if ids != study.sets[0].ids]
-    return [study.sets[0], study.search.explain(max(others, key=lambda ids: likely[ids]))]
+    return [study.sets[0], study.explanation(max(others, key=lambda ids: likely[ids]))]
 
 
 def curves(study: Study, run: Run, proposal: Proposal, sets: list[Explanation]) -> dict[str, Any]:

@@ -186,7 +186,7 @@ SLIP = {"step": 1.0}
 QUIET = 0.5 * FLOOR  # the noise at rest, where jerks were taken for noise in motion
 
 
-def jerky(monkeypatch, jerks, sets=(), none=0.0, acts=(), included=()):
+def jerky(monkeypatch, jerks, sets=(), none=0.0, acts=(), included=(), likely=None):
     """The verdict on jerks of so many floors at rest, on top of what was explained but for them."""
 
     def floor_at_rest(problem, state, otherwise):
@@ -198,7 +198,7 @@ def jerky(monkeypatch, jerks, sets=(), none=0.0, acts=(), included=()):
     reading = np.hypot(1.0, jerks) * QUIET * SIGN
     base = State(reading, np.zeros(1), included)
     best = State(reading - sum(one.coefficients[0] * WAVES[one.id] for one in acts), np.zeros(1), acts)
-    weighed = Judged([explanation(ids) for ids in sets], {}, none)
+    weighed = Judged([explanation(ids) for ids in sets], likely or {}, none)
     search = SimpleNamespace(nothing=NOTHING)
     return decide(problem, base, base, Noise(FLOOR, np.zeros(0), FLOOR), best, weighed, search, {"stick_slip": SLIP})
 
@@ -227,6 +227,13 @@ def test_jerks_join_every_explanation_and_excuse_what_it_leaves(monkeypatch):
     assert [one.ids for one in found.sets] == [("creep", "stick_slip"), ("jam", "stick_slip")]
     assert found.verdict == "ambiguous" and found.mismatch == pytest.approx(3.0 * QUIET)
     assert jerky(monkeypatch, 3.0, ("creep",), none=0.4).verdict == "unknown"
+
+
+def test_with_the_jerks_and_without_them_an_explanation_is_one_and_as_likely_as_both(monkeypatch):
+    likely = {("creep",): 0.5, ("creep", "stick_slip"): 0.3, ("stick_slip",): 0.1, ("x_wave",): 0.02}
+    found = jerky(monkeypatch, 3.0, ("creep", "creep stick_slip"), likely=likely)
+    assert [one.ids for one in found.sets] == [("creep", "stick_slip")] and found.verdict == "explained"
+    assert found.judged.likely == {("creep", "stick_slip"): 0.8, ("stick_slip",): 0.1, ("x_wave",): 0.02}
 
 
 def test_an_explanation_that_holds_the_jerks_needs_no_second_silent_one(monkeypatch):

@@ -1,0 +1,27 @@
+"""Where jerks were seen they stand in each explanation: none is told twice, with them and without."""
+
+import json
+
+from pipeline.diagnosis.facts.evidence import explanations
+from pipeline.diagnosis.proposal.foretold import foretold, rivals
+from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study.engine import make_problem, study
+from pipeline.rig.authors import authors
+from pipeline.rig.authors.interface import Asked
+from pipeline.run.description import parse_run
+from pipeline.run.recording import to_samples
+
+
+def test_each_explanation_holds_the_jerks_and_the_best_is_as_likely_as_it_is_with_them_and_without(tmp_path):
+    made = authors()["lattice"].make(Asked(900017, ("stick_slip",), (2.62,), "poor", ()))
+    path = tmp_path / "jerky" / "run.yaml"
+    run = parse_run({**made.content, "run": "jerky"}, path)
+    found = study(make_problem([RecordedRun(run, to_samples(run, made.table, path, path))]))
+    assert found.random and found.verdict == "ambiguous"
+    entries = {tuple(entry["ids"]): entry for entry in explanations(found, "mm", 1.0)}
+    assert all("stick_slip" in ids for ids in entries if ids)
+    best = found.sets[0].ids
+    assert entries[best]["probability"] == max(entry["probability"] or 0.0 for entry in entries.values())
+    assert entries[best]["probability"] > 0.5 and entries[best]["standing"] == "named"
+    assert len({explanation.ids for explanation in rivals(found)}) == len(rivals(found)) > 1
+    assert all(json.dumps(entry) for entry in foretold(found, run, fixed_load=False))
