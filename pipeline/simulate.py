@@ -131,7 +131,7 @@ def main() -> None:
         as_there = plan.after or has_zero(content, problem.system, run.run, problem.runs)
         zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
         state = "as the recording left it" if plan.after else "as it was before its first stroke"
-        words.append(f"its zero is {zero}; the string is taken to be {state}")
+        words.append(f"its zero is {zero}; the {called.string} is taken to be {state}")
     tied = plan.tied if plan else tied_with(run, content, arguments.simulation is None)
     tied = [] if carried and not carried.effects else tied
     words += of_ties(acting, len(tied), list(columns))

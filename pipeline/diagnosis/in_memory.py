@@ -25,6 +25,7 @@ from .recording.covered import paces, pauses, reversals
 from .recording.recorded_run import RecordedRun
 from .recording.spikes_found import spikes_found
 from .study import engine, heldout, own_rate
+from .study.single_floor import single_floor
 
 Result = TypeVar("Result")
 Say = Callable[[str], None]
@@ -67,6 +68,12 @@ def diagnosed(
     if lonely := spikes_found(recorded):
         content["evidence"]["spikes"] = lonely
     ending = study.problem.system.channel.rpartition("_")[2]
+    single = optional(
+        "the noise of single samples",
+        name,
+        lambda: single_floor(study, fine, recorded, content["fit"][f"noise_floor_{ending}"]),
+    )
+    content["evidence"] |= tidy(single or {})
     if step := steps_of(recorded):
         content["evidence"][f"resolution_{ending}"] = tidy(step)
     if adopted := optional("what was adopted", name, lambda: adopted_effects(study.problem, runs[0], ending)):

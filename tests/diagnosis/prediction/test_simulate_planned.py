@@ -21,6 +21,8 @@ from pipeline.diagnosis.words.foretold import loop_table
 from pipeline.diagnosis.words.foretold.answered import within
 from pipeline.diagnosis.words.foretold.prediction import of_half_speed
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.rig.others import cases
+from pipeline.rig.others.made import write_run
 from pipeline.run.course import Recorded
 from pipeline.run.description import Run
 from pipeline.run.outside import outside
@@ -534,3 +536,14 @@ def test_a_plan_may_use_the_names_and_units_of_the_recordings_columns(make_run, 
     wrong = programs.run("pipeline.simulate", folder, *words).stderr
     assert "motor_turns: there is no such column, only t, x. Mend: " in wrong
     assert "or with the columns of the recording: angle_deg for motor_turns" in wrong
+
+
+def test_what_a_drive_is_taken_to_be_is_said_in_its_own_word(tmp_path):
+    """A cable drive has no string, and `the string is taken to be as it was` stood in what simulate says of it."""
+    made = cases.make("cable-backlash", 3)
+    write_run(made, tmp_path / "raw/a-01")
+    planned = read_samples(tmp_path / "raw/a-01")[1].iloc[:3000]
+    planned[["time_s", "motor_deg", "torque_nm"]].to_csv(tmp_path / "plan.csv", index=False)
+    options = ("--motion", tmp_path / "plan.csv", "--out", tmp_path / "answer.csv")
+    done = programs.run("pipeline.simulate", tmp_path / "raw/a-01", *options)
+    assert "; the drive is taken to be as it was before its first stroke" in done.stdout, done.stderr

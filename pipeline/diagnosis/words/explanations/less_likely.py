@@ -8,6 +8,7 @@ from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
 from . import probability, rivals
+from .other_effects import ADDS
 from .reasons import chiefly, less_often
 
 RARE = 0.01  # a probability below which an explanation needs no further word
@@ -129,8 +130,8 @@ def _adds(larger: Part, rows: Numbered, content: Verdict, words: Vocabulary) -> 
     saved, surely = (
         math.sqrt(max(base[f"{key}_{ending}"] ** 2 - larger[f"{key}_{ending}"] ** 2, 0.0)) for key in ("left", "bent")
     )
-    if not saved:
-        return f"{adds}, which explains nothing more"
+    if saved < ADDS * content["evidence"][f"floor_{ending}"]:
+        return f"{adds}, which takes away nothing (less than {ADDS:g} times the noise)"
     more, sure = size(saved, words.unit), size(surely, words.unit)
     takes = f"{adds}, which takes away {more} rms more"
     if saved > VISIBLE * content["evidence"][f"floor_{ending}"] and surely < saved and more != sure:

@@ -72,6 +72,8 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
     `unseen` is the error on unseen strokes in noise floors.
     """
     fitted = fitted_times(content, words, named)
+    if named and fitted is not None and of_calibration(content):
+        return _missed_alone(content, unseen, fitted)
     missed = (
         f"the {holdout.strokes(content)} are missed by {exact(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
     )
@@ -92,6 +94,25 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
         changes = "So something changes from stroke to stroke that the explanation does not foresee"
         return f"Something systematic is still missing: {both}. {changes}, or too few strokes were seen."
     return f"Something changes from stroke to stroke that the fit does not foresee: {both}."
+
+
+def of_calibration(content: Verdict) -> bool:
+    """Whether the error on unseen strokes is of calibration alone, for without them nothing was named or came close."""
+    return holdout.other_name(content) == holdout.NO_EFFECT and not holdout.closest(content)
+
+
+def _missed_alone(content: Verdict, unseen: float, fitted: float) -> str:
+    """The same where calibration alone missed them, which says nothing of what is named; both in noise floors."""
+    strokes, best = holdout.strokes(content), holdout.named(content)
+    if fitted <= STILL_MISSING:
+        return (
+            f"Calibration alone misses the {strokes} by {exact(unseen)} times the noise: that says nothing of {best}."
+        )
+    limit = f"({STILL_MISSING:g} is the limit)"
+    return (
+        f"Something systematic is still missing: {best} leaves {exact(fitted)} times the noise of the whole recording "
+        f"{limit}. The {exact(unseen)} times by which the {strokes} are missed are of calibration alone."
+    )
 
 
 def beside_limit(ratio: float) -> str:
@@ -143,11 +164,20 @@ def left_over(content: Verdict, words: Vocabulary) -> float:
 def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:
     """The noise of what was compared over the whole recording, and that of unseen strokes: by name with its size."""
     noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
-    if not averaged(content, words):
-        return f"noise: {size(floor, words.unit)}", f"noise: {size(noise, words.unit)}"
-    over = content["evidence"].get("step_s")
-    step = f" of {duration(over)}" if over else ""
-    return f"noise of averages{step}: {size(floor, words.unit)}", f"noise of single samples: {size(noise, words.unit)}"
+    whole, held = (f" of {kind}" if kind else "" for kind in kinds(content, words))
+    return f"noise{whole}: {size(floor, words.unit)}", f"noise{held}: {size(noise, words.unit)}"
+
+
+def kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
+    """What was compared over the whole recording, and on the strokes held out: averages or single samples.
+
+    Nothing where both are the single samples.
+    """
+    over, scored = (content["evidence"].get(key) for key in ("step_s", "scored_step_s"))
+    if not averaged(content, words) and not scored:
+        return "", ""
+    held = f"averages of {duration(scored)}" if scored else "single samples"
+    return f"averages{f' of {duration(over)}' if over else ''}", held
 
 
 def averaged(content: Verdict, words: Vocabulary) -> bool:

@@ -37,7 +37,8 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
         other = in_vain.other_choice(content)
         sentences += [f"O{in_vain.said(content, words)[1:]}{'' if other else f': {means}'}.", *other]
     if unseen.partly(content, words) and content["verdict"] != "unknown" and not unseen.other_fails(content, words):
-        lies = level.place_of_missing(content, words)
+        alone = named and unseen.of_calibration(content)
+        lies = "" if alone else level.place_of_missing(content, words)
         sentences.append(f"{unseen.still_missing(content, words, explained / noise, named)} {lies}".rstrip())
     return [*sentences, *left_of_whole(content, words), *level.beaten(content, words)]
 

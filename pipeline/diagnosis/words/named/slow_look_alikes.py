@@ -8,9 +8,9 @@ from ..language.vocabulary import Vocabulary
 from . import certainty
 
 EXCLUDED = (
-    "Excluded in the place of {named}, for each is wrong while the motor stands: {out}. By how much stands under "
-    f"{other_effects.HEADING}. You may write so in a paper. Beside {{named}} each may still act, but too little to be "
-    "named."
+    "Excluded in the place of {named}, for what each leaves changes while the motor stands: {out}. Each was tried "
+    f"where it leaves least ({other_effects.HEADING} says where). "
+    "You may write so in a paper. Beside {named} each may still act, but too little to be named."
 )
 
 
@@ -29,6 +29,15 @@ def excluded(content: Verdict, words: Vocabulary) -> list[str]:
     ]  # fmt: skip
 
 
+def _by_how_much(content: Verdict, ids: list[str], words: Vocabulary) -> list[str]:
+    """Excluded look-alikes, each with by how much it is wrong in a hold and in a rest."""
+    first, *others = content["evidence"]["not_kept"]
+    entries, floor = {entry["id"]: entry for entry in others}, content["evidence"][f"floor_{words.ending}"]
+    known = {id_: other_effects.wrong_by(entries[id_], first, floor, words) for id_ in ids}
+    stands = other_effects.STANDS
+    return [f"{id_} ({listing([f'by {wrong} {stands[phase]}' for phase, wrong in known[id_].items()])})" for id_ in ids]
+
+
 def still_open(content: Verdict, words: Vocabulary) -> list[str]:
     """The look-alikes that this recording does not exclude."""
     out = excluded(content, words)
@@ -42,7 +51,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     named, out, may_be = listing(slow), excluded(content, words), still_open(content, words)
     head = f"Under one load slow effects look alike.{f' {_how_sure(content, slow)}' if may_be else ''}"
-    meant = f" {EXCLUDED.format(named=named, out=listing(out))}" if out else ""
+    meant = f" {EXCLUDED.format(named=named, out=listing(_by_how_much(content, out, words)))}" if out else ""
     could = f" What {named} could be instead:" if may_be else ""
     return [f"{head}{meant}{could}", *(f"- {id_}{_why_open(content, id_, words)}" for id_ in may_be)]
 

@@ -50,7 +50,9 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
     if far:
         return f"Do not adopt before {listing(far)} {'is' if len(far) == 1 else 'are'} measured again."
     if in_vain.improves_nothing(content, words):
-        return f"Adopting gains nothing: {in_vain.said(content, words)}."
+        tried = holdout.other_name(content) != holdout.NO_EFFECT
+        gains = "Adopting gains nothing" if tried else "Nothing shows that adopting gains anything"
+        return f"{gains}: {in_vain.said(content, words)}."
     reportable = report.own_sizes(content, words)
     sizes = (
         f"; report no size but that of {_called(reportable, content, words)} (details.txt, TO REPORT)"

@@ -7,7 +7,7 @@ from ...document.content import Verdict
 from ..explanations import rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import kept_times
-from ..language.quantity import duration, size
+from ..language.quantity import size
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
@@ -23,6 +23,7 @@ NONE_NAMED = "Without these strokes the procedure names no effect: the right col
 CLOSEST = "what comes closest, no name"
 OTHER_EFFECTS, NARROW = "other effects, see below", 33  # letters of a row's name: the table is no wider than a page
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
+SINGLE = "The noise of single samples, which {1} and {2} count, is {0}."
 WHOSE = {
     holdout.UNSEEN: "For the right column all was fitted anew without those strokes.",
     holdout.SEEN: "Seen before: the adopted effects were fitted to these strokes too, so it is no test.",
@@ -98,7 +99,11 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
         "noise": "noise: about the least possible",
     }
     cells = aligned([[in_words.get(first, first), *rest] for first, *rest in rows])
-    return [*cells, *(_of_other(content) if held else [TOO_FEW])]
+    single = content["evidence"].get(f"single_floor_{words.ending}")
+    counts = (
+        [SINGLE.format(size(single, words.unit), program_name("simulate"), program_name("adopt"))] if single else []
+    )
+    return [*cells, *(_of_other(content) if held else [TOO_FEW]), *counts]
 
 
 def _of_other(content: Verdict) -> list[str]:
@@ -125,14 +130,17 @@ def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
 
     Averages take noise away and leave what is systematic, so the noise of single samples comes in its place.
     """
-    if error is None or not unseen.averaged(content, words):
-        return ""
     floor, noise = content["evidence"][f"floor_{words.ending}"], content["fit"][f"noise_floor_{words.ending}"]
+    scored = content["evidence"].get("scored_step_s")
+    noise = content["evidence"].get(f"single_floor_{words.ending}") if scored else noise
+    if error is None or noise is None or not any(unseen.kinds(content, words)):
+        return ""
     single = math.sqrt(max(error**2 - floor**2, 0.0) + noise**2)
     least, about = size(error, words.unit), size(single, words.unit)
     return (
-        "The left column is of averages: their noise is `the noise` elsewhere on this page. Of single samples, as "
-        f"{program_name('simulate')} and {program_name('adopt')} count, {least} would be about {about}."
+        f"{'Both columns are' if scored else 'The left column is'} of averages: their noise is `the noise` elsewhere "
+        f"on this page. Of single samples, as {program_name('simulate')} and {program_name('adopt')} count, "
+        f"{f'the noise is {size(noise, words.unit)}, and ' * bool(scored)}{least} would be about {about}."
     )
 
 
@@ -163,7 +171,5 @@ def _cell(error: float | None, noise: float, words: Vocabulary) -> str:
 
 def _kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
     """Of what each noise is, where the two differ."""
-    if not unseen.averaged(content, words):
-        return "", ""
-    over = content["evidence"].get("step_s")
-    return f", of averages{f' of {duration(over)}' if over else ''}", ", of single samples"
+    whole, held = (f", of {kind}" if kind else "" for kind in unseen.kinds(content, words))
+    return whole, held

@@ -61,7 +61,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         named = f"{named}; what was adopted is one of {1 + likely} likely explanations"
     fields = {
         "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
-        + (" rms in single samples" if unseen.averaged(content, words) else " rms"),
+        + (f" rms in {unseen.kinds(content, words)[1]}" if unseen.averaged(content, words) else " rms"),
         "best": holdout.named(content),
         "sure": how_sure(content),
         "at_work": at_work.sentence(content, words) if verdict == "ambiguous" else "",

@@ -49,8 +49,10 @@ def test_a_name_is_not_called_unsure_where_the_recording_excludes_every_look_ali
     words = Vocabulary.of(SYSTEMS["mm"])
     (said,) = slow_look_alikes.lines(made, words)
     assert slow_look_alikes.still_open(made, words) == [] and slow_look_alikes.doubts(made, words) == []
-    out = "plastic_elongation, sensor_drift, stiffening and wear"
+    by = "(by 0.50 mm in a hold)"
+    out = f"plastic_elongation {by}, sensor_drift {by}, stiffening {by} and wear {by}"
     assert said.startswith(
-        f"Under one load slow effects look alike. Excluded in the place of creep, for each is wrong while the motor "
-        f"stands: {out}. By how much stands under Why it is none of the other effects."
+        f"Under one load slow effects look alike. Excluded in the place of creep, for what each leaves changes "
+        f"while the motor stands: {out}. Each was tried where it leaves least (Why it is none of the other effects "
+        "says where)."
     )

@@ -2,7 +2,7 @@
 
 import re
 
-from made_content import content, told
+from made_content import content, page, told
 
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.pages import error_table
@@ -37,3 +37,17 @@ def test_where_nothing_is_named_the_last_error_keeps_its_row_and_says_of_what_it
     made["evidence"] |= {"chosen_without_them": [], "closest_without_them": ["creep"]}
     (row,) = [line for line in error_table.lines(made, words) if "0.12 mm" in line]
     assert row.startswith("closest, no name: creep")
+
+
+def test_a_rig_that_is_scored_in_averages_says_so_in_both_columns_with_the_noise_of_single_samples():
+    """`0.070 deg` of averages stood without a word beside the `0.10 deg` of single samples that adopt counts."""
+    averages = {"scored_step_s": 0.02, "step_s": 0.02, "single_floor_mm": 0.095}
+    made = content(**{f"evidence__{key}": value for key, value in averages.items()}, fit__noise_floor_mm=0.03)
+    noise = "0.030 mm, of averages of 0.02 s"
+    assert re.search(rf"noise +{noise} +{noise}", told(made))
+    single = "count, the noise is 0.095 mm, and 0.030 mm would be about 0.095 mm."
+    assert "Both columns are of averages: their noise is `the noise` elsewhere on this page." in told(made)
+    assert single in told(made)
+    short = " ".join(page(made).split())
+    assert "The noise of single samples, which pipeline.simulate and pipeline.adopt count, is 0.095 mm." in short
+    assert f"noise: about the least possible {noise} {noise}" in short

@@ -1,0 +1,28 @@
+"""The noise of single samples where a rig is scored in averages too: what `simulate` and `adopt` count is louder."""
+
+import math
+from typing import Any
+
+from ..choice.outcome import Study, rms
+from ..fit.problem import Problem
+from ..numerics.noise import robust
+from ..recording.recorded_run import RecordedRun
+from .own_rate import SCORED_SAMPLES, at_own_rate, samples_of
+
+
+def single_floor(study: Study, fine: Problem, recorded: list[RecordedRun], floor: float) -> dict[str, Any]:
+    """`scored_step_s`, over which `fine` averages, and `single_floor_…`, both for the `evidence`.
+
+    `floor` is the noise of `fine`, in the reading's unit. Nothing where `fine` holds the single samples; without the
+    noise where these are more than is simulated at once.
+    """
+    count, ending = samples_of(recorded), study.problem.system.channel.rpartition("_")[2]
+    if study.problem.system.working_hz is None or len(fine.record) == count:
+        return {}
+    known: dict[str, Any] = {"scored_step_s": fine.drivers.step_s}
+    if count > SCORED_SAMPLES:
+        return known
+    single = at_own_rate(recorded, thin=False, to_fit=False)
+    left = [rms(robust(each.measured - each.simulate(study.best))) for each in (single, fine)]
+    taken_off = math.sqrt(max(left[0] ** 2 - left[1] ** 2, 0.0))
+    return known | {f"single_floor_{ending}": math.hypot(floor, taken_off)}
