@@ -36,6 +36,7 @@ STANDINGS = {
     "nothing": (BEFORE, "no mechanism, only calibration"),
 }  # of an explanation: its colour, and what that means
 KEPT = ("named", "tied")  # the rows that stand first
+ADOPTED_ALONE, ADOPTED_ROW = "what is adopted, and calibration", "{} (adopted)"  # in place of calibration alone
 MORE_ALONE = "with a further effect that adds too little"  # where nothing is named
 UNLIKELY, WORSE = "less likely", "fits worse"  # where the details have no table of them, and where nobody is likely
 NOT_NAMED = "leaves least, and is not named"  # where none has to be
@@ -89,7 +90,9 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     if decide:
         axes.plot(with_discrepancy, range(len(shown)), "D", ms=3.5, mfc="white", mec="k", mew=0.7, zorder=3)
     weighed = any(explanation.get("probability") is not None for explanation in shown)
-    axes.set_yticks(range(len(shown)), [rivals.called(explanation["ids"]) for explanation in shown], fontsize=7)
+    alone = fill(ADOPTED_ROW.format(rivals.called(included(content))), TITLE_WIDE) if adopted else rivals.called([])
+    names = [rivals.called(explanation["ids"]) if explanation["ids"] else alone for explanation in shown]
+    axes.set_yticks(range(len(shown)), names, fontsize=7)
     for place, (explanation, rms) in enumerate(zip(shown, left, strict=True)):
         beside = briefly(explanation) or (probability.not_weighed(explanation["ids"]) if weighed else "")
         axes.text(1.15 * max(rms, 1.0), place, beside, va="center", fontsize=6.5, color="0.3")  # never over its bar
@@ -97,6 +100,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     shown_standings = {explanation["standing"] for explanation in shown}
     standings = [name for name in STANDINGS if name in shown_standings]
     meanings = {name: STANDINGS[name][1] for name in STANDINGS}
+    meanings |= {"nothing": ADOPTED_ALONE} if adopted else {}
     meanings |= {} if "named" in shown_standings else {"not needed": MORE_ALONE}
     unknown = content.get("verdict") == "unknown"
     meanings |= {"beaten": UNLIKELY if weighed else WORSE} if unknown or not weighed else {}

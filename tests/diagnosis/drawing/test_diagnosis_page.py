@@ -309,7 +309,8 @@ def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_wher
     assert ("left if each effect may differ from its formula by 10 %" in said) is not below
     assert axes.get_title() == "one more effect: none takes enough away"
     drawn_ = [label.get_text() for label in axes.get_yticklabels()]
-    assert drawn_ == ["calibration alone", "wear", "creep"], "what is adopted already is no further effect"
+    assert drawn_ == ["slack (adopted)", "wear", "creep"], "what is adopted already is no further effect"
+    assert "what is adopted, and calibration" in said and "no mechanism" not in said
     panels.ranking(axes, content | {"simulation": []}, "mm")
     assert axes.get_title() == "explanations: what each leaves"
 

@@ -11,6 +11,7 @@ from ..named import effect_table
 from . import experiment, parting, worth
 from .make_sure import DETAILS, RUN
 from .technician import every_load, lasting
+from .tells import SETTLED
 
 LONG = 80  # letters: a title that is told in the details alone
 SETTLE = "To have it proposed, recorded and weighed for you:"
@@ -37,9 +38,10 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
     if worth.raises(run):
         hard = ", the two explanations that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
         need = f"Only if you need to know {question}{hard}: try the run that tells them apart best{others}."
-        tried = "About half of such runs decided in tests."
-        tells = parting.sentence(content) if short and parting.some(content) else ""
-        return [[" ".join(part for part in (need, tried, tells, where) if part), *alone]]
+        parts = parting.some(content)  # then it leaves the two together: what it does part is said first
+        need = f"Only if you need to know which is at work: try the run that tells most{others}." if parts else need
+        tells = parting.sentence(content) if short and parts else ""
+        return [[" ".join(part for part in (need, tells, f"{SETTLED}.", where) if part), *alone]]
     if parting.some(content):
         best = f"Only for that make the best run, which is in {DETAILS} under {RUN}."
         return [[f"No run that was tried decides {question}{others}. {parting.sentence(content)} {best}"]]

@@ -61,7 +61,7 @@ def gaps(run: NextRun) -> str:
         best = "No other run that was tried in simulation does better"
         end = f"{best}, so none decides."
         if raises(run):
-            end = "So it need not decide; in tests about half of such runs did."
+            end = "So it need not decide."
         if now > PLAIN:
             return (
                 f"{WRONG}, so this recording does not decide. {so_far}; with the run by {number(then)}. {end} {MEANT}"

@@ -1,5 +1,6 @@
 """What run.yaml has adopted, and how what was found is adopted, in words."""
 
+import re
 import shlex
 from collections.abc import Sequence
 from pathlib import Path
@@ -30,8 +31,8 @@ def weighed_anew(words: Vocabulary) -> str:
     return WEIGHED_ANEW.format(rig=words.string if words.twisted else "rig")
 
 
-def cautions(content: Verdict) -> list[str]:
-    """What a verdict is worth where run.yaml has adopted effects."""
+def cautions(content: Verdict, rest: str = "") -> list[str]:
+    """What a verdict is worth where run.yaml has adopted effects; `rest` is the text beside it, whose words count."""
     ids = holdout.included(content)
     if not ids:
         return [*against_advice(content), *doubtful(content)]
@@ -52,19 +53,20 @@ def cautions(content: Verdict) -> list[str]:
                 "Whether another explanation fits as well stands in the verdict that was adopted, not here: if it was "
                 "ambiguous, it is so still, and its run decides."
             ]
-    return [*against, *lines, now_means(content["verdict"], listing(ids)), *doubt]
+    used = "\n".join([rest, *against, *lines, *doubt])
+    return [*against, *lines, *now_means(content["verdict"], listing(ids), used), *doubt]
 
 
-def now_means(verdict: str, effects: str) -> str:
-    """What the verdict's word, `nominal` and `calibrated` mean once effects are adopted; `effects`: their names."""
+def now_means(verdict: str, effects: str, used: str) -> list[str]:
+    """What the verdict's word, `nominal` and `calibrated` mean once `effects` are adopted: those that are `used`."""
     meaning = {
         "consistent": f"with {effects} in the simulator nothing further can be named",
         "parameters": f"with {effects} in the simulator, and dimensions moved, nothing further can be named",
     }.get(verdict, f"beside {effects} more is missing")
-    return (
-        f"`{verdict}` now means: {meaning}. `nominal` now means the simulator with {effects} and the dimensions of "
-        f"run.yaml, `calibrated` the same with dimensions moved. Neither is the rig without {effects}."
-    )
+    means = {verdict: f": {meaning}", "nominal": f" the simulator with {effects} and the dimensions of run.yaml"}
+    means["calibrated"] = f" the simulator with {effects} and moved dimensions"
+    sentences = [f"`{word}` now means{means[word]}." for word in means if re.search(rf"\b{word}\b", used)]
+    return [" ".join([*sentences, f"That is not the rig without {effects}."])] if sentences else []
 
 
 def dimensions_came(content: Verdict) -> bool:

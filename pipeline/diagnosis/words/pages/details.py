@@ -43,15 +43,7 @@ def details_text(
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
     words = Vocabulary.of(system)
-    first = [
-        *doubts,
-        *verdict.what_first(content, words),
-        *slow_look_alikes.lines(content, words),
-        *suspicious(content),
-        *spikes.lines(content, words),
-    ]
     sections: Sections = [
-        (DOUBTS, first),
         (effect_table.HEADING, effect_table.lines(content, words, short=False)),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
         (explanation_table.heading(content), weighed(content, words)),
@@ -67,8 +59,16 @@ def details_text(
         (other_effects.HEADING, other_effects.lines(content, words)),
         ("What would have been seen", detection_limits.lines(content, words)),
     ]
-    heads = [head.partition(", ")[0] for head, lines in sections if lines and head != DOUBTS]
+    heads = [head.partition(", ")[0] for head, lines in sections if lines]
     top = headline(content, words)
+    first = [
+        *doubts,
+        *verdict.what_first(content, words, verdict.joined([(top, []), *sections])),
+        *slow_look_alikes.lines(content, words),
+        *suspicious(content),
+        *spikes.lines(content, words),
+    ]
+    sections.insert(0, (DOUBTS, first))
     all_text = "\n".join([top, *(line for head, lines in sections for line in (head, *lines))])
     explained = (WORDS, explained_words.lines(content, all_text, words))
     return text([(top, [f"Sections: {'; '.join([*heads, WORDS])}."]), *sections], last=explained)

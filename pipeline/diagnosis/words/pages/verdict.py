@@ -11,7 +11,7 @@ from ..held_out import holdout, level, unseen, unseen_doubts
 from ..held_out.without_name import UNNAMED, kept_times
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
-from ..language.sections import shortened, text
+from ..language.sections import Sections, shortened, text
 from ..language.vocabulary import Vocabulary
 from ..measured import breaks, tolerances
 from ..measured.dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
@@ -34,11 +34,8 @@ def verdict_text(
     words = Vocabulary.of(system)
     missing, would, temperature = _unknown(content, words), _would(content, words), logged.temperature(content, words)
     acts = effect_table.lines(content, words, short=True) if content["mechanisms"] else []
-    first = [*what_first(content, words), *slow_look_alikes.doubts(content, words)]
-    first = [shortened(line, LONG) for line in first]
-    sections = [
+    sections: Sections = [
         (headline(content, words), []),
-        (DOUBTS, [*doubts, *first, *spikes.lines(content, words)]),
         (effect_table.HEADING, acts),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
         (chances.HEADING, chances.lines(content)),
@@ -49,21 +46,30 @@ def verdict_text(
         (to_do.HEADING, to_do.lines(content, words, folders, out, short=True)),
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
+    first = [*what_first(content, words, joined(sections)), *slow_look_alikes.doubts(content, words)]
+    first = [shortened(line, LONG) for line in first]
+    sections.insert(1, (DOUBTS, [*doubts, *first, *spikes.lines(content, words)]))
     return text(sections, (MORE, []))
 
 
-def what_first(content: Verdict, words: Vocabulary) -> list[str]:
+def joined(sections: Sections) -> str:
+    """The words of some sections, for who asks which of them a page uses."""
+    return "\n".join(line for head, lines in sections if lines or head for line in (head, *lines))
+
+
+def what_first(content: Verdict, words: Vocabulary, rest: str = "") -> list[str]:
     """What a reader must know before he trusts a verdict, a line each: what counts most stands in its first sentences.
 
+    `rest` is the text of the page beside it.
     Slow effects that look alike are not in it: the page has a line on them, and the details have one on each.
     """
-    return [
-        *adoption.cautions(content),
+    after = [
         *breaks.changed(content),
         *_provisional(content, words),
         *unseen_doubts.cautions(content, words),
         *_left(content, words),
     ]
+    return [*adoption.cautions(content, "\n".join([rest, *after])), *after]
 
 
 def _left(content: Verdict, words: Vocabulary) -> list[str]:

@@ -3,7 +3,7 @@
 import copy
 
 import pytest
-from made_content import content, full, told
+from made_content import content, full, page, told
 
 from pipeline.diagnosis.words.next_run import parting, worth
 
@@ -54,7 +54,21 @@ def test_an_explanation_of_several_effects_stands_in_no_brackets_and_counts_as_o
     made["next_run"]["parts"] = [["creep", "slack"], ["thermal"]]
     assert worth.question(made) == "which is at work: creep + slack or thermal"
     made["next_run"] |= {"gap_now": 9.0, "gap_then": 30.0}
+    assert "try the run that tells most" in told(made)
+    for pair in made["next_run"]["pairs"]:
+        pair["gap_then"] = 30.0
     assert "the two explanations that are hardest to tell apart" in told(made)
+
+
+def test_the_step_says_first_what_the_run_tells_apart_where_it_leaves_the_closest_two_together():
+    """`The run that tells jam from radius_compaction best` stood before `jam and radius_compaction stay together`."""
+    made = parted(400.0, 400.0, 15.0)
+    made["next_run"] |= {"gap_now": 9.0, "gap_then": 30.0}
+    step = " ".join(page(made).partition("What to do, in this order")[2].split())
+    need = "Only if you need to know which is at work: try the run that tells most"
+    first = "Of the 3 likeliest explanations it can tell creep from the others; thermal and wear stay together."
+    assert step.index(need) < step.index(first) < step.index("In tests such runs settled 33 of 50")
+    assert "hardest to tell apart" not in step
 
 
 def test_two_that_the_run_is_to_decide_between_never_stay_together_over_a_third():

@@ -1,8 +1,9 @@
 """The page of a run whose effects are adopted already."""
 
 import pytest
-from made_content import SYSTEMS, adopted, content, told
+from made_content import SYSTEMS, adopted, content, page, told
 
+from pipeline.diagnosis.words.pages import adoption
 from pipeline.diagnosis.words.pages.spoken import spoken
 
 
@@ -138,5 +139,20 @@ def test_what_is_adopted_already_is_not_listed_among_what_would_have_been_seen()
 def test_after_adopting_the_page_says_what_its_words_now_mean(verdict, means):
     one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
     text = " ".join(adopted(adopted=[one], verdict=verdict).split())
-    assert f"`{verdict}` now means: {means}. `nominal` now means the simulator with creep and the dim" in text
+    assert "`nominal` now means the simulator with creep and the dimensions of run.yaml." in text
     assert "now means" not in told()
+    assert f"`{verdict}` now means: {means}. That" in adoption.now_means(verdict, "creep", f"a {verdict} run")[0]
+
+
+def test_only_words_that_the_page_uses_are_said_to_mean_something_else_now():
+    """The page said what `parameters` and `nominal` now mean, and used neither word."""
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    made = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None, mismatch=None, adopted=[one])
+    made["simulation"], made["evidence"]["explanations"] = [{"id": "creep", "parameters": {}}], []
+    made["evidence"] |= {"adopted_mm": 0.03, "nominal_mm": 0.4, "calibrated_mm": 0.03}
+    for shown in (page(made), told(made)):
+        first, _, words = shown.partition("What to know first\n")[2].partition("\n\n")
+        rest = words.partition("What the words mean")[0]
+        for word in ("parameters", "nominal", "calibrated"):
+            assert (f"`{word}` now means" in " ".join(first.split())) is (word in rest), word
+    assert "nominal" not in page(made) and "`parameters`" not in page(made) + told(made)
