@@ -48,7 +48,8 @@ def check(content: Verdict, source: Path, folder: Path) -> tuple[list[str], list
     bare = without_effects(run, samples, strokes)
     acts_from(content["simulation"], bare.drivers, str(source))
     adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
-    errors = before_after.told(bare, of_run(run), of_run(adopting), source, before_after.is_of(content, run.run))
+    own_run = before_after.is_of(content, run.run)
+    errors = before_after.told(bare, len(samples), of_run(run), of_run(adopting), source, own_run)
     own = before_after.on_unseen(content, bare.drivers.units.reading, run.run)
     return [*errors, *own], before_after.dimensions(content)
 

@@ -20,12 +20,9 @@ from .diagnosis.study.own_rate import at_own_rate
 from .diagnosis.words.foretold import loop_table
 from .diagnosis.words.foretold.corner_table import corners
 from .diagnosis.words.foretold.home import of_carried_over, of_home
-from .diagnosis.words.foretold.prediction import (
-    AFTER_RECORDING,
-    of_ties,
-)
+from .diagnosis.words.foretold.prediction import AFTER_RECORDING, of_ties
 from .diagnosis.words.foretold.residual import RESIDUAL
-from .diagnosis.words.language.quantity import listing, size
+from .diagnosis.words.language.quantity import listing, number, size
 from .diagnosis.words.language.sections import numbered
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.measured.dimensions import name_of
@@ -138,10 +135,13 @@ def main() -> None:
     for line in (*loops, *numbered(words)):
         print(line)
     if plan is None:
-        error, _ = off(*compared(run, problem, predicted))
+        measured, means = compared(run, problem, predicted)
+        error, _ = off(measured, means)
         has_own = has_zero(content, problem.system, run.run, 1 + len(before))
         zero = f", its zero {'as it was fitted' if has_own else 'set in the first second'}" * problem.system.free_zero
-        print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}")
+        every_s = problem.drivers.step_s * round(len(predicted) / len(means))
+        of_means = f", of averages of {number(every_s)} s" * (len(means) < len(predicted))
+        print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}{of_means}")
     if not arguments.simulation:
         warn_of_dimensions(run, arguments.run_dir)
 

@@ -147,11 +147,12 @@ def on_unseen(content: Verdict, unit: str, run: str) -> list[str]:
     return sentences
 
 
-def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:
+def told(problem: Problem, samples: int, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:
     """What `pipeline.simulate` errs by on a run's own recording, before and from now on.
 
-    `problem` is the run's without any effect; `before` and `now` are what its run.yaml simulates; `own`: the diagnosis
-    at `path` is of this run. Raises BadInput, also where one of another run would make the simulator worse.
+    `problem` is the run's without any effect, averaged where it has fewer rows than the recording has `samples`;
+    `before` and `now` are what its run.yaml simulates; `own`: the diagnosis at `path` is of this run. Raises BadInput,
+    also where one of another run would make the simulator worse.
     """
     unit = problem.drivers.units.reading
     columns = {"before": before, "now": now}
@@ -162,7 +163,8 @@ def told(problem: Problem, before: Simulated, now: Simulated, path: Path, own: b
         sizes = f"{size(errors[1][0], unit)} where it errs by {size(errors[0][0], unit)} now"
         wrong = f"is of another run, and would make the simulator of this one worse: {sizes}"
         raise BadInput(path, "run", wrong, "diagnose this run, and adopt that")
-    rows = [["on this recording, rms of single samples", *columns]]
+    of_means = f"averages of {number(problem.drivers.step_s)} s" * (len(problem.record) < samples)
+    rows = [[f"on this recording, rms of {of_means or 'single samples'}", *columns]]
     rows.append([f"error of {program_name('simulate')}"])
     if problem.system.free_zero:
         rows.append(["the same, if the whole recording sets the zero"])

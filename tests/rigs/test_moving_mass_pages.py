@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -102,6 +103,29 @@ def test_the_numbers_that_it_adopted_are_explained_without_a_string(rubbing):
     program("pipeline.adopt", "--remove", rubbing)
     assert "it multiplies the direction of motion, from -1 to 1" in explained and "twist" not in explained
     assert "Its formula: h s; h: half the loop, s: the direction of motion" in explained
+
+
+def test_an_error_of_a_mass_is_of_averages_on_every_page_and_says_so(rubbing, tmp_path):
+    diagnosis = rubbing.parents[1] / "dia" / rubbing.name / "diagnosis.json"
+    evidence = json.loads(diagnosis.read_text())["evidence"]
+    assert evidence["scored_step_s"] == 0.01 and "single_floor_n" not in evidence
+    pages = [(diagnosis.parent / name).read_text() for name in ("verdict.txt", "details.txt")]
+    assert all("of averages of 0.01 s" in page and "single samples" not in page for page in pages)
+    printed = program("pipeline.simulate", rubbing, "--simulation", diagnosis, "--out", tmp_path / "own.csv")
+    assert re.search(r"rms error against the recording: [0-9.]+ N, of averages of 0.01 s\n", printed)
+    printed = program("pipeline.adopt", diagnosis, shutil.copytree(rubbing, tmp_path / rubbing.name))
+    assert "on this recording, rms of averages of 0.01 s" in printed
+
+
+def test_nine_of_ten_averages_of_a_mass_lie_in_the_band_of_the_recorded_motion(rubbing, tmp_path):
+    samples, plan, out = pd.read_parquet(rubbing / "recording.parquet"), tmp_path / "plan.csv", tmp_path / "band.csv"
+    samples[["time_s", "position_m"]].to_csv(plan, index=False)
+    done = simulated(rubbing, plan, out)
+    assert done.returncode == 0, done.stderr
+    assert "nine of ten readings, averaged over 0.01 s, lie between them" in " ".join(done.stdout.split())
+    band = pd.read_csv(out).assign(measured_n=samples["force_n"])
+    means = band.groupby(np.arange(len(band)) // 10).mean()
+    assert np.mean((means["measured_n"] - means["force_n"]).abs() <= 0.5 * (means["high_n"] - means["low_n"])) > 0.85
 
 
 def test_a_tie_without_percentages_lists_its_explanations(tmp_path):

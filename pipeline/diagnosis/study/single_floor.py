@@ -1,4 +1,4 @@
-"""The noise of single samples where a rig is scored in averages too: what `simulate` and `adopt` count is louder."""
+"""The noise of single samples where a rig is scored in averages and `simulate` and `adopt` count single samples."""
 
 import math
 from typing import Any
@@ -13,14 +13,15 @@ from .own_rate import SCORED_SAMPLES, at_own_rate, samples_of
 def single_floor(study: Study, fine: Problem, recorded: list[RecordedRun], floor: float) -> dict[str, Any]:
     """`scored_step_s`, over which `fine` averages, and `single_floor_…`, both for the `evidence`.
 
-    `floor` is the noise of `fine`, in the reading's unit. Nothing where `fine` holds the single samples; without the
-    noise where these are more than is simulated at once.
+    `floor` is the noise of `fine`, in the reading's unit. Nothing where `fine` holds the single samples. Without the
+    noise where these are more than is simulated at once, and where a system follows derivatives: there averages are
+    counted everywhere, and what a noisy motion does to a single prediction is no noise of the reading.
     """
     count, ending = samples_of(recorded), study.problem.system.channel.rpartition("_")[2]
     if study.problem.system.working_hz is None or len(fine.record) == count:
         return {}
     known: dict[str, Any] = {"scored_step_s": fine.drivers.step_s}
-    if count > SCORED_SAMPLES:
+    if count > SCORED_SAMPLES or study.problem.system.differentiates:
         return known
     single = at_own_rate(recorded, thin=False, to_fit=False)
     left = [rms(robust(each.measured - each.simulate(study.best))) for each in (single, fine)]

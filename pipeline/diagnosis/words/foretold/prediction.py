@@ -11,7 +11,7 @@ from ...choice.outcome import rms
 from ...document.content import Part, Verdict
 from ...prediction.prediction_band import Foretold
 from ..held_out import holdout
-from ..language.quantity import listing, percent, plus_minus, quantity, size, times
+from ..language.quantity import listing, number, percent, plus_minus, quantity, size, times
 from ..language.vocabulary import Vocabulary
 
 OUTSIDE, AFTER_RECORDING = "outside", "--after-recording"  # a column of the answer; the option
@@ -19,7 +19,7 @@ STRETCHES = 3  # of time, that are said; the others are counted
 REPORTED = 0.2  # of a plan's rows: where fewer are inside, one error is none of the plan
 MOSTLY = 0.8  # of the rms: a mean so far from 0 tells the way
 COVERS = (
-    "{low} and {high}: nine of ten single readings lie between them, if the explanation is right. They cover how well "
+    "{low} and {high}: nine of ten {readings} lie between them, if the explanation is right. They cover how well "
     "its numbers are known, and {missed}. They cover no other explanation, no other {string}, and no motion beyond "
     "what was recorded"
 )
@@ -48,7 +48,15 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, words: Vocabu
         first.append(f"rows after one that is {OUTSIDE} are inside again, though what is slow may still remember it")
     expected = f"{size(foretold.expected(inside), unit)} rms. Of it {parts}"
     rms_error = f"expected error, only to compare with another rms error: {expected}"
-    return [*first, COVERS.format(low=low, high=high, missed=missed, string=words.string), rms_error]
+    covers = COVERS.format(readings=_readings(foretold), low=low, high=high, missed=missed, string=words.string)
+    return [*first, covers, rms_error]
+
+
+def _readings(foretold: Foretold) -> str:
+    """What the band holds: single readings, or where a rig is compared in averages alone, these."""
+    evidence: Part = (foretold.content.get("evidence") if foretold.content else None) or {}
+    averaged = evidence.get("scored_step_s") and not any(name.startswith("single_floor_") for name in evidence)
+    return f"readings, averaged over {number(evidence['scored_step_s'])} s," if averaged else "single readings"
 
 
 def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int, channel: str, unit: str) -> list[str]:
