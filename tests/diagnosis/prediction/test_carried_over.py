@@ -34,6 +34,7 @@ def test_all_of_a_diagnosis_that_holds_is_taken_and_nothing_is_said(runs, tmp_pa
     assert "this run takes" not in printed and f"the dimensions of {diagnosis}" in printed
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("spoiled", "kept", "words"),
     [
@@ -60,6 +61,7 @@ def test_effects_alone_are_taken_where_the_dimensions_fail(runs, tmp_path):  # n
     assert f"simulated with creep and the dimensions of {later / 'run.yaml'}" in printed
 
 
+@pytest.mark.long
 def test_what_a_black_box_learnt_beside_all_of_it_is_not_added_to_a_part(runs, tmp_path):  # noqa: F811
     _, later, diagnosis = runs
     wrong, out = changed(diagnosis, tmp_path / "wrong.json", effects=True, dimensions=True), tmp_path / "more.csv"

@@ -39,13 +39,15 @@ def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> li
     """The table's cells, the heads first; with probabilities the last rows are of all that no other row has."""
     known, floor = probability.known(content), content["evidence"][f"floor_{words.ending}"]
     cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "differs from 1 by"]]
+    out = [entry["ids"] for entry in left_out.entries(content)]
     for number, each in rows.items():
         left, share = rivals.left_of(each, content, words.ending), each.get("probability")
         gap, no_less = each.get(f"gap_{words.ending}"), rivals.no_less(each, content, words)
         leaves = NO_LESS if no_less else f"{size(left, words.unit)} ({times(left / floor)})"
         probable = UNKNOWN if share is None else percent(share or LEAST)
         differs = size(gap, words.unit) if gap is not None and number > 1 else UNKNOWN
-        cells.append([_name(str(number), rivals.called(each["ids"])), probable, leaves, differs])
+        called = rivals.called(each["ids"]) + ", left out" * (each["ids"] in out)
+        cells.append([_name(str(number), called), probable, leaves, differs])
     if known:
         none = content["evidence"].get("probability_of_none") or 0.0
         of_library = [each.get("probability") or 0.0 for each in rows.values() if physics(tuple(each["ids"]))]
