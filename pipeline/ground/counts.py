@@ -1,6 +1,6 @@
-"""How many of a thing, in words."""
+"""How many of a thing, and which, in words."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 
 def counted(count: int, what: str) -> str:
@@ -11,6 +11,17 @@ def counted(count: int, what: str) -> str:
 def are(count: int) -> str:
     """The verb of so many things."""
     return "is" if count == 1 else "are"
+
+
+def consecutive(numbers: Iterable[int]) -> list[list[int]]:
+    """Rising numbers, those together that follow each other: [1, 2, 3], [5]."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    return runs
 
 
 def mends(times_by_rule: Mapping[str, int]) -> list[str]:

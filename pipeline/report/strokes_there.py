@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable, Sequence
 
+from ..ground.counts import consecutive
+
 SHOWN = "The paper shows"
 
 
@@ -27,13 +29,7 @@ def tabled(strokes: Sequence[int], wanted: Sequence[int]) -> list[int]:
 
 def ranges(strokes: Sequence[int]) -> str:
     """The strokes in words: "1 to 8", "1 to 4 and 9"."""
-    runs: list[list[int]] = []
-    for stroke in strokes:
-        if runs and stroke == runs[-1][-1] + 1:
-            runs[-1].append(stroke)
-        else:
-            runs.append([stroke])
-    return listed([f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs])
+    return listed([f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in consecutive(strokes)])
 
 
 def listed(names: Sequence[str | int]) -> str:

@@ -53,10 +53,13 @@ class Study:
         """An explanation with what is random in it, which was seen and not weighed, so that it stands in each."""
         return with_random(ids, self.random)
 
+    def without_chance(self, ids: tuple[str, ...]) -> tuple[str, ...]:
+        """What of an explanation was weighed."""
+        return tuple(id_ for id_ in ids if id_ not in self.random)
+
     def explanation(self, ids: tuple[str, ...]) -> Explanation:
         """The best explanation by these mechanisms; what is random in it has no curve that could be fitted."""
-        fitted = tuple(id_ for id_ in ids if id_ not in self.random)
-        return replace(self.search.explain(fitted or ids), ids=ids)
+        return replace(self.search.explain(self.without_chance(ids) or ids), ids=ids)
 
     @property
     def best_ids(self) -> tuple[str, ...]:

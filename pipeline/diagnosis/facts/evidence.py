@@ -3,9 +3,8 @@
 Nothing here decides: the verdict is already made.
 """
 
-from collections.abc import Mapping
 from dataclasses import asdict, replace
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -21,7 +20,6 @@ from . import aspects, extents, mechanism_entries
 from .look_alikes import look_alikes
 from .told_floor import told_floor
 
-T = TypeVar("T")
 LISTED = 11  # explanations
 RULED_OUT = 3  # of the likeliest that are not held
 SINGLES, OTHERS = 8, 4  # of one mechanism, and of each larger number
@@ -103,13 +101,8 @@ def left_out(study: Study) -> list[dict[str, Any]]:
 def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[dict[str, Any]] | None:
     """What counts most against an explanation beside the best one; None where the judge did not weigh both."""
     known = {weighed.ids: weighed for weighed in study.judged.weighed}
-    rival, first = (_of(study, known, each) for each in (ids, best))
+    rival, first = (known.get(study.without_chance(each)) or known.get(each) for each in (ids, best))
     return aspects.chief(study.problem.judge, rival, first) if rival and first and rival is not first else None
-
-
-def _of(study: Study, weighed: Mapping[tuple[str, ...], T], ids: tuple[str, ...]) -> T | None:
-    """What is known of an explanation that was weighed; what is random stands in each of them, seen and not weighed."""
-    return weighed.get(tuple(id_ for id_ in ids if id_ not in study.random)) or weighed.get(ids)
 
 
 def fitted(search: Search, explanation: Explanation) -> Array:

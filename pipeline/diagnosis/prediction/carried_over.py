@@ -21,7 +21,8 @@ class CarriedOver:
     """What is taken of a diagnosis for another recording: all of it, a part, or the motor's zero alone.
 
     `content` is the simulator, its motor homed. `effects`, `dimensions`: whether those of the diagnosis are in it.
-    `left` and `left_by_all` are what it and all of the diagnosis leave of the first stroke, rms, in the reading's unit.
+    `left_by_all` is what all of the diagnosis leaves of the first stroke, rms, in the reading's unit; `home` has what
+    the part that is taken leaves.
     """
 
     content: Simulated
@@ -29,11 +30,6 @@ class CarriedOver:
     effects: bool
     dimensions: bool
     left_by_all: float
-
-    @property
-    def left(self) -> float:
-        """What is left of the first stroke, rms, in the reading's unit."""
-        return self.home.left
 
     @property
     def whole(self) -> bool:

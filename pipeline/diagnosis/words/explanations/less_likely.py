@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from ....ground.counts import consecutive
 from ...document.content import Part, Verdict
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
@@ -44,14 +45,10 @@ def _worth(explanation: Part) -> bool:
 
 def numbers(of: list[int]) -> str:
     """Rows by their numbers: 2; 2 and 3; 4 to 7 and 9."""
-    runs: list[list[int]] = []
-    for number in of:
-        if runs and number == runs[-1][-1] + 1:
-            runs[-1].append(number)
-        else:
-            runs.append([number])
-    spans = [f"{run[0]} to {run[-1]}" if len(run) > 2 else listing(list(map(str, run)), ",") for run in runs]
-    return listing([part for span in spans for part in span.split(" , ")])
+    spans: list[str] = []
+    for run in consecutive(of):
+        spans += [f"{run[0]} to {run[-1]}"] if len(run) > 2 else map(str, run)
+    return listing(spans)
 
 
 def _grouped(rows: Numbered, phrase: Callable[[Part], str]) -> list[str]:

@@ -20,5 +20,5 @@ def of_carried_over(carried: CarriedOver, unit: str) -> list[str]:
     taken = "the effects, with the dimensions of run.yaml" if carried.effects else "the dimensions, without the effects"
     if not carried.effects and not carried.dimensions:
         taken = "nothing but the motor's zero, so the simulator is that of run.yaml without effects"
-    left = f"{size(carried.left, unit)} rms of the first stroke, where all of the diagnosis leaves"
+    left = f"{size(carried.home.left, unit)} rms of the first stroke, where all of the diagnosis leaves"
     return [f"of the diagnosis this run takes {taken}: that leaves {left} {size(carried.left_by_all, unit)}"]
