@@ -40,9 +40,11 @@ MECHANISM = Mechanism(
     driver="load",
     equation="dx = -(F - F_tare)/K - toe(F)",
     letters={
-        "F_tare": "the load at the tare",
-        "toe": "a stretch that ends as the load grows",
+        "F_tare": "from_load",
+        "K": "the stiffness: one over the strength straight_…",
+        "toe": "a stretch that ends as the load grows, of the strengths toe_…",
     },
+    strengths=("K", "toe"),
     source=(
         "Wuertz et al., The twisted string actuation system: modeling and control, IEEE/ASME AIM 2010; toe "
         "region: McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004"
@@ -52,6 +54,11 @@ MECHANISM = Mechanism(
     meaning="the string stretches with the load.",
     sentence="The {string} stretches with its load, by up to {span} ({size}).",
     details=("{straight_mm_per_10_n} in proportion to the load",),
+    names={
+        "straight": "the load, less that of the tare",
+        "yielding": "the load squared, less that of the tare",
+        "toe_*": "1 - exp(-F/w), less its value at the tare: F is the load, w the load in the name",
+    },
     candidates=candidates,
     units={"from_load": "10N"},
     terms=terms,

@@ -29,8 +29,9 @@ MECHANISM = Mechanism(
     equation="dx = -sum s_i [t >= t_i]",
     letters={
         "s_i": "how far it slips",
-        "t_i": "when it slips",
+        "t_i": "at_s",
     },
+    strengths=("s_i",),
     source=(
         "McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (terminations that slip); "
         "a step at an unknown time: Basseville and Nikiforov, Detection of Abrupt Changes, 1993"

@@ -36,8 +36,9 @@ MECHANISM = Mechanism(
     equation="theta_s = theta - sum k_i [t >= t_i]",
     letters={
         "k_i": "how much twist is lost",
-        "t_i": "when it is lost",
+        "t_i": "at_s",
     },
+    strengths=("k_i",),
     source=(
         "Acarnley, Stepping Motors: A Guide to Theory and Practice, 2002 (lost steps); "
         "a step at an unknown time: Basseville and Nikiforov, Detection of Abrupt Changes, 1993"

@@ -65,10 +65,11 @@ MECHANISM = Mechanism(
     driver="time under load",
     equation="dx = -sum z_i, dz_i/dt = (a_i F - z_i)/tau_i",
     letters={
-        "a_i": "the first rows of the table, a strength each",
-        "tau_i": "the time constants in their names",
+        "a_i": "the strengths; F stands for what each multiplies",
+        "tau_i": "the time constant of each strength | in its name",
         "z_i": "what each element has lengthened so far",
     },
+    strengths=("a_i",),
     source=(
         "Findley, Lai and Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976 (Kelvin-Voigt chain)"
     ),

@@ -101,8 +101,10 @@ MECHANISM = Mechanism(
     driver="angle within the turn",
     equation="x_m = x + A sin(theta + p)",
     letters={
-        "A": "the height of the ripple",
+        "A": "the height of the ripple: the root of sine squared and cosine squared",
+        "p": "where in the turn the ripple begins: by sine against cosine",
     },
+    strengths=("A", "p"),
     source="Slocum, Precision Machine Design, 1992 (error motion once a turn)",
     confused_with="stick_slip, load_swing",
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",

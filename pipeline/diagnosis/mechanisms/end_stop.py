@@ -55,7 +55,7 @@ MECHANISM = Mechanism(
     driver="reading at its end",
     equation="x_m = min(x, x_stop)",
     letters={
-        "x_stop": "where the reading stops",
+        "x_stop": "stop_mm",
     },
     source=(
         "Brogliato, Nonsmooth Mechanics, 1999 (contact on one side); "

@@ -147,16 +147,17 @@ MECHANISM = Mechanism(
     equation="dx = -sum k_i f_i g_i s_i, s_i: stop operators of the twist (Prandtl-Ishlinskii)",
     letters={
         "F_0": "usual_load",
-        "a_i": "share and inner_share",
-        "b_i": "how wide each play is, as a share of w: 1 and 0.4",
-        "f_i": "how an element grows with the load: not at all, with the load, or with its root",
-        "g_i": "how it grows with the helix angle: the words `twist` and `steep` in the names",
-        "k_i": "the first rows of the table, a strength each",
+        "a_i": "how much of each play counts: share and inner_share",
+        "b_i": "how wide each play is, as a share of w | 1 and 0.4",
+        "f_i": "how an element grows with the load: not at all, with the load, or with its root | by its name",
+        "g_i": "how it grows with the helix angle: the words `twist` and `steep` in the names | by its name",
+        "k_i": "the strengths",
         "play": "the twist that follows once the play is taken up",
-        "s_i": "a stop, from -1 to 1, which turns with the direction",
+        "s_i": "a stop, which turns with the direction | -1 to 1",
         "w": "play_turns",
     },
     plain_equation="h s; h: half the loop, s: the direction of motion, from -1 to 1, rounded where it turns",
+    strengths=("a_i", "h", "k_i"),
     source=(
         "Visintin, Differential Models of Hysteresis, 1994 (Prandtl-Ishlinskii); Armstrong-Helouvry, Dupont and "
         "Canudas de Wit, Automatica 30, 1994 (along the travel too)"

@@ -58,7 +58,8 @@ class Mechanism:
     {temperature}, {lowers} and {grows} (whether it lowers or raises the reading, and so the radius falls or grows, in
     the course of the recording), and the rig's words: {string} {motion} {rate} {reading} {up} {down}. `details` follow
     it: of these the first all of whose parameters were found, each said as its value. `names` says what a word in its
-    coefficients' names multiplies, for who reads them in run.yaml.
+    coefficients' names multiplies, for who reads them in run.yaml. `letters` says what a letter is: in words, with its
+    value after ` | ` where that is always the same, or as the name of a nonlinear parameter.
     `derived` gives constants that follow from several of its parameters, by a name that ends in their unit; each is as
     uncertain as the effect's size.
     """
@@ -77,6 +78,7 @@ class Mechanism:
     meaning: str = ""
     remembers_turns: bool = False  # acts otherwise after a way back from the middle than after one from an end
     letters: dict[str, str] = field(default_factory=dict)  # of the equation, that mean nothing or otherwise elsewhere
+    strengths: tuple[str, ...] = ()  # letters of the equation that are the coefficients of the terms
     variants: dict[str, str] = field(default_factory=dict)  # other equations, by the nonlinear parameter of their kind
     plain_equation: str = ""  # where nothing is twisted, if `equation` is one of a string
     twisted: bool = False  # of a string alone: where nothing is wound it is no candidate, and worth no word

@@ -33,8 +33,9 @@ MECHANISM = Mechanism(
     driver="high twist",
     equation="theta_s = theta - s max(theta - theta_c, 0)",
     letters={
-        "s": "share, which the twist beyond the corner loses",
+        "s": "how much of the twist beyond the corner is lost",
     },
+    strengths=("s",),
     source=(
         "Bohr and Olsen, The ancient art of laying rope, EPL 93, 2011 (strands touch at a greatest twist); "
         "how far the displacement falls behind beyond it is no law in print, here a line and a square"
@@ -44,6 +45,7 @@ MECHANISM = Mechanism(
     meaning="past a critical twist the displacement falls behind.",
     sentence="Past a critical {motion} the coils touch and the {reading} falls behind, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
+    names={"faster": "the square of the twist beyond the corner"},
     twisted=True,
     candidates=candidates,
     terms=terms,

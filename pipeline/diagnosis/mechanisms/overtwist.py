@@ -82,8 +82,9 @@ MECHANISM = Mechanism(
     driver="high twist",
     equation="dx = +k max(theta' - theta_c, 0), theta' the twist or its play",
     letters={
-        "k": "the strength, from the first rows of the table",
+        "k": "the strengths",
     },
+    strengths=("k",),
     source=(
         "Haines et al., Artificial muscles from fishing line and sewing thread, Science 343, 2014 (coils beyond a "
         "critical twist)"

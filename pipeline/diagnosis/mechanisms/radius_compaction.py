@@ -56,6 +56,7 @@ MECHANISM = Mechanism(
     letters={
         "s": "the power of the load",
     },
+    strengths=("k", "s"),
     source="Popov, Gaponov and Ryu, A study on twisted string actuation systems, IEEE/RSJ IROS 2012 (variable radius)",
     confused_with="a wrong radius, shaft_windup, jam",
     told_apart_by="more than 20 turns at two loads; an image of the bundle",

@@ -74,6 +74,10 @@ MECHANISM = Mechanism(
     id="sensor_lag",
     driver="displacement rate",
     equation="tau dx_m/dt = x - x_m, or x_m(t) = x(t - delay)",
+    letters={
+        "tau": "the time constant of a strength filter_… | in its name",
+        "delay": "by how much the reading of a strength delay_… is late | in its name",
+    },
     source=(
         "Doebelin, Measurement Systems: Application and Design, 1966 (first-order instrument); "
         "dead time: Ogata, Modern Control Engineering, 1970"
@@ -87,6 +91,11 @@ MECHANISM = Mechanism(
         "the moving mass times the delay of the {motion} is {late_mm_s3_per_turn}; divided by "
         "the mass that is the delay in seconds",
     ),
+    names={
+        "filter_*_s": "the reading with a first-order lag of the time in the name, less the reading itself",
+        "delay_*_s": "the reading that much later, less the reading itself",
+        "clock_skew": "the rate of the reading x the time so far: two clocks run apart",
+    },
     candidates=candidates,
     terms=terms,
     suggest=suggest,

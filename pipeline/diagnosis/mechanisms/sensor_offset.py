@@ -25,6 +25,7 @@ MECHANISM = Mechanism(
         "y": "the reading, by the dimensions alone",
         "y_m": "what the sensor reads",
     },
+    strengths=("c",),
     source="Joint Committee for Guides in Metrology, International vocabulary of metrology, JCGM 200:2012 (zero error)",
     confused_with="end_stop (which holds at one end only)",
     told_apart_by="a reading at rest without load",

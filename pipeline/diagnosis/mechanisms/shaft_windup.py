@@ -41,8 +41,9 @@ MECHANISM = Mechanism(
     driver="torque (load x twist)",
     equation="theta_s = theta - F r sin a / k_t",
     letters={
-        "k_t": "the stiffness of the shaft, one over the strength in the table",
+        "k_t": "the stiffness of the shaft: one over the strengths",
     },
+    strengths=("k_t",),
     source=(
         "Timoshenko, Strength of Materials, 1930 (torsion of a shaft); "
         "couplings: Budynas and Nisbett, Shigley's Mechanical Engineering Design, 2011"

@@ -63,7 +63,7 @@ MECHANISM = Mechanism(
     equation="theta_s = max(theta - theta_0, 0), or x = max(x_0, x_geo - s), or, of a sag, a sum of such s",
     letters={
         "s": "the slack, as a length",
-        "theta_0": "the twist that the slack takes up",
+        "theta_0": "take_up_turns",
         "x_0": "the displacement at which the slack ends",
         "x_geo": "the displacement of a taut string",
     },

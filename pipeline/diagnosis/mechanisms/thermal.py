@@ -70,9 +70,11 @@ MECHANISM = Mechanism(
     equation="dx = -a (T - T0), dT/dt = (power - T)/tau where T is not measured",
     letters={
         "T0": "the temperature at the start",
-        "a": "the strength, from the first rows of the table",
+        "a": "the strengths",
+        "tau": "the time constant of each strength | in its name",
         "power": "the heat of the motion, from speed and load",
     },
+    strengths=("a",),
     source=(
         "Landau and Lifshitz, Theory of Elasticity, 1959 (thermal expansion); "
         "one heated node: Incropera and DeWitt, Fundamentals of Heat and Mass Transfer, 1996 (lumped capacitance)"
@@ -82,6 +84,13 @@ MECHANISM = Mechanism(
     meaning="the length follows the temperature.",
     sentence="The length follows {temperature}, by up to {span} ({size}), {times}.",
     details=("{at_once_mm_per_k}",),
+    names={
+        "friction": "the heat of speed x load",
+        "speed": "the heat of the speed squared",
+        "moving": "the heat of moving at any speed",
+        "torque": "the heat of speed x torque",
+        "behind": "what is passed on later still",
+    },
     optional=(LATER_RUNS,),
     candidates=candidates,
     terms=terms,

@@ -57,9 +57,10 @@ MECHANISM = Mechanism(
     driver="twisting rate",
     equation="dx = -c dtheta/dt",
     letters={
-        "c": "the strength, from the first rows of the table",
+        "c": "the strengths, each for what its row multiplies",
     },
     plain_equation="c v; v: the speed",
+    strengths=("c",),
     source=(
         "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, "
         "Automatica 30, 1994 (viscous friction); with a memory: Findley, Lai and Onaran, "

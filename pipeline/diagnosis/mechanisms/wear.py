@@ -39,8 +39,9 @@ MECHANISM = Mechanism(
     driver="travel",
     equation="r_e = r (1 -+ k g(travel))",
     letters={
-        "g": "how it grows with the travel",
+        "g": "how it grows with the travel, by the words in the names",
     },
+    strengths=("k",),
     source="Archard, Contact and rubbing of flat surfaces, Journal of Applied Physics 24, 1953",
     confused_with="plastic_elongation (which is the same at every twist), count_slip",
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",
@@ -49,7 +50,7 @@ MECHANISM = Mechanism(
     names={
         "within_*": "1 - exp(-s/w): s is the travel as a share of travel_turns, w the number in the name",
         "steady": "the travel as a share of travel_turns",
-        "faster": "that share squared",
+        "faster": "the square of the travel as a share of travel_turns",
     },
     candidates=candidates,
     terms=terms,

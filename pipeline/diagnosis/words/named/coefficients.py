@@ -10,15 +10,16 @@ from ...mechanisms.interface import Mechanism
 from ...mechanisms.library import mechanisms
 from ...recording.drivers import Drivers
 from ..language.explained_words import meaning, on_rig
-from ..language.quantity import at, listing, number, percent, said_unit, size, to_the_band
+from ..language.quantity import at, listing, number, percent, quantity, said_unit, size, to_the_band
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from .formulas import direction, does, formula, letter_by_letter, of_strings_alone
+from . import formulas
+from .formulas import direction, does, formula, of_strings_alone
 from .shape_numbers import LOADS, meaning_of, shape_number, unit_of_shape
 
 HEAD = (
     "What each number under simulation means, if you are curious: nobody needs them to predict. What a number does is "
-    "said for this recording, all else held; where – stands, it moves nothing alone, or both ends hardly differ. "
+    "said for this recording, all else held; where – stands, both ends hardly differ. "
     "Sources of the formulas: docs/physics.md."
 )
 NO_SENTENCES: Mapping[str, str] = {}
@@ -79,6 +80,7 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
     mechanism, (whole, *each) = mechanisms()[act.id], sizes
     coefficients, moved = iter(act.coefficients), iter(each)
     rows, described, names, shares = list[list[str]](), list[str](), list[str](), list[str]()
+    strengths, others = list[str](), dict[str, list[str]]()
     for nonlinear in act.nonlinear:
         for term in mechanism.terms(drivers, nonlinear):
             value = next(coefficients)
@@ -87,7 +89,8 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
             name, unit = drivers.units.name(term.name), said_unit(drivers.units.unit(term.unit))
             names.append(name)
             shares += [] if unit else [percent(value)]
-            rows.append([name, f"{number(value, 3)} {unit}".strip(), *_cells(next(moved), words, whole.rms)])
+            strengths.append(f"{number(value, 3)} {unit}".strip())
+            rows.append([name, strengths[-1], *_cells(next(moved), words, whole.rms)])
             described.append(
                 _what(mechanism, name, does(term.port, DOES[term.port], words), not unit and term.port == "twist")
             )
@@ -95,15 +98,18 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
         for key, value in nonlinear.items():
             if of_strings_alone(meaning_of(key), words):
                 continue
-            name = drivers.units.name(key)
-            units, kept = drivers.units, ""
-            spelled = f"{number(value, 3)} {unit_of_shape(key, name)}"
+            name, kept = drivers.units.name(key), ""
+            spelled = f"{number(value, 3)} {unit_of_shape(key, name)}".strip()
             if key in LOADS:
-                spelled = f"{number(units.load_size * value, 3)} {units.load}"
-                kept = f"; run.yaml has it as {number(value, 3)}, in {number(units.load_size)} {units.load}"
-            rows.append([name, spelled.strip(), UNKNOWN, UNKNOWN])
+                spelled = f"{number(drivers.units.load_size * value, 3)} {drivers.units.load}"
+                counted = quantity(drivers.units.load_size, drivers.units.load)
+                kept = f"; run.yaml has it as {number(value, 3)}, in {counted}"
+            others.setdefault(key, []).append(spelled)
+            rows.append([name, spelled, "", ""])
             described.append(f"{shape_number(key, words)}{kept}")
-    head, *table = aligned([["number", "value", "reading moved, rms", _between(whole, words)], *rows])
+    shown = 3 if {row[-1] for row in rows} <= {UNKNOWN, ""} else 4  # a column that says nothing is left out
+    heads = ["number", "value", "reading moved, rms", _between(whole, words)]
+    head, *table = aligned([row[:shown] for row in (heads, *rows)])
     made = f" {listing(shares)} are weights, which need not add up to 100 %." * (len(shares) == len(names))
     several = [f"    It is made of {len(names)} elements: the first {len(names)} rows.{made}"] * (len(names) > 1)
     written = [f"  {act.id}: {does_here} In all it {_moves(whole, words)}.", *several, *_shares(mechanism, names)]
@@ -112,11 +118,9 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
     for row, what in zip(table, described, strict=True):
         written += [f"    {row}", f"      {what}"]
     equation = formula(mechanism, words, [key for nonlinear in act.nonlinear for key in nonlinear])
-    return [
-        *written,
-        f"    Its formula: {equation}",
-        *(f"    {letters}" for letters in [letter_by_letter(equation, mechanism, words)] if letters),
-    ]
+    above = formulas.Numbers(tuple(strengths), {key: listing(values) for key, values in others.items()}, whole.rms)
+    in_equation = formulas.lines(equation, mechanism, words, drivers, above)
+    return [*written, f"    Its formula: {formulas.split(equation)[0]}", *(f"    {line}" for line in in_equation)]
 
 
 def _adding_up(whole: Size, each: Sequence[Size], words: Vocabulary) -> list[str]:

@@ -1,41 +1,53 @@
-"""The formula of an effect in the words of a rig, letter by letter, and its numbers where nothing is twisted."""
+"""The formula of an effect in the words of a rig, and each letter of it in a table: its value, and what it is."""
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
+import numpy as np
+
+from ....ground.kinematics import Array
 from ...mechanisms.interface import Mechanism
+from ...recording.drivers import Drivers
+from ..language.quantity import number, quantity, said_unit, size, span
+from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
+from .shape_numbers import MEANT, meaning_of, shape_number
+
+LETTER = re.compile(r"(?<![A-Za-z0-9_])[A-Za-z]+(?:_[A-Za-z0-9]+)?[0-9]?'*(?![A-Za-z0-9_])")
+OWN = re.compile(r"(?:^|, )([A-Za-z][A-Za-z0-9_']*): ")  # in the rest of an equation, which says what its letters are
+CALCULATED, DIMENSION, UNUSED = "calculated", "see run.yaml", "not in this one"
+ALWAYS = " | "  # in what a letter is: before a value that is always the same
+KEYS = {"reach": "reach_mm", "theta_c": "critical_turns"}  # numbers of the table above, by their letter
+FUNCTIONS = {
+    "sum": "over all i, one for each strength",
+    "ln": "the natural logarithm",
+    "exp": "e to the power of",
+    "max": "the larger of both",
+    "min": "the smaller of both",
+    "sign": "1 or -1, as what it stands before",
+}
+SIGNS = {
+    r"\[": "[ ]: 1 once what stands in it is so, 0 before",
+    r"\bd[a-z_]+/dt": "d/dt: how fast something changes",
+    r"''?": "': how fast something changes",
+    r"-\+|\+-": "-+: the one or the other, see `sign`",
+}
 
 RESISTS = "resists the motion"  # where the reading is a force
 SCALED = re.compile(r"\btan\(|\bhelix\b")  # what only a string has
-LETTER = re.compile(r"(?<![A-Za-z0-9_])[A-Za-z]+(?:_[A-Za-z0-9]+)?[0-9]?'*(?![A-Za-z0-9_])")
-MEANT = {
-    "A": "the height of the ripple",
-    "F": "the load",
-    "F_ref": "the load at which the numbers hold",
-    "K": "the stiffness of the string",
-    "P": "how much longer the string is for good",
-    "T": "the temperature",
-    "a": "the helix angle, between a string and the axis",
-    "c": "the strokes worked so far",
-    "d": "the torsion zone",
-    "delay": "by how much the reading is late",
-    "dx": "what the effect adds to the displacement",
-    "k": "the strength, from the first rows of the table",
-    "p": "where in the turn the ripple begins",
-    "r": "the radius of the string",
-    "r_e": "the radius that acts",
-    "reach": "how far the reading falls behind before it slips",
-    "t": "the time",
-    "tau": "a time constant",
-    "theta": "the twist of the motor",
-    "theta'": "the twist after the play",
-    "theta_c": "the critical twist",
-    "theta_s": "the twist that the string sees",
-    "travel": "the distance travelled so far",
-    "x": "the displacement, by the dimensions alone",
-    "x_m": "the displacement that the sensor reads",
-}
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """What stands in the table above the letters: its strengths in their order, its other numbers by their keys.
+
+    Each as it is said, with its unit. `rms` is that of the whole effect, in the unit of the reading.
+    """
+
+    strengths: tuple[str, ...]
+    others: Mapping[str, str]
+    rms: float
 
 
 def formula(mechanism: Mechanism, words: Vocabulary, shape: Iterable[str] = ()) -> str:
@@ -67,19 +79,97 @@ def of_strings_alone(meaning: str, words: Vocabulary) -> bool:
     return not words.twisted and bool(SCALED.search(meaning))
 
 
-def letter_by_letter(equation: str, mechanism: Mechanism, words: Vocabulary) -> str:
-    """Each letter of a formula with what it is, in one sentence; empty where none is known.
+def lines(equation: str, mechanism: Mechanism, words: Vocabulary, drivers: Drivers, numbers: Numbers) -> list[str]:
+    """A row for each letter of an equation, and a line on its functions; `equation` is as `formula` gives it."""
+    meanings = of_equation(equation, mechanism, words)
+    rows = [["letter", "value", "what it is"]]
+    for letter, meaning in meanings.items():
+        what, _, always = meaning.partition(ALWAYS)
+        own = what if meaning_of(what) else KEYS.get(letter, "")
+        value = always or _value(letter, own, meaning, mechanism, words, drivers, numbers)
+        rows.append([letter, value, shape_number(own, words) if own == what else what])
+    used = functions(equation, mechanism)
+    return [*(aligned(rows) if meanings else []), *([f"Signs: {'; '.join(used)}."] if used else [])]
 
-    On a rig without a string the formula itself says what its motion and its reading are, or all that it has.
-    """
-    if not words.twisted and mechanism.plain_equation:
-        return ""
-    meanings = {**MEANT, **mechanism.letters}
-    letters = dict.fromkeys(_without_rate(letter, meanings) for letter in LETTER.findall(equation))
-    known = [letter for letter in letters if letter in meanings]
-    known = known if words.twisted else [letter for letter in known if letter not in ("q", "x", "y", "dx")]
-    line = f"In it: {'; '.join(f'{letter}: {meanings[letter]}' for letter in known)}." if known else ""
-    return line if words.twisted else line.replace("twist", words.motion).replace("displacement", words.reading)
+
+def of_equation(equation: str, mechanism: Mechanism, words: Vocabulary) -> dict[str, str]:
+    """What each letter of an equation is, in the words of a rig; its own rest may say that of some."""
+    shown, own_words = split(equation)
+    meanings = {**MEANT, **mechanism.letters, **own_words}
+    letters = dict.fromkeys(_without_rate(letter, meanings) for letter in LETTER.findall(shown))
+    return {letter: _on_rig(meanings[letter], words) for letter in letters if letter in meanings}
+
+
+def split(equation: str) -> tuple[str, dict[str, str]]:
+    """An equation without the rest that says what some of its letters are, and what that says of each."""
+    shown, _, rest = equation.partition("; ")
+    if not OWN.match(rest):
+        return equation, {}
+    _, *parts = OWN.split(rest)
+    return shown, dict(zip(parts[::2], parts[1::2], strict=True))
+
+
+def functions(equation: str, mechanism: Mechanism) -> list[str]:
+    """What each function and sign of an equation does."""
+    shown, used = split(equation)[0], LETTER.findall(equation)
+    known = [f"{name}: {does}" for name, does in FUNCTIONS.items() if name in used]
+    return [*known, *(does for sign, does in SIGNS.items() if re.search(sign, _without_primed(shown, mechanism)))]
+
+
+def _without_primed(equation: str, mechanism: Mechanism) -> str:
+    """An equation without those letters whose prime is a part of their name."""
+    for letter in (*MEANT, *mechanism.letters):
+        equation = equation.replace(letter, "") if letter.endswith("'") else equation
+    return equation
+
+
+def _value(
+    letter: str, key: str, meaning: str, mechanism: Mechanism, words: Vocabulary, drivers: Drivers, numbers: Numbers
+) -> str:  # fmt: skip
+    """The value of a letter with its unit: of what varies its range; else where it stands, or that it is calculated."""
+    if key in numbers.others:
+        return numbers.others[key]
+    if meaning_of(meaning):
+        return UNUSED
+    if letter in mechanism.strengths:
+        count = len(numbers.strengths)
+        return numbers.strengths[0] if count == 1 else f"rows 1 to {count} above"
+    named = next((other for other in numbers.others if re.search(rf"\b{other}\b", meaning)), "")
+    if named:
+        return f"by {named}"
+    if letter == "dx":
+        return f"{size(numbers.rms, words.unit)} rms"
+    if letter in mechanism.letters:
+        return CALCULATED
+    return _of_recording(letter, words, drivers) or CALCULATED
+
+
+def _of_recording(letter: str, words: Vocabulary, drivers: Drivers) -> str:
+    """The range of what varies in the recording; of a dimension where it stands; nothing of another letter."""
+    load = drivers.units.load_size
+    degrees = np.degrees(np.arctan(drivers.tangent))
+    ranges: dict[str, tuple[Array, str]] = {
+        "F": (load * drivers.load, drivers.units.load),
+        "a": (degrees, "deg"),
+        "c": (drivers.stroke - drivers.stroke.min(), "strokes"),
+        "q": (drivers.motion, words.motion_unit),
+        "t": (drivers.elapsed_s, "s"),
+        "theta": (drivers.motion, words.motion_unit),
+        "travel": (drivers.path, words.motion_unit),
+        "v": (np.abs(drivers.rate), f"{words.motion_unit}/s"),
+        "x": (drivers.contraction, words.unit),
+    }
+    if letter in ranges:
+        values, unit = ranges[letter]
+        low, high = float(values.min()), float(values.max())
+        return f"{number(low, 3)} {said_unit(unit)}" if low == high else span(low, high, unit, high - low)
+    return {"F_ref": quantity(load, drivers.units.load), "r": DIMENSION, "d": DIMENSION}.get(letter, "")
+
+
+def _on_rig(meaning: str, words: Vocabulary) -> str:
+    if words.twisted:
+        return meaning
+    return meaning.replace("twist", words.motion).replace("displacement", words.reading)
 
 
 def _without_rate(letter: str, meanings: Mapping[str, str]) -> str:

@@ -1,4 +1,4 @@
-"""What the numbers in the formulas themselves mean, by their names: places, widths, times, and what was chosen."""
+"""What the numbers and letters in the formulas themselves mean, by their names: places, widths, times, strengths."""
 
 from ....ground.units import unit_of
 from ...facts.mechanism_entries import unit_of_nonlinear
@@ -65,6 +65,36 @@ MEANS = {
     "wide_half_turns": "half the width of the wide stop that rounds the loop",
     "within_s": "in which time it is over; 0: at once",
     "work": "the whole work of the recording, {scale}",
+}
+MEANT = {  # letters of formulas
+    "A": "the height of the ripple",
+    "F": "the load",
+    "F_ref": "the load at which the numbers hold",
+    "K": "the stiffness of the string",
+    "P": "how much longer the string is for good",
+    "T": "the temperature",
+    "a": "the helix angle, between a string and the axis",
+    "c": "the strokes worked so far",
+    "d": "the torsion zone",
+    "delay": "by how much the reading is late",
+    "dx": "what the effect adds to the displacement",
+    "k": "the strength, from the first rows of the table",
+    "p": "where in the turn the ripple begins",
+    "q": "the twist",
+    "r": "the radius of the string",
+    "r_e": "the radius that acts",
+    "reach": "how far the reading falls behind before it slips",
+    "t": "the time",
+    "tau": "a time constant",
+    "theta": "the twist of the motor",
+    "theta'": "the twist after the play",
+    "theta_c": "the critical twist",
+    "theta_s": "the twist that the string sees",
+    "travel": "the distance travelled so far",
+    "v": "the speed",
+    "x": "the displacement, by the dimensions alone",
+    "x_m": "the displacement that the sensor reads",
+    "y": "the displacement, by the dimensions alone",
 }
 
 

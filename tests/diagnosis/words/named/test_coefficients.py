@@ -43,7 +43,7 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
     assert whole.rms == pytest.approx(rms(effect)) and whole.at_top < 0.0
     top = problem.record.motion >= 0.999 * problem.record.motion.max()
     assert whole.at_top == pytest.approx(np.mean(effect[top]), rel=0.1), "beyond the critical twist it contracts less"
-    _, first, head, number, does, critical, place, softness, _, formula, letters = coefficients.lines(
+    _, first, head, number, does, critical, place, softness, _, formula, *table = coefficients.lines(
         state.acts, problem.drivers, words, own
     )
     assert first.startswith("  jam: ") and "In all it moves the reading by " in first and " rms, and by -" in first
@@ -54,7 +54,12 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
     assert number.split()[3] == number.split()[5] == "mm", "one unit in a column"
     assert critical.split()[0] == "critical_turns" and place == "      the twist from which on it acts"
     assert softness.split()[0] == "softness_turns" and formula == f"    Its formula: {mechanisms()['jam'].equation}"
-    assert letters.startswith("    In it: theta_s: the twist that the string sees; theta: ")
+    head, *rows, signs = [line.split() for line in table]
+    assert head == ["letter", "value", "what", "it", "is"] and signs[:2] == ["Signs:", "max:"]
+    of_letter = {row[0]: row[1:] for row in rows}
+    assert list(of_letter) == ["theta_s", "theta", "s", "theta_c"], "each letter of the formula has its row"
+    assert of_letter["s"][0] == "0.4" and of_letter["theta_c"][:2] == critical.split()[1:3], "value and unit"
+    assert of_letter["theta"][1] == "to" and of_letter["theta"][3] == "turns", "the range in the recording"
 
 
 def test_what_an_effect_does_in_the_recording_stands_first(problem) -> None:
@@ -69,11 +74,36 @@ def test_what_an_effect_does_in_the_recording_stands_first(problem) -> None:
         "    It is made of 2 elements: the first 2 rows. 42 % and 65 % are weights, which need not add up to 100 %."
     )
     said = [line for line in said if not line.startswith("    The rows of the last column add up to ")]
-    rows = said[4:-2]
+    first_letter = next(at for at, line in enumerate(said) if line.startswith("    Its formula: "))
+    rows = said[4:first_letter]
     assert len(rows) % 2 == 0 and all(row.startswith("      ") for row in rows[1::2]), "each row has its meaning"
     assert rows[-2].split()[:3] == ["usual_load", f"{10.0 * shape['usual_load']:.3g}", "N"]
     assert f"run.yaml has it as {shape['usual_load']:.3g}, in 10 N" in rows[-1] and "where – stands" in said[0]
-    assert said[-2].endswith(mechanisms()["friction_hysteresis"].variants["play_turns"])
+    assert said[first_letter].endswith(mechanisms()["friction_hysteresis"].variants["play_turns"])
+    values = {row.split()[0]: row.split("   ")[1:] for row in said[first_letter + 2 : -1]}
+    assert any("0.04 turns" in cell for cell in values["w"]) and any("1 and 0.4" in cell for cell in values["b_i"])
+
+
+def test_a_column_that_says_nothing_is_left_out(problem) -> None:
+    """`at 19.2 against 0.2 turns` stood over a column of nothing but –."""
+    words, act = (
+        Vocabulary.of(problem.system),
+        Act("jam", ({"critical_turns": 1.0, "softness_turns": 0.1},), (0.4, 0.0)),
+    )
+    still = coefficients.Size(0.1, 0.0, (0.0, 20.0))
+    said = coefficients.lines([act], problem.drivers, words, [[still, still]])
+    assert said[2].split() == ["number", "value", "reading", "moved,", "rms"]
+    moving = coefficients.Size(0.1, 0.1, (0.0, 20.0))
+    said = coefficients.lines([act], problem.drivers, words, [[moving, moving]])
+    assert said[2].endswith(" at 20 against 0 turns")
+
+
+def test_the_rest_of_an_equation_says_what_its_letters_are(problem) -> None:
+    friction = mechanisms()["friction_hysteresis"]
+    shown, said = formulas.split(friction.plain_equation)
+    assert shown == "h s" and said["h"] == "half the loop" and said["s"].endswith("to 1, rounded where it turns")
+    backlash = mechanisms()["backlash"].equation
+    assert formulas.split(backlash) == (backlash, {}), "half the play is no letter"
 
 
 def test_sizes_of_one_table_have_one_unit(problem) -> None:
@@ -84,14 +114,18 @@ def test_sizes_of_one_table_have_one_unit(problem) -> None:
 
 
 @pytest.mark.parametrize("id_", list(mechanisms()))
-def test_each_letter_of_a_formula_is_explained(problem, id_: str) -> None:
+def test_each_letter_of_a_formula_has_a_row_with_value_and_meaning(problem, id_: str) -> None:
     mechanism, words = mechanisms()[id_], Vocabulary.of(problem.system)
+    numbers = formulas.Numbers(("0.1 mm", "0.2 mm"), {"load_power": "1"}, 0.1)
     for equation in (mechanism.equation, *mechanism.variants.values()):
         formula = re.split(r", (?:s_i: stop|theta' the|e: any|s sticks)|; half|: any| where ", equation)[0]
-        said = formulas.letter_by_letter(equation, mechanism, words)
+        said = formulas.lines(equation, mechanism, words, problem.drivers, numbers)
+        rows = {line.split()[0]: line.split()[1:] for line in said}
         for letter in set(formulas.LETTER.findall(formula)) - NO_LETTERS:
-            bare = letter if f" {letter}: " in said else re.sub("'+$|^d", "", letter)
-            assert f" {bare}: " in said, letter
+            bare = letter if letter in rows else re.sub("'+$|^d", "", letter)
+            assert bare in rows and len(rows[bare]) > 1, letter
+        signs = said[-1] if said[-1].startswith("Signs: ") else ""
+        assert all(f" {name}: " in signs for name in formulas.FUNCTIONS if name in formulas.LETTER.findall(equation))
 
 
 def test_a_factor_with_a_share_in_the_names_is_said_once_above_the_table(problem) -> None:
@@ -137,9 +171,13 @@ def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -
 
 @pytest.mark.parametrize("id_", [id_ for id_, one in mechanisms().items() if one.names])
 def test_every_word_that_is_explained_stands_in_a_name_of_its_mechanism(problem, id_: str) -> None:
-    one, drivers = mechanisms()[id_], problem.drivers
-    options = [nonlinear | ({"loaded": 1.0} if "loaded" in nonlinear else {}) for nonlinear in candidates(one, problem)]
-    named = [f"_{term.name}_" for nonlinear in options for term in one.terms(drivers, nonlinear)]
+    one, kinds = mechanisms()[id_], [problem.drivers, replace(problem.drivers, levered=False)]
+    named = [
+        f"_{term.name}_"
+        for drivers in kinds
+        for nonlinear in one.candidates(drivers)
+        for term in one.terms(drivers, nonlinear | ({"loaded": 1.0} if "loaded" in nonlinear else {}))
+    ]
     for word in one.names:
         there = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
         assert any(there.search(name) for name in named), word
