@@ -104,6 +104,8 @@ def test_by_how_much_another_explanation_differs_is_said_within_what_was_recorde
 def test_that_others_are_likely_is_a_warning_only_where_not_each_has_its_column():
     assert not of_ties("creep", 1, ["time_s", "if_wear_mm"]) and not of_ties("creep", 0, ["time_s"])
     assert of_ties("creep", 2, ["if_wear_mm"])[0].startswith("beware: creep is one of 3 likely explanations")
+    both = of_ties("creep and wear", 2, ["if_wear_mm"])[0]
+    assert both.startswith("beware: the explanation by creep and wear is one of 3 likely explanations")
 
 
 def test_a_doubt_of_one_dimension_moves_the_band_by_what_that_dimension_moves(creep):

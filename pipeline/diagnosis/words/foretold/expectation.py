@@ -3,13 +3,12 @@
 import re
 
 from ...document.content import Part, Verdict
-from ..explanations import rivals
-from ..language.quantity import at, duration, listing, percent, plus_minus, quantity, size
+from ..language.quantity import at, duration, listing, plus_minus, quantity, size
 from ..language.sections import WIDE
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from . import recorded_evidence, slow_sign
-from .foretold_numbers import LEAST, Number, compared, error, of_explanation, probability, tells
+from . import columns_of, recorded_evidence, slow_sign
+from .foretold_numbers import Number, compared, error, of_explanation, tells
 
 SEEN = 2.0  # noise floors, from which a person sees a change in one stroke
 NOT = "hardly"  # what nobody would see
@@ -29,18 +28,21 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
 
     `shown`: the keys of the numbers that the recording to make will show; None: of all that are foretold.
 
-    The rivals come in the order of their probability, without those that the recorded loop excludes. The row that tells
-    most comes first. A row in which the explanations differ by less than their intervals is left out, unless all do:
-    then the best explanation stands alone. What a hold and a rest show is said in words where no row has it.
+    The rivals come in the order of their probability: all that are kept, else without those that the recorded loop
+    excludes. The row that tells most comes first. A row in which the explanations differ by less than their intervals
+    is left out, unless all do: then the best explanation stands alone. What a hold and a rest show is said in words
+    where no row has it.
     """
     known = content["evidence"].get("expected")
     if not known:
         return []
     weighed, out = compared(content), recorded_evidence.excluded(content, words)
-    first, *others = [each for each in weighed if each not in out]
+    kept = columns_of.kept(content)
+    first, *others = [each for each in weighed if each not in out or set(each["ids"]) in kept]
     tables = []
-    for columns in ([first, *others], *([first, other] for other in others), [first]):
-        table, remarks, parted = _table(content, known, columns, words, shown)
+    widths = [([first, *others], bare) for bare in (False, True) if not bare or content["verdict"] == "ambiguous"]
+    for columns, bare in (*widths, *(([first, other], False) for other in others), ([first], False)):
+        table, remarks, parted = _table(content, known, columns, words, shown, bare)
         if max(map(len, table), default=0) <= WIDE - INDENT:  # what does not fit on the page cannot tell either
             tables.append(([*table, *remarks], parted))
             if parted:
@@ -52,34 +54,15 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
         return [*whole, *seen] if whole else [NO_NUMBER, *seen, *slow_sign.lines(content, words, weighed)]
     stands = any(parted for _, parted in tables) and any(line.startswith(STAND) for line in best)
     sign = [] if stands or not best else slow_sign.lines(content, words, weighed)
-    return [*best, *(_not_in(content) if best else []), *recorded_evidence.lines(content, words), *sign]
-
-
-def _not_in(content: Verdict) -> list[str]:
-    """Why a rival that is likelier than one in the table is not in it; nothing where none is."""
-    first, *others = compared(content)
-    shares = [probability(content, other["ids"]) or 0.0 for other in others]
-    known = [set(each["ids"]) for each in content["evidence"]["expected"]["explanations"]]
-    rivals_left = [
-        each
-        for each in rivals.entries(content, "beaten", "not needed")
-        if set(each["ids"]) not in known and (each.get("probability") or 0.0) > min(shares, default=1.0)
-    ]
-    if content["verdict"] != "explained" or not rivals_left:
-        return []
-    likeliest = max(rivals_left, key=lambda each: float(each["probability"]))
-    name = f"{rivals.called(likeliest['ids'])} ({percent(likeliest['probability'])})"
-    if set(first["ids"]) < set(likeliest["ids"]):
-        return [f"Not in the table: {name}, which only adds to the best one."]
-    return [f"Not in the table: {name}, of which nobody would see a number differ from the best one's."]
+    return [*best, *(columns_of.not_in(content) if best else []), *recorded_evidence.lines(content, words), *sign]
 
 
 def _table(
-    content: Verdict, known: Part, columns: list[Part], words: Vocabulary, shown: set[str] | None
+    content: Verdict, known: Part, columns: list[Part], words: Vocabulary, shown: set[str] | None, bare: bool = False
 ) -> tuple[list[str], list[str], bool]:
     """The table of some explanations, how to read it, and whether a row tells them apart.
 
-    Nothing where nobody would see a number of it.
+    Nothing where nobody would see a number of it. `bare`: the columns have numbers, which are said below it.
     """
     limit = SEEN * content["evidence"][f"floor_{words.ending}"]
     names = {key: row for key, row in _rows(content, known, words).items() if shown is None or key in shown}
@@ -97,11 +80,17 @@ def _table(
         keys = sorted((key for key in keys if key not in nothing), key=lambda key: -telling.get(key, 0.0))
     known_spread = any(cell is not None and cell.known for key in keys for cell in cells[key])
     shared = set.intersection(*(set(explanation["ids"]) for explanation in columns))
-    heads = [_head(content, explanation["ids"], shared) for explanation in columns]
+    named = [columns_of.head(content, explanation["ids"], shared) for explanation in columns]
+    heads = [f"({number})" for number in range(1, len(named) + 1)] if bare else named
+    below = [f"{'; '.join(f'{number} {name}' for number, name in zip(heads, named, strict=True))}."] if bare else []
+    only = "Only the first is kept: the others are less likely."
+    less = len(columns) > 1 and content["verdict"] == "explained"
     rows = [[names[key], *(_cell(key, cell, limit, words) for cell in cells[key])] for key in keys]
-    cut = [id_ for id_ in columns[0]["ids"] if id_ in shared and any(head.startswith("with ") for head in heads)]
+    cut = [id_ for id_ in columns[0]["ids"] if id_ in shared and any(name.startswith("with ") for name in named)]
     both = "Both" if len(columns) == 2 else "All"
     reading = [
+        *below,
+        *([only] if less else []),
         *([f"{both} have {listing(cut)} as well."] if cut else []),
         *([_loop(words)] if any(map(_is_loop, keys)) else []),
         *([f"{UNKNOWN}: this explanation foretells no such number."] if any(UNKNOWN in row for row in rows) else []),
@@ -166,10 +155,11 @@ def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
     full, half, twice = (
         f" under {quantity(share * known['load'], words.load_unit)}" * bool(hung) for share in (1.0, 0.5, 2.0)
     )
-    speed = quantity(known["speed_per_s"] / 2.0, f"{words.motion_unit}/s")
+    unit = f"{words.motion_unit}/s"
+    slow, usual = (quantity(share * known["speed_per_s"], unit) for share in (0.5, 1.0))
     rows = {
         **({} if "recorded" in known else {"loop_as_before": f"the loop of a stroke as before{full}"}),
-        "loop_half_speed": f"the loop at half the speed, {speed}",
+        "loop_half_speed": f"the loop at {slow}, half the usual speed of {usual}",
         "loop_half_load": f"the loop{half}",
         "loop_twice_load": f"the loop{twice}",
     }
@@ -190,11 +180,3 @@ def _cell(key: str, cell: Number | None, limit: float, words: Vocabulary) -> str
         text = plus_minus(abs(cell.value), cell.half_width, words.unit)
         return f"{sign if re.match('[0.,]*[1-9]', text) else ''}{text}"
     return NOT if abs(cell.value) < limit else f"{sign}{size(abs(cell.value), words.unit)}"
-
-
-def _head(content: Verdict, ids: list[str], shared: set[str]) -> str:
-    """An explanation with its probability; without what all explanations share, where something is left then."""
-    share = probability(content, ids)
-    apart = [id_ for id_ in ids if id_ not in shared]
-    own = f"{'with ' * (0 < len(apart) < len(ids))}{rivals.called(apart or ids)}"
-    return f"{own} ({percent(share)})" if share is not None and share >= LEAST else own

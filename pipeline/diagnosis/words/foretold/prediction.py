@@ -79,10 +79,12 @@ def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int
 
 def stretches(rows: Mask, time_s: Array) -> str:
     """When some rows are, as `from 14.4 to 27.4 s`; of many stretches the first. Of shape (samples,), time in s."""
-    times_s = [f"{time_s[first]:.4g} to {time_s[last - 1]:.4g} s" for first, last in spans.of_mask(rows)]
+    ends_s = [(f"{time_s[first]:.4g}", f"{time_s[last - 1]:.4g}") for first, last in spans.of_mask(rows)]
+    times_s = [f"at {first} s" if first == last else f"{first} to {last} s" for first, last in ends_s]
     left = len(times_s) - STRETCHES
     more = [f"{left} stretch{'es' * (left > 1)} more"] if left > 0 else []
-    return f"from {listing([*times_s[:STRETCHES], *more])}" if times_s else ""
+    text = listing([*times_s[:STRETCHES], *more])
+    return f"from {text}" if text and not text.startswith("at ") else text
 
 
 def of_state(gap: Array, expected: float | None, words: Vocabulary, again: str) -> str:
@@ -125,7 +127,7 @@ def of_half_speed(content: Verdict, too_slow_below: float, ending: str, motion_u
         return []  # a loop of 0 ± 4 mm says nothing
     loop = size(first[key], unit) if spread is None else plus_minus(first[key], spread, unit)
     return [
-        f"the verdict foretells a loop of {loop} at half the speed, {quantity(half, f'{motion_unit}/s')}, if the "
+        f"the verdict foretells a loop of {loop} at {quantity(half, f'{motion_unit}/s')}, half the usual speed, if the "
         "explanation is right. Nothing that was recorded says whether it is right at that speed: hence no band there"
     ]
 
@@ -170,7 +172,8 @@ def of_ties(acting: str, tied: int, columns: list[str]) -> list[str]:
     """That others are likely beside what acts, where not each has its column; `tied` is how many they are."""
     if tied <= sum(name.startswith("if_") for name in columns):
         return []
-    return [f"beware: {acting} is one of {1 + tied} likely explanations, and another may say otherwise here"]
+    single = f"{acting} is one" if " " not in acting else f"the explanation by {acting} is one"
+    return [f"beware: {single} of {1 + tied} likely explanations, and another may say otherwise here"]
 
 
 def column_of(ids: str, channel: str) -> str:
