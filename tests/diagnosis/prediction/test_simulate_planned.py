@@ -388,7 +388,9 @@ def test_where_half_the_speed_is_outside_what_the_verdict_foretells_of_it_is_sai
     first = {"ids": ["creep"], "loop_half_speed_mm": 0.09, "plus_minus": {"loop_half_speed_mm": 0.02}}
     content = {"evidence": {"expected": {"speed_per_s": 1.382, "explanations": [first]}}}
     (said,) = of_half_speed(content, 1.05, "mm", "turns", "mm")
-    assert "foretells a loop of 0.09 ± 0.02 mm at 0.69 turns/s, half the usual speed, if the explanation is right" in said
+    assert (
+        "foretells a loop of 0.09 ± 0.02 mm at 0.69 turns/s, half the usual speed, if the explanation is right" in said
+    )
     assert not of_half_speed(content, 0.656, "mm", "turns", "mm"), "half the speed is inside"
     assert not of_half_speed({"evidence": {}}, 1.05, "mm", "turns", "mm"), "an older file"
     content["evidence"]["expected"] |= {"recorded": {"loop_mm": 0.1}, "speed_per_s": 2.0}

@@ -334,7 +334,7 @@ def test_wear_says_which_way_it_moves_the_radius_and_the_reading(trend, grows, l
     changes |= {"evidence__trends_mm": {"wear": trend}} if trend else {}
     text = " ".join(full(content(**changes)).split())
     assert f"radius {grows} with the distance travelled, which {lowers} the displacement by up to 0.30 mm" in text
-    assert "0.20 mm more in the last stroke that goes there under the same load than in the first, which no" in text
+    assert "0.20 mm more in the last stroke that goes there under the same load than in the first; no dimension" in text
 
 
 def test_the_page_says_which_dimension_took_most_of_the_nominal_error_away():

@@ -15,5 +15,6 @@ def lines(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]
     wide = {id_: width for id_, width in by_id.items() if width > FAR * seen > 0.0}
     if len(wide) < 2:
         return []
-    loops = listing([f"{id_} ({size(width, words.unit)})" for id_, width in wide.items()])
-    return [f"The loops of {loops} partly cancel: the recording shows {size(seen, words.unit)}."]
+    (first, its), *others = ((id_, size(width, words.unit)) for id_, width in wide.items())
+    loops = listing([f"{first} would open a loop of {its}", *(f"{id_} one of {width}" for id_, width in others)])
+    return [f"Alone {loops}; they partly cancel, so that the recorded loop is {size(seen, words.unit)}."]

@@ -10,24 +10,26 @@ from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from . import cancelling, certainty, effects, needed
-from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_interval
+from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_interval, to_report
 
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
 OF_IT = ("share no dimension", "can imitate")  # the head of a column, on two lines where the page is too narrow
 INDENT = 2  # of a section's lines
-HIDES = "An effect can be larger than the errors below: dimensions that move take much of it back."
 WHOSE = "Sizes are those of the best explanation."
 NO_PERCENTAGE = "No percentage is known on this rig."
 NO_SIZE = "–"  # of an effect that the best explanation has not
-UNSURE_SIZE = "Poorly known: dimensions or other effects can take over much of the size, however sure the effect is{}."
+UNSURE_SIZE = (
+    "Poorly known: the interval is wider than a factor of 2, since dimensions or other effects can take over much of "
+    "the size, however sure the effect is{}."
+)
 SURE_FROM = "Sure: {} or more; probable: {} or more, or sure but for what the recording lacks; open: less."
 NO_INTERVAL = "{} without an interval: the fit gives it one value alone."
 IDLE = "{} was tried as well and is not named. {}"
 READ = "Sizes of one effect: rms is its usual size over the whole recording{}{}. All hold if {} is right."
 UP_TO = "; after `up to` stands its largest one"
-READ_PART = "; the last column is the share of it that no moved dimension could imitate"
+READ_PART = "; the last column is the rms, over the whole recording, of the share that no moved dimension could imitate"
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
@@ -68,7 +70,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         what = does.get(id_) or on_rig(meaning(id_), words)
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}{between.get(id_, '')}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
-    larger = [HIDES] if parts and len(entries) == 1 else []
+    larger = to_report(content, entries, words)
     if short:
         against = cancelling.lines(content, entries, words)
         return [
@@ -162,7 +164,7 @@ def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str
     load = " under the same load" if content["evidence"]["loaded"] else ""
     return (
         f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke that goes there{load} than in the "
-        "first, which no dimension can imitate."
+        "first; no dimension makes strokes differ."
     )
 
 

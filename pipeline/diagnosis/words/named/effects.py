@@ -23,6 +23,9 @@ BETWEEN_RUNS = {
     2.0: "It fits best with the {string} loaded for long before each later run.",
 }  # by the way in which a later run begins
 EVERY = "once in every "  # such a length: it is said in place of the turn, which nobody sees on such a rig
+NO_CONSTANT = "Of {} there is no constant to report: {}."
+OF_PARTS = "the fit knows what {} parts do together, not each part"
+BARE = re.compile(r": [0-9.,]+ ")  # a constant without an interval
 CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
 
 
@@ -134,6 +137,18 @@ def with_interval(known: Part) -> str:
 def has_constants(entry: Part) -> bool:
     """Whether an effect's sentence gives a constant with its interval."""
     return bool(CONSTANT.search(entry["sentence"]))
+
+
+def no_constants(entries: list[Part]) -> list[str]:
+    """Why effects have no constant to report; nothing where each has one, a sentence for those that share a reason."""
+    without = [entry for entry in entries if not has_constants(entry)]
+    single = [entry["id"] for entry in without if BARE.search(entry["sentence"])]
+    parts = [entry["id"] for entry in without if entry["id"] not in single]
+    return [
+        NO_CONSTANT.format(listing(ids), reason.format("their" if len(ids) > 1 else "its"))
+        for ids, reason in ((single, "the fit gives {} constant no interval"), (parts, OF_PARTS))
+        if ids
+    ]
 
 
 def time_constants(parameters: Part) -> str:

@@ -1,12 +1,14 @@
 """The size of a named effect in a cell: what no dimension could do of it, all of it, and what to think of that."""
 
 from ...document.content import Part, Verdict
-from ..language.quantity import size
+from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
+from ..measured.dimensions import far_moved
 from . import certainty, ends
 
-POORLY, HIDDEN, PARTLY = ", poorly known", ", poorly known: mostly hidden", ", partly hidden"
+POORLY, HIDDEN, PARTLY = ", poorly known", ", mostly hidden", ", partly hidden"
 PART = "the share that no dimension could imitate"
+TO_REPORT = "Of {} report the last column, not the size before it: moved dimensions could make the rest."
 OWN = 0.8  # of an effect's size: a part that no dimension could do stands first if it is less
 
 
@@ -26,7 +28,7 @@ def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
 def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, short: bool) -> list[str]:
     """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one.
 
-    `short`: of what to think of the size, no more than that it is poorly known.
+    `short`: of what to think of the size, no more than that it is poorly known or mostly hidden.
     """
     known = entry[f"rms_{words.ending}"]
     if not known["value"]:
@@ -34,8 +36,10 @@ def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, sh
     whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
     part = own_part(entry, content, words)
     doubt = doubt_of(entry, content, words)
-    if part or short:  # a part says by itself that the rest is hidden
-        doubt = POORLY if doubt in (POORLY, HIDDEN) else ""
+    if part:  # it says by itself that the rest is hidden
+        doubt = POORLY if certainty.wide(known) else ""
+    elif short and doubt == PARTLY:
+        doubt = ""
     return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
 
 
@@ -57,6 +61,14 @@ def reportable(entry: Part, content: Verdict, words: Vocabulary) -> bool:
     doubt = doubt_of(entry, content, words)
     narrow = not certainty.wide(entry[f"rms_{words.ending}"])
     return narrow and (not doubt or own_part(entry, content, words) > 0.0)
+
+
+def to_report(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+    """Which of two sizes is to be reported, where some have two and each effect can be reported; nothing elsewhere."""
+    if far_moved(content) or not all(reportable(entry, content, words) for entry in entries):
+        return []
+    ids = [entry["id"] for entry in entries if own_part(entry, content, words)]
+    return [TO_REPORT.format(listing(ids))] if ids else []
 
 
 def doubt_of(entry: Part, content: Verdict, words: Vocabulary) -> str:

@@ -8,9 +8,9 @@ from ..language.vocabulary import Vocabulary
 from . import certainty
 
 EXCLUDED = (
-    "Excluded in the place of {named}, for what each leaves changes while the motor stands: {out}. Each was tried "
-    f"where it leaves least ({other_effects.HEADING} says where). "
-    "You may write so in a paper. Beside {named} each may still act, but too little to be named."
+    "Measured: with one of these in the place of {named} what is left changes while the motor stands, beyond chance: "
+    f"{{out}}. Each was tried by the library's formula, where it leaves least ({other_effects.HEADING} says where). "
+    "You may write that in a paper. Beside {named} each may still act, but too little to be named."
 )
 
 
@@ -82,7 +82,7 @@ def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
     if may_be:
         rest = f"one load cannot tell it from {listing(may_be, 'or')}"
         return f" ({listing(slow)} as the library's name for a slow effect: {rest})"
-    return f"; not {listing(out, 'or')} in its place, which are wrong while the motor stands"
+    return f"; not {listing(out, 'or')} in its place, whose formulas are wrong while the motor stands"
 
 
 def _all(content: Verdict, words: Vocabulary) -> list[str]:

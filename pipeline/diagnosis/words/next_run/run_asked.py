@@ -2,6 +2,7 @@
 
 from ...document.bounds import at_bound
 from ...document.content import Verdict
+from ..explanations import probability
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED, moved_in_vain
 from ..language.quantity import listing, quantity
@@ -38,6 +39,15 @@ def no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> list
 
     `sure`: its steps say what makes sure of a name; `first`: they say something.
     """
+    return [_without_probability(line, content) for line in _no_run(content, words, sure, first)]
+
+
+def _without_probability(line: str, content: Verdict) -> str:
+    """A line that speaks of how likely explanations are, in the words of a rig on which that is not known."""
+    return line if probability.known(content) else line.replace("of the library is as likely", "fits as well")
+
+
+def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> list[str]:
     verdict = content["verdict"]
     if in_vain.harmful(content, words):
         return [more_strokes(content, words)]

@@ -13,6 +13,10 @@ TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote sta
 ONLY_WITH = f'{TO_REPORT} only with the words "{{}}"'  # where nothing that no fit has seen bears the numbers out
 LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
+RULE = (
+    "Such a size has an interval narrower than a factor of 2; where moved dimensions can hide a part of an effect, it "
+    "is the share that none could imitate (docs/diagnosis.md)."
+)
 ONLY_PART = "Of {} only that share, not what {} in all nor {} constants (loop, times): dimensions could make the rest."
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
@@ -153,7 +157,9 @@ def _best(content: Verdict, words: Vocabulary) -> list[str]:
     name, share = kept[0]
     best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
     rest = "every other explanation is less likely, but none is impossible"
-    rest += ", save those with an effect that is excluded" * bool(slow_look_alikes.excluded(content, words))
+    rest += ", save those with an effect that is wrong while the motor stands" * bool(
+        slow_look_alikes.excluded(content, words)
+    )
     return [f"{best} recording agrees best with {name} ({percent(share)}); {rest}"]
 
 
@@ -173,7 +179,10 @@ def _not_yet(content: Verdict, words: Vocabulary) -> list[str]:
     sentences = [f"Do not report how much {listing(no_size)} {_does(no_size)} alone."] if no_size else []
     sentences += [_only_part(in_part)] if in_part else []
     sentences += [f"Do not report what {listing(in_all)} {_does(in_all)} in all."] if in_all else []
-    return [" ".join([*sentences, FITTED])] if content["mechanisms"] else []
+    whole = [entry for entry in content["mechanisms"] if entry["id"] in reportable and entry["id"] not in in_part]
+    sentences += effects.no_constants(whole)
+    rule = [RULE] if reportable else []
+    return [" ".join([*rule, *sentences, FITTED])] if content["mechanisms"] else []
 
 
 def _only_part(ids: list[str]) -> str:

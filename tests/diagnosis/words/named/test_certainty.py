@@ -16,7 +16,7 @@ def test_a_sure_effect_whose_size_may_be_nothing_says_so():
         for explained in found["evidence"]["explanations"][1:]:
             explained["probability"] = 0.1
         text = told(copy.deepcopy(found))
-        assert (sure in text) is said and "Poorly known: dimensions or other effects can take over much" in text
+        assert (sure in text) is said and "since dimensions or other effects can take over much" in text
     found["mechanisms"][0]["confidence"], found["evidence"]["moved_sigma"] = 0.85, {"radius_mm": 3.0}
     at_its_limit = " ".join(told(found).split())
     assert sure not in at_its_limit
@@ -68,9 +68,9 @@ def test_the_first_table_says_whose_size_is_poorly_known_and_what_is_missing_fol
     assert "\n  Over the whole recording 0.44 mm rms is missing after calibration" in text
 
 
-def test_an_effect_far_larger_than_what_is_missing_has_a_poorly_known_size_in_both_places():
+def test_an_effect_far_larger_than_what_is_missing_is_mostly_hidden_in_both_places():
     made = content()
     made["mechanisms"][1]["rms_mm"] = {"value": 3.2, "low": 2.2, "high": 3.5}
     text = told(made)
-    assert "3.2 mm (2.2 to 3.5 mm), poorly known: mostly hidden" in text
+    assert "3.2 mm (2.2 to 3.5 mm), mostly hidden" in text and "poorly known" not in text
     assert "Mostly hidden: it is far larger than the 0.44 mm that is missing." in text

@@ -139,3 +139,16 @@ def test_effects_that_work_against_each_other_more_are_said_to():
     made["evidence"]["explanations"][3]["because"] = [{"aspect": "cancels", "log_odds": -0.9, "more": 0.19565}]
     said = "work against each other more."
     assert f"{said[:-1]} (2)" in " ".join(told(made).split())
+
+
+def test_an_effect_without_a_constant_to_report_says_why() -> None:
+    """A page reported a loss without a constant, and no word said why."""
+    bare = {"id": "viscous_loss", "sentence": "A loss follows the speed: 114 N s/m."}
+    parts = {"id": "sensor_lag", "sentence": "The reading is late, which is worth 0.044 mm rms."}
+    known = {"id": "friction_hysteresis", "sentence": "A loop: half the loop is 0.108 mm (0.0985 to 0.111)."}
+    lines = effects.no_constants([bare, parts, known])
+    assert lines == [
+        "Of viscous_loss there is no constant to report: the fit gives its constant no interval.",
+        "Of sensor_lag there is no constant to report: the fit knows what its parts do together, not each part.",
+    ]
+    assert effects.no_constants([known]) == []

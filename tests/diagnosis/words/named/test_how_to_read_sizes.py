@@ -10,7 +10,9 @@ def test_the_details_say_how_to_read_the_sizes_of_one_effect() -> None:
     none["mechanisms"], none["alternatives"] = none["mechanisms"][:1], []
     assert largest in told() and read in told(none) and "up to`" not in told(none), "it has no `up to`"
     assert read in told() and "the last column is" not in told() and read not in page()
-    assert "the last column is the share of it that no" in told(content(evidence__beyond_dimensions_mm={"creep": 0.1}))
+    assert "the last column is the rms, over the whole recording, of the share that no moved" in told(
+        content(evidence__beyond_dimensions_mm={"creep": 0.1})
+    )
 
 
 def test_every_size_says_of_which_explanation_it_is() -> None:

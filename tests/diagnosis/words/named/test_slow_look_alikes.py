@@ -52,7 +52,7 @@ def test_a_name_is_not_called_unsure_where_the_recording_excludes_every_look_ali
     by = "(by 0.50 mm in a hold)"
     out = f"plastic_elongation {by}, sensor_drift {by}, stiffening {by} and wear {by}"
     assert said.startswith(
-        f"Under one load slow effects look alike. Excluded in the place of creep, for what each leaves changes "
-        f"while the motor stands: {out}. Each was tried where it leaves least (Why it is none of the other effects "
-        "says where)."
+        "Under one load slow effects look alike. Measured: with one of these in the place of creep what is left "
+        f"changes while the motor stands, beyond chance: {out}. Each was tried by the library's formula, where it "
+        "leaves least (Why it is none of the other effects says where)."
     )
