@@ -4,30 +4,37 @@ import argparse
 import shlex
 import sys
 from pathlib import Path
+from typing import cast
 
 import pandas as pd
 
+from .diagnosis import recorded_error
+from .diagnosis.document.content import Simulated, Verdict
 from .diagnosis.planned_columns import planned_columns
+from .diagnosis.prediction.another_rig import other_dimensions, other_names
 from .diagnosis.prediction.carried_over import carried_over
 from .diagnosis.prediction.later_run import before_of, predicted_after, said_of, simulated_before
 from .diagnosis.prediction.planned_motion import Plan, recorded_beside, tied_with
-from .diagnosis.prediction.simulation import compared, has_zero, measured_since, of_run, off, read_diagnosis
+from .diagnosis.prediction.prediction_band import adopted_diagnosis
+from .diagnosis.prediction.simulation import has_zero, measured_since, of_run, read_diagnosis
 from .diagnosis.prediction.without_a_name import said_of_no_name, to_simulate
 from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
 from .diagnosis.study.own_rate import at_own_rate
 from .diagnosis.words.foretold import loop_table
+from .diagnosis.words.foretold.another_rig import warning as another_rig
 from .diagnosis.words.foretold.corner_table import corners
 from .diagnosis.words.foretold.home import of_carried_over, of_home
 from .diagnosis.words.foretold.prediction import AFTER_RECORDING, of_ties
 from .diagnosis.words.foretold.residual import RESIDUAL
-from .diagnosis.words.language.quantity import listing, number, size
-from .diagnosis.words.language.sections import numbered
+from .diagnosis.words.language.quantity import listing
+from .diagnosis.words.language.sections import numbered, wrapped
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.measured.dimensions import name_of
+from .diagnosis.words.pages.advice import contrary
 from .ground import schemas
-from .ground.command import command
+from .ground.command import START, command
 from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
@@ -49,6 +56,16 @@ def warn_of_dimensions(run: Run, folder: Path) -> None:
             f"{command('adopt')} --remove {shlex.quote(str(folder))}",
             file=sys.stderr,
         )
+
+
+def warn_of_another(content: Simulated, run: Run, folder: Path) -> None:
+    """Say where a run is of another string or rig than the runs that a diagnosis was made of."""
+    runs = content.get("run")
+    runs = [str(name) for name in (runs if isinstance(runs, list) else [runs])]
+    if run.run not in runs:
+        dimensions, names = other_dimensions(content, run), other_names(content, run, folder)
+        if warning := another_rig(run.run, runs, dimensions, names, Vocabulary.of(run.system)):
+            print(f"warning: {warning}", file=sys.stderr)
 
 
 def plan_of(arguments: argparse.Namespace) -> Plan:
@@ -73,6 +90,12 @@ def source_of(arguments: argparse.Namespace) -> Path:
     return Path(arguments.simulation or arguments.run_dir / "run.yaml")
 
 
+def show(lines: list[str]) -> None:
+    """Print lines within the width of a page; one that holds a command stays whole, for a person copies that."""
+    for line in lines:
+        print("\n".join([line] if START in line else wrapped(line, "")))
+
+
 def write(table: pd.DataFrame, path: Path) -> None:
     """Write what was simulated, whole or not at all: as text where the name ends like that, else as Parquet."""
     if path.suffix.lower() == ".csv":
@@ -92,19 +115,26 @@ def main() -> None:
     if plan:
         run, samples, content, before = plan.run, plan.samples, plan.content, plan.before
         problem, predicted = plan.problem, plan.predicted
+        if arguments.simulation:
+            warn_of_another(content, run, arguments.run_dir)
     else:
         recorded = RecordedRun(*read_strokes(arguments.run_dir))
         run, samples = recorded.run, recorded.samples
         content = to_simulate(read_diagnosis(source), run.run) if arguments.simulation else of_run(run)
         problem = at_own_rate([recorded], thin=False, to_fit=False)
+        if arguments.simulation:
+            warn_of_another(content, run, arguments.run_dir)
         if arguments.home:
             carried = carried_over(problem, content, source, run.run)
             content, unit = carried.content, problem.drivers.units.reading
-            print("\n".join([of_home(carried.home, unit), *of_carried_over(carried, unit)]))
+            show([*of_carried_over(carried, run.run, unit), of_home(carried, unit)])
         before = simulated_before(content, run.run, arguments.run_dir)
         predicted = predicted_after(before, recorded, problem, content, source)
+    called = Vocabulary.of(problem.system)
     columns, words = planned_columns(plan, arguments) if plan else ({}, [])
     words += [*said_of(content, run.run, before, source), *said_of_no_name(content)]
+    advised = contrary(cast(Verdict, content), called) if arguments.simulation and content["simulation"] else ""
+    words += [f"beware: the verdict advises against what is simulated: {advised.rstrip('.')}"] if advised else []
     if arguments.residual and carried and not carried.whole:
         learnt = f"was learnt beside all of the diagnosis, of which {run.run} takes a part"
         raise BadInput(source, RESIDUAL, learnt, "leave it out, or diagnose this run itself")
@@ -122,7 +152,7 @@ def main() -> None:
     print(f"{arguments.out} holds {listing(list(columns))}")
     if plan and plan.drawn:
         print("\n".join(corners(table, problem.system.driver, problem.system.channel)))
-    begins, called = acting if plan and plan.recorded and not plan.after else None, Vocabulary.of(problem.system)
+    begins = acting if plan and plan.recorded and not plan.after else None
     loops = loop_table.printed(table, called, problem.system.channel, begins) if plan else []
     if plan and problem.system.free_zero:
         as_there = plan.after or has_zero(content, problem.system, run.run, problem.runs)
@@ -132,16 +162,13 @@ def main() -> None:
     tied = plan.tied if plan else tied_with(run, content, arguments.simulation is None)
     tied = [] if carried and not carried.effects else tied
     words += of_ties(acting, len(tied), list(columns))
-    for line in (*loops, *numbered(words)):
-        print(line)
+    show([*loops, *numbered(words)])
     if plan is None:
-        measured, means = compared(run, problem, predicted)
-        error, _ = off(measured, means)
-        has_own = has_zero(content, problem.system, run.run, 1 + len(before))
-        zero = f", its zero {'as it was fitted' if has_own else 'set in the first second'}" * problem.system.free_zero
-        every_s = problem.drivers.step_s * round(len(predicted) / len(means))
-        of_means = f", of averages of {number(every_s)} s" * (len(means) < len(predicted))
-        print(f"rms error against the recording{zero}: {size(error, problem.drivers.units.reading)}{of_means}")
+        without: Simulated = {**content, "simulation": []}
+        bare = predicted_after(before, recorded, problem, without, source) if content["simulation"] else None
+        named = None if arguments.simulation else adopted_diagnosis(run)[1]
+        diagnosis = cast(Verdict, content) if arguments.simulation else named
+        show(recorded_error.lines(recorded, problem, predicted, bare, content, diagnosis, acting, len(before), carried))
     if not arguments.simulation:
         warn_of_dimensions(run, arguments.run_dir)
 

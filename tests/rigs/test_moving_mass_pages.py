@@ -86,6 +86,60 @@ def test_a_smooth_plan_gets_no_warning_of_a_jump_and_no_load(rubbing, tmp_path):
     assert np.abs(gone_on["force_n"] - alone["force_n"]).max() < 5.0, "the way to the plan adds no force of its own"
 
 
+def test_a_corner_of_a_plan_is_outside_for_no_recorded_stroke_was_accelerated_so_hard(rubbing, tmp_path):
+    time_s = np.arange(0.0, 6.0, 0.001)
+    cornered = 0.1 * np.clip(np.minimum(time_s - 0.4, 5.7 - time_s), 0.0, 2.45)
+    pd.DataFrame({"time_s": time_s, "position_m": cornered}).to_csv(tmp_path / "plan.csv", index=False)
+    done = simulated(rubbing, tmp_path / "plan.csv", tmp_path / "out.csv")
+    assert re.search(
+        r"it asks for accelerations of up to [0-9.]+ m/s² \(inside up to [0-9.]+: the hardest that", done.stderr
+    )
+    assert "round the corners, so that nothing accelerates by more than" in done.stderr
+    table = pd.read_csv(tmp_path / "out.csv")
+    assert (table.loc[table["force_n"].abs() > 500.0, "outside"] == 1.0).all() and 0.0 < table["outside"].mean() < 0.05
+    smooth = simulated(rubbing, planned(tmp_path / "soft.csv", 0.01), tmp_path / "out.csv")
+    assert "accelerations" not in smooth.stderr
+
+
+def test_a_plan_that_begins_in_motion_is_no_trace_of_an_effect(rubbing, tmp_path):
+    time_s = np.arange(0.0, 6.0, 0.001)
+    swing = 0.03 * (1.0 - np.cos(2.0 * np.pi * time_s / 2.0))
+    pd.DataFrame({"time_s": time_s, "position_m": swing}).to_csv(tmp_path / "plan.csv", index=False)
+    done = simulated(rubbing, tmp_path / "plan.csv", tmp_path / "out.csv")
+    assert done.returncode == 0 and "leaves its trace" not in done.stdout
+    table = pd.read_csv(tmp_path / "out.csv")
+    assert table["force_n"][1000] < 0.0 < table["force_n"][0] < 0.7 * table["force_n"][2000], "its first row is halved"
+
+
+def test_the_loop_of_a_plan_stands_beside_what_the_acceleration_takes(rubbing, tmp_path):
+    samples = pd.read_parquet(rubbing / "recording.parquet")
+    samples[["time_s", "position_m"]].to_csv(tmp_path / "plan.csv", index=False)
+    printed = simulated(rubbing, tmp_path / "plan.csv", tmp_path / "out.csv").stdout
+    assert re.search(r"the way back +difference +of it by effects$", printed, re.M)
+    loops = [float(loop) for loop in re.findall(r"\+([0-9.]+) N$", printed, re.M)]
+    assert len(loops) > 5 and max(loops) - min(loops) < 1.0, "dry friction has the same loop everywhere"
+
+
+def test_an_error_of_a_mass_stands_beside_the_noise_and_what_no_effect_would_leave(rubbing, tmp_path):
+    diagnosis = rubbing.parents[1] / "dia" / rubbing.name / "diagnosis.json"
+    fit = json.loads(diagnosis.read_text())["fit"]
+    words = ("--simulation", diagnosis, "--out", tmp_path / "own.csv")
+    printed = program("pipeline.simulate", rubbing, *words)
+    assert "force_n is computed of position_m. The recorded force_n is read only to compare:" in printed
+    rows = dict(re.findall(r"^  (\S.*?\S) {2,}([0-9.]+) N$", printed, re.M))
+    assert float(rows["the noise of the readings"]) == pytest.approx(fit["noise_floor_n"], rel=0.05)
+    unseen = rows[f"strokes of {rubbing.name} that no fit had seen"]
+    assert float(unseen) == pytest.approx(fit["heldout"]["explained_n"], rel=0.05)
+    assert float(rows["without friction_hysteresis, same dimensions"]) > 5.0 * float(unseen)
+    assert f"so its error on {rubbing.name} is no test of it" in " ".join(printed.split())
+    other = tmp_path / "raw" / "other-day"
+    write_run(cases.make(*RUBS, take=1), other)
+    printed = " ".join(program("pipeline.simulate", other, *words).split())
+    assert re.search(
+        rf"the error is [01]\.[0-9] times .*: the diagnosis of {rubbing.name} holds in other-day too", printed
+    )
+
+
 @pytest.mark.parametrize("step_s", [2.0, 0.3])
 def test_corners_of_a_mass_are_refused_with_what_to_give(rubbing, tmp_path, step_s):
     done = simulated(rubbing, planned(tmp_path / "plan.csv", step_s), tmp_path / "out.csv")

@@ -21,15 +21,15 @@ class CarriedOver:
     """What is taken of a diagnosis for another recording: all of it, a part, or the motor's zero alone.
 
     `content` is the simulator, its motor homed. `effects`, `dimensions`: whether those of the diagnosis are in it.
-    `left_by_all` is what all of the diagnosis leaves of the first stroke, rms, in the reading's unit; `home` has what
-    the part that is taken leaves.
+    `left` is what each part that was tried leaves of the first stroke, rms, in the reading's unit, by whether effects
+    and dimensions of the diagnosis are in it.
     """
 
     content: Simulated
     home: Home
     effects: bool
     dimensions: bool
-    left_by_all: float
+    left: dict[tuple[bool, bool], float]
 
     @property
     def whole(self) -> bool:
@@ -48,8 +48,8 @@ def carried_over(problem: Problem, content: Simulated, path: Path, run: str) -> 
     if content["simulation"]:
         parts |= {(False, took): cast(Simulated, {**part, "simulation": []}) for (_, took), part in parts.items()}
     tried = {kept: homed(problem, part, path, run) for kept, part in parts.items()}
-    by_all = tried[True, True][1].left
-    best = min(tried, key=lambda kept: tried[kept][1].left)
-    if tried[best][1].left >= CLEARLY * by_all:
+    left = {kept: home.left for kept, (_, home) in tried.items()}
+    best = min(left, key=lambda kept: left[kept])
+    if left[best] >= CLEARLY * left[True, True]:
         best = True, True
-    return CarriedOver(*tried[best], *best, by_all)
+    return CarriedOver(*tried[best], *best, left)

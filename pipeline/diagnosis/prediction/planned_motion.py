@@ -22,6 +22,7 @@ from ..fit.problem import Problem
 from ..mechanisms.library import mechanisms
 from ..recording.recorded_run import RecordedRun
 from ..study.own_rate import at_own_rate
+from .harder import with_harder
 from .later_run import places_beside
 from .prediction_band import Foretold, band, curves
 from .simulation import has_zero, simulated, tare, tared
@@ -61,7 +62,8 @@ class Plan:
         all_recorded = [each for each in (self.recorded, *self.beside) if each.strokes is not None]
         tables, strokes = [each.samples for each in all_recorded], [each.strokes for each in all_recorded]
         recorded = Recorded(tables, cast(list[pd.DataFrame], strokes), self.run.system.driver)
-        return outside(self.run, self.samples, recorded, remembers, paced)
+        left = outside(self.run, self.samples, recorded, remembers, paced)
+        return with_harder(left, self.run.system, self.samples, tables)
 
     @cached_property
     def problem(self) -> Problem:

@@ -1,11 +1,14 @@
 """Another run takes of a diagnosis what holds on its first stroke: all, a part, or the motor's zero alone."""
 
 import json
+import re
 from pathlib import Path
 
 import programs
 import pytest
 from test_home import runs, simulated  # noqa: F401  the fixture
+
+from pipeline.diagnosis.words.foretold.home import PARTS
 
 SPOILED_MM = 0.05  # what a radius is off: four of its tolerances
 
@@ -31,33 +34,38 @@ def without(diagnosis: Path, out: Path, *fields: str) -> Path:
 def test_all_of_a_diagnosis_that_holds_is_taken_and_nothing_is_said(runs, tmp_path):  # noqa: F811
     _, later, diagnosis = runs
     _, printed = simulated(later, diagnosis, tmp_path / "homed.csv", "--home")
-    assert "this run takes" not in printed and f"the dimensions of {diagnosis}" in printed
+    assert re.search(f"{PARTS[True, True]} [0-9.]+ mm taken ", printed) and "All of the diagnosis is taken" in printed
+    assert f"the dimensions of {diagnosis}" in printed
 
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    ("spoiled", "kept", "words"),
+    ("spoiled", "kept", "part", "why"),
     [
-        ((True, False), ("simulation",), "the dimensions, without the effects"),
-        ((True, True), ("simulation", "parameters"), "nothing but the motor's zero"),
+        ((True, False), ("simulation",), (False, True), "the effects of the diagnosis do not fit this recording"),
+        ((True, True), ("simulation", "parameters"), (False, False), "neither the effects nor the dimensions"),
     ],
 )
-def test_what_fails_on_the_first_stroke_is_left_out_and_that_is_said(runs, tmp_path, spoiled, kept, words):  # noqa: F811
+def test_what_fails_on_the_first_stroke_is_left_out_and_that_is_said(runs, tmp_path, spoiled, kept, part, why):  # noqa: F811
     _, later, diagnosis = runs
     wrong = changed(diagnosis, tmp_path / "wrong.json", *spoiled)
     error, printed = simulated(later, wrong, tmp_path / "wrong.csv", "--home")
-    assert f"of the diagnosis this run takes {words}" in printed and "simulated with no mechanism" in printed
+    assert re.search(f"{PARTS[part]} [0-9.]+ mm taken ", printed) and why in printed
+    assert "simulated with no mechanism" in printed
+    assert ("where run.yaml has" in printed) == ("parameters" in kept), "whose zero of the motor it is beside"
+    assert ("nothing of the diagnosis of" in printed) == ("parameters" in kept), "whose error it is"
     assert "likely explanations" not in printed
     assert (f"the dimensions of {later / 'run.yaml'}" in printed) == ("parameters" in kept)
-    part, _ = simulated(later, without(diagnosis, tmp_path / "part.json", *kept), tmp_path / "part.csv", "--home")
-    assert error == pytest.approx(part, rel=0.02)
+    alone, _ = simulated(later, without(diagnosis, tmp_path / "part.json", *kept), tmp_path / "part.csv", "--home")
+    assert error == pytest.approx(alone, rel=0.02)
 
 
 def test_effects_alone_are_taken_where_the_dimensions_fail(runs, tmp_path):  # noqa: F811
     _, later, diagnosis = runs
     wrong = changed(diagnosis, tmp_path / "wrong.json", effects=False, dimensions=True)
     _, printed = simulated(later, wrong, tmp_path / "wrong.csv", "--home")
-    assert "this run takes the effects, with the dimensions of run.yaml" in printed
+    assert re.search(f"{PARTS[True, False]} [0-9.]+ mm taken ", printed)
+    assert "the dimensions of the diagnosis do not fit this recording, and are left out" in printed
     assert f"simulated with creep and the dimensions of {later / 'run.yaml'}" in printed
 
 

@@ -1,6 +1,7 @@
 """The motor's zero is another in each run that names no string: found in runs together, and on a first stroke after."""
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -46,8 +47,11 @@ def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tm
     best, _ = simulated(first, diagnosis, tmp_path / "own.csv")
     astray, said = simulated(later, diagnosis, tmp_path / "astray.csv")
     assert astray > 1.6 * best and "homed" not in said
+    assert "holds poorly in later. If the motor was switched off in between, its zero is another: add --home" in said
     again, said = simulated(later, diagnosis, tmp_path / "homed.csv", "--home")
     assert again < 1.1 * best
+    assert re.search(rf"strokes of {first.name} that no fit had seen [0-9.]+ mm the error is [0-9.]+ times what", said)
+    assert f"the diagnosis of {first.name} holds in later too" in said
     before = json.loads(diagnosis.read_text())["parameters"]["angle_turns"]["value"]
     home = float(said.partition("first stroke of the recording, is ")[2].partition(" turns")[0])
     assert home == pytest.approx(before - TURNS, abs=0.02)
@@ -83,6 +87,26 @@ def test_it_reads_no_more_of_the_recording_than_the_first_stroke(runs, tmp_path)
         simulated(folder, diagnosis, tmp_path / name, "--home")
     whole, half_only = (pd.read_csv(tmp_path / name)["displacement_mm"] for name in ("whole.csv", "cut.csv"))
     assert whole.to_numpy() == pytest.approx(half_only.to_numpy(), abs=1e-9)
+
+
+def test_a_diagnosis_of_another_string_is_taken_with_a_warning_that_says_how_it_differs(runs, tmp_path):
+    first, later, diagnosis = runs
+    other = Path(shutil.copytree(later, tmp_path / "raw" / "later"))
+    described = (other / "run.yaml").read_text()
+    radius = float(described.partition("radius_mm: ")[2].split()[0])
+    changed = described.replace(f"radius_mm: {radius}", f"radius_mm: {2.0 * radius}").replace(
+        "string:", "string:\n  id: b"
+    )
+    (other / "run.yaml").write_text(changed)
+    own = Path(shutil.copytree(first, tmp_path / "raw" / first.name))
+    (own / "run.yaml").write_text((own / "run.yaml").read_text().replace("string:", "string:\n  id: a"))
+    words = ("--simulation", diagnosis, "--out", tmp_path / "out.csv")
+    warned = programs.run("pipeline.simulate", other, *words).stderr
+    assert f"warning: later is of another string than {first.name}" in warned
+    assert f"it names the string b, and {first.name} a" in warned
+    here, there = re.search(r"its run.yaml has radius ([0-9.]+) mm \(([0-9.]+) there\)", warned).groups()
+    assert (float(here), float(there)) == pytest.approx((2.0 * radius, radius), rel=1e-4)
+    assert "another string" not in programs.run("pipeline.simulate", later, *words).stderr
 
 
 def test_a_zero_that_lies_beyond_its_tolerance_is_said_to(runs, tmp_path):

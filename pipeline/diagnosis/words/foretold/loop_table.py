@@ -18,7 +18,9 @@ REVERSAL = 0.1  # of the plan's range: a smaller way back is no stroke
 FINEST = 3  # decimals of readings that a difference beside them may ask for
 ALIKE, AT = 1e-4, 0.01  # of the reading's range: strokes that differ by less are the same; of the motion's: one place
 DIGITS, FAR_DIGITS = 6, 4  # of a reading: within what was recorded its hundredths count, outside it is a guess
+OF_EFFECTS = "of it by effects"  # of a rig whose reading follows the acceleration, which differs on both ways
 MOST = 3  # strokes that differ; the others are counted
+MOSTLY = 0.5  # of a difference between two readings: what the effects must do of it, to be its reason
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,7 @@ class _Stroke:
     down: Array
     out: str  # how much of it is outside what was recorded, in words; empty for nothing
     half: float  # of the band, the least of its rows, in the reading's unit; 0 without one
+    bare: Array  # by how much the way up is more than the way down without any effect, in the reading's unit
 
     def like(self, other: "_Stroke", least: float) -> bool:
         """Whether both show the same at the same places; `least` is the least difference, in the reading's unit."""
@@ -45,6 +48,7 @@ def _strokes(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[_Stro
     way, reading = table[words.driver].to_numpy(float), table[channel].to_numpy(float)
     out = table[OUTSIDE].to_numpy() == 1.0 if OUTSIDE in table else np.zeros(len(table), bool)
     ending = channel.rpartition("_")[2]
+    bare = table.get(f"without_effects_{ending}", table[channel]).to_numpy(float)
     low, high = (table.get(f"{end}_{ending}", table[channel]).to_numpy(float) for end in ("low", "high"))
     half = np.nan_to_num(0.5 * (high - low))
     points, strokes = turning_points(way, REVERSAL * max(float(np.ptp(way)), 1e-12)), []
@@ -53,13 +57,23 @@ def _strokes(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[_Stro
         if high <= low:
             continue
         motion = low + np.array(SHARES) * (high - low)
-        up = np.interp(motion, np.maximum.accumulate(way[start : top + 1]), reading[start : top + 1])
-        back, of_back = way[top : end + 1][::-1], reading[top : end + 1][::-1]
-        down = np.interp(motion, np.maximum.accumulate(back), of_back)
+        up, down = _both_ways(motion, way, reading, start, top, end)
+        rising, falling = _both_ways(motion, way, bare, start, top, end)
         far, known = _outside(out[start : end + 1]), half[start : end + 1][half[start : end + 1] > 0.0]
         least = 0.0 if far else float(known.min(initial=np.inf))
-        strokes.append(_Stroke(int(start), int(end), motion, up, down, far, least if np.isfinite(least) else 0.0))
+        known_half = least if np.isfinite(least) else 0.0
+        strokes.append(_Stroke(int(start), int(end), motion, up, down, far, known_half, rising - falling))
     return strokes
+
+
+def _both_ways(motion: Array, way: Array, reading: Array, start: int, top: int, end: int) -> tuple[Array, Array]:
+    """A reading at some places of the motion on the way up, from row `start` to `top`, and on the way down to `end`.
+
+    The places and both answers have the shape (places,), the others (samples,); motions in one unit, readings in one.
+    """
+    back, of_back = way[top : end + 1][::-1], reading[top : end + 1][::-1]
+    up = np.interp(motion, np.maximum.accumulate(way[start : top + 1]), reading[start : top + 1])
+    return up, np.interp(motion, np.maximum.accumulate(back), of_back)
 
 
 def printed(table: pd.DataFrame, words: Vocabulary, channel: str, acting: str | None) -> list[str]:
@@ -86,16 +100,20 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
     if not kinds:
         return []
     (up, down), places = words.ways, _decimals([stroke for stroke, _ in kinds[:MOST]], words.unit)
-    rows = [["stroke", words.driver, f"{channel}, {up}", down, "difference"]]
+    of_effects = [OF_EFFECTS] * (words.differentiates and f"without_effects_{words.ending}" in table)
+    rows = [["stroke", words.driver, f"{channel}, {up}", down, "difference", *of_effects]]
     for stroke, numbers in kinds[:MOST]:
-        for share, motion, rising, falling in zip(SHARES, stroke.motion, stroke.up, stroke.down, strict=True):
+        columns = (SHARES, stroke.motion, stroke.up, stroke.down, stroke.bare)
+        for share, motion, rising, falling, bare in zip(*columns, strict=True):
             name = f"{_called(numbers)}{f' ({stroke.out})' if stroke.out else ''}" if share == SHARES[0] else ""
             ends = [f"{value:.{places}f}" for value in (rising, falling)]
-            rows.append([name, f"{motion:.4g}", *ends, _gap(rising - falling, stroke.half, words.unit)])
+            gaps = [rising - falling, *([rising - falling - bare] if of_effects else [])]
+            rows.append([name, f"{motion:.4g}", *ends, *(_gap(gap, stroke.half, words.unit) for gap in gaps)])
     more = len(kinds) - MOST
     kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
     left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
-    head = f"on the way, where a loop shows (like strokes stand together; difference: {up} less {down}):"
+    without = "; the last column leaves out what the acceleration takes" if of_effects else ""
+    head = f"on the way, where a loop shows (like strokes stand together; difference: {up} less {down}{without}):"
     return [head, *aligned(rows), *left]
 
 
@@ -145,6 +163,9 @@ def of_starts(table: pd.DataFrame, words: Vocabulary, channel: str, acting: str)
     near = abs(np.subtract(*way[places])) <= AT * np.ptp(way)
     if not near or abs(np.subtract(*reading[places])) < ALIKE * np.ptp(reading):
         return []
+    bare = table.get(f"without_effects_{channel.rpartition('_')[2]}", pd.Series(np.zeros(len(table)))).to_numpy(float)
+    if abs(np.subtract(*(reading - bare)[places])) < MOSTLY * abs(np.subtract(*reading[places])):
+        return []  # another acceleration, such as a plan has that begins in motion, is no trace of an effect
     first, second = (f"{value:.6g} {words.unit}" for value in reading[places])
     return [
         f"stroke 1 begins at {first} and stroke 2 at {second}: the {words.string} is taken as it was before its first "

@@ -1,0 +1,41 @@
+"""Whether a run is of another string or rig than the runs that a diagnosis was made of."""
+
+from pathlib import Path
+from typing import Any
+
+from ...ground.errors import BadInput
+from ...run.description import Run
+from ...run.folder import read_run
+from ..document.content import Simulated
+from ..fit.adopt import is_number
+from .later_run import places_beside
+
+SIGMAS = 1.0  # tolerances by which two measurements of one dimension may differ
+ROUNDED = 1e-6  # of a dimension: nothing but its digits
+
+
+def other_dimensions(content: Simulated, run: Run) -> dict[str, tuple[float, float]]:
+    """The dimensions that run.yaml gives otherwise than the diagnosis had them, beyond a tolerance: there, and here."""
+    differing = {}
+    for parameter in run.system.parameters(run):
+        entry = content["parameters"].get(parameter.name)
+        nominal: Any = entry.get("nominal") if isinstance(entry, dict) else None
+        if parameter.name == run.system.homed or not is_number(nominal):
+            continue
+        before = float(nominal)
+        if abs(parameter.nominal - before) > max(SIGMAS * parameter.sigma, ROUNDED * abs(before)):
+            differing[parameter.name] = (before, parameter.nominal)
+    return differing
+
+
+def other_names(content: Simulated, run: Run, folder: Path) -> tuple[str, str] | None:
+    """The string's name in the runs of a diagnosis that lie beside `folder`, and in the run there; None where alike."""
+    runs, own = content.get("run"), run.string.id if run.string else None
+    for place in places_beside(folder, runs if isinstance(runs, list) else [runs]) if own else []:
+        try:
+            string = read_run(place).string
+        except BadInput:
+            continue  # the diagnosis was made of it; what is wrong with it now is said where it is read
+        if string and string.id and string.id != own:
+            return string.id, str(own)
+    return None

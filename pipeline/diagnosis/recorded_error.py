@@ -1,0 +1,41 @@
+"""What `simulate` prints of a recorded motion: its error, what that is to be set beside, and what it says."""
+
+from ..ground.kinematics import Array
+from .document.content import Simulated, Verdict
+from .fit.problem import Problem
+from .prediction.carried_over import CarriedOver
+from .prediction.home import HOME
+from .prediction.simulation import compared, has_zero, off
+from .prediction.to_compare import ToCompare
+from .recording.recorded_run import RecordedRun
+from .words.foretold.recorded_error import beside, computed_of, means
+from .words.language.quantity import number, size
+
+
+def lines(
+    recorded: RecordedRun, problem: Problem, predicted: Array, bare: Array | None, content: Simulated,
+    diagnosis: Verdict | None, acting: str, before: int, carried: CarriedOver | None = None,
+) -> list[str]:  # fmt: skip
+    """The lines, the error first; `bare` is what is predicted without the effects that are `acting`, if any is.
+
+    `diagnosis` is the one that `content` is from, None where it is gone; `before` how many runs are simulated before.
+    Both predictions have the shape (samples,), in the channel's unit.
+    """
+    run, system, unit = recorded.run, problem.system, problem.drivers.units.reading
+    measured, shown = compared(run, problem, predicted)
+    error, at_best_zero = off(measured, shown)
+    own_zero = has_zero(content, system, run.run, 1 + before)
+    zero = f", its zero {'as it was fitted' if own_zero else 'set in the first second'}" * system.free_zero
+    every_s = problem.drivers.step_s * round(len(predicted) / len(shown))
+    of_means = f", of averages of {number(every_s)} s" * (len(shown) < len(predicted))
+    set_at_first = system.free_zero and not own_zero
+    known = ToCompare.of(diagnosis, system.channel.rpartition("_")[2]) if diagnosis else None
+    without = None if bare is None else off(*compared(run, problem, bare))[0]
+    taken = carried is None or carried.effects or carried.dimensions
+    hint = HOME if system.homed and not carried else ""
+    return [
+        computed_of(system, recorded.samples, set_at_first, carried is not None),
+        f"rms error against the recording{zero}: {size(error, unit)}{of_means}",
+        *beside(at_best_zero if set_at_first else None, without, acting, known, unit),
+        *means(at_best_zero if set_at_first else error, run.run, known, diagnosis, hint, unit, taken),
+    ]

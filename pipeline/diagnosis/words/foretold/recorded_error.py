@@ -1,0 +1,70 @@
+"""The error against a recording whose motion was simulated, in words: the number, and what to set beside it."""
+
+import pandas as pd
+
+from ....systems import System
+from ...document.content import Verdict
+from ...prediction.to_compare import ToCompare
+from ..held_out import holdout
+from ..language.quantity import listing, size, times
+from ..language.table import aligned
+
+AS_EXPECTED = 1.5  # times what was expected: no more is worth a mend
+
+
+def computed_of(system: System, samples: pd.DataFrame, zero: bool, homed: bool) -> str:
+    """Which columns the reading is computed of; of the recorded one what is read, `zero` and `homed`, and for what."""
+    load = [system.load] if system.load and system.load in samples and samples[system.load].any() else []
+    first = ["the motor's zero"] * homed + ["the zero of the reading"] * zero
+    also = f"for {listing(first)}, and " if first else "only "
+    given = listing([system.driver, *load])
+    return f"{system.channel} is computed of {given}. The recorded {system.channel} is read {also}to compare:"
+
+
+def beside(
+    at_best_zero: float | None, bare: float | None, acting: str, known: ToCompare | None, unit: str
+) -> list[str]:
+    """The numbers to set beside an error, a row each, all rms in the reading's `unit`; nothing where none is known.
+
+    `at_best_zero` is the error where the whole recording sets the zero, None where the zero is no choice; `bare` that
+    without the effects that are `acting`, None where none is.
+    """
+    rows = [
+        ("the same, if the whole recording sets the zero", at_best_zero),
+        (f"without {acting}, same dimensions", bare),
+        ("the noise of the readings", known.noise if known else None),
+        (f"strokes{_of(known)} that no fit had seen", known.unseen if known else None),
+    ]
+    kept = [[f"  {name}", size(value, unit)] for name, value in rows if value is not None]
+    return ["beside it, rms:", *aligned(kept)] if kept else []
+
+
+def _of(known: ToCompare | None) -> str:
+    return f" of {listing(list(known.runs))}" if known and known.runs != ("",) else ""
+
+
+def means(
+    error: float, run: str, known: ToCompare | None, content: Verdict | None, home: str, unit: str, taken: bool = True
+) -> list[str]:
+    """What the error says of a diagnosis: nothing of one that was fitted to the recording; else how far it holds.
+
+    `error`: rms, in the reading's `unit`, the zero at its best. `home`: the option that would find another zero of the
+    motor. `taken`: whether anything of the diagnosis is simulated.
+    """
+    if known is None:
+        return []
+    if not taken:
+        return [f"nothing of the diagnosis{_of(known)} is in this error. Mend: diagnose {run} itself"]
+    whose = holdout.whose_if_known(content) if content else ""
+    others = [f"the error on strokes that no fit had seen is {whose.strip(' ()')}"] if whose else []
+    if run in known.runs:
+        return [f"the simulator was fitted to {run}, so its error on {run} is no test of it", *others]
+    if known.expected is None:
+        return []
+    ratio = f"the error is {times(error / known.expected)} times what was to be expected ({size(known.expected, unit)})"
+    if error <= AS_EXPECTED * known.expected:
+        return [f"{ratio}: the diagnosis{_of(known)} holds in {run} too", *others]
+    mend = f"Mend: diagnose {run} itself"
+    if home:
+        mend = f"If the motor was switched off in between, its zero is another: add {home}. Else diagnose {run} itself"
+    return [f"{ratio}: the diagnosis{_of(known)} holds poorly in {run}. {mend}", *others]
