@@ -8,7 +8,7 @@ from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured import to_measure, tolerances
 from ..measured.dimensions import name_of
-from . import left_out, probability, rivals
+from . import closest, left_out, probability, rivals
 
 HEADING = "How probable each explanation is"
 KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
@@ -45,7 +45,7 @@ def lines(content: Verdict) -> list[str]:
         rows.append([following[0], percent(following[1]), "less likely"])
         left = max(left - following[1], 0.0)
     rows += [[OTHERS, percent(left), ""], [f"{NONE}{probability.stand_ins(sets)}", percent(none), ""]]
-    return [*aligned(rows), *left_out.lines(content)]
+    return [*aligned(rows), *closest.stand_ins(sets), *left_out.lines(content)]
 
 
 def bare(content: Verdict, words: Vocabulary) -> list[str]:

@@ -1,47 +1,77 @@
-"""What comes closest where nothing explains a recording, and why it does not do, in words."""
+"""What comes closest where nothing explains a recording, what each takes away and leaves, and why it does not do."""
 
+from ....ground.glossary import MEANING
+from ...choice.judged import UNKNOWN
 from ...choice.search import EXPLAINED
 from ...document.content import Part, Verdict
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
-from ..language.quantity import listing, percent
+from ..language.quantity import listing, percent, size, times
+from ..language.table import UNKNOWN as NOT_KNOWN
+from ..language.table import within
 from ..language.vocabulary import Vocabulary
 from . import left_out, probability
 from .rivals import called, entries
 
 CLOSEST = 4  # explanations that are shown
+HEAD = ["tried instead", "takes away", "leaves (× noise)", "probability", "why it is no name"]
+STAND_IN = "no physics of the library"
+STAND_INS = "x_ marks a stand-in, which fits the data and is no physics of the library. {}."
+ENOUGH = "To be named, an explanation must take away {} of what is missing (of its energy, the mean of its square)"
 
 
 def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
-    """What comes closest where nothing explains, with the share of the mismatch's energy that it takes."""
+    """A table of what comes closest where nothing explains, with the share of the mismatch's energy that each takes."""
     ending, floor = words.ending, content["evidence"][f"floor_{words.ending}"]
     nothing = next(iter(entries(content, "nothing")), None)
     if nothing is None:
         return []
     alone = float(nothing.get(f"approximated_{ending}") or nothing[f"left_{ending}"])  # as what the others leave
-    energy, lines = alone**2 - floor**2, []
-    for explanation in probability.likeliest(entries(content, "not enough", "beaten", "not needed"))[:CLOSEST]:
-        taken = (alone**2 - explanation[f"left_{ending}"] ** 2) / energy if energy > 0.0 else 0.0
-        likely = probability.said(explanation)
-        share = f"{100.0 * min(max(taken, 0.0), 1.0):.0f} % of the mismatch's energy"
-        sentence = f"{called(explanation['ids'])}: {likely}{'; ' if likely else ''}takes {share}"
-        summary = f"{sentence}{_why_not(explanation, taken)}."
-        lines.append(" ".join(filter(None, (summary, left_out.reason_of(content, explanation["ids"])))))
+    energy, rows, reasons = alone**2 - floor**2, [HEAD], list[str]()
+    shown = probability.likeliest(entries(content, "not enough", "beaten", "not needed"))[:CLOSEST]
+    for explanation in shown:
+        left, share = explanation[f"left_{ending}"], explanation.get("probability")
+        taken = min(max((alone**2 - left**2) / energy, 0.0), 1.0) if energy > 0.0 else 0.0
+        cells = [f"{100.0 * taken:.0f} %", f"{size(left, words.unit)} ({times(left / floor)})"]
+        likely = NOT_KNOWN if share is None else percent(share)
+        rows.append([called(explanation["ids"]), *cells, likely, _why_not(explanation, taken)])
+        reason = left_out.reason_of(content, explanation["ids"])
+        reasons += [reason.replace("It is", f"{called(explanation['ids'])} is")] if reason else []
+    rows.append([called([]), "0 %", f"{size(alone, words.unit)} ({times(alone / floor)})", NOT_KNOWN, ""])
+    if all(row[3] == NOT_KNOWN for row in rows[1:]):
+        rows = [[*row[:3], row[4]] for row in rows]
+    return [*within(rows, 0), *reasons, *stand_ins([explanation["ids"] for explanation in shown]), _rule(content)]
+
+
+def stand_ins(sets: list[list[str]]) -> list[str]:
+    """What each stand-in of some explanations does, in one line; nothing where none is among them."""
+    library = mechanisms()
+    ids = dict.fromkeys(
+        id_ for ids in sets for id_ in ids if id_.startswith("x_") and id_ in MEANING and id_ in library
+    )
+    does = [f"{id_}: {MEANING[id_].partition(';')[0].rstrip('.')}" for id_ in ids]
+    return [STAND_INS.format("; ".join(does))] if does else []
+
+
+def _rule(content: Verdict) -> str:
+    """From when on an explanation is a name, and from when on none is."""
     none = content["evidence"].get("probability_of_none")
-    also = [] if none is None else [f"Physics that the library lacks has a probability of {percent(none)} here."]
-    rule = f"To be named, an explanation must take {100.0 * EXPLAINED:.0f} % of that energy and be likely."
-    return [*lines, " ".join([rule, *also])]
+    rule = ENOUGH.format(percent(EXPLAINED))
+    if none is None or not probability.known(content):
+        return f"{rule}."
+    limit = f"; from {percent(UNKNOWN)} on nothing is named" * (none >= UNKNOWN)
+    return f"{rule}, and be likely. Physics that the library lacks has a probability of {percent(none)} here{limit}."
 
 
 def _why_not(explanation: Part, taken: float) -> str:
-    """Why an explanation does not do, where the share of the energy that it takes does not tell; ends a phrase."""
+    """Why an explanation does not do, in a few words."""
     if not physics(tuple(explanation["ids"])):
-        return ", and is no physics of the library"
+        return STAND_IN
     if taken < EXPLAINED:
-        return ""
+        return "takes away too little"
     if explanation.get("balanced"):
-        return ", but its effects are large and cancel each other almost fully"
+        return "its effects cancel each other"
     helpers = [id_ for id_ in explanation["ids"] if id_ in mechanisms() and mechanisms()[id_].helper]
     if helpers:
-        return f", but {listing(helpers)} would fit nearly anything"
-    return ", but is too unlikely"
+        return f"{listing(helpers)} fits nearly anything"
+    return "not likely enough"

@@ -5,7 +5,7 @@ from ...mechanisms.interface import physics
 from ..language.quantity import percent, size, times
 from ..language.table import UNKNOWN, within
 from ..language.vocabulary import Vocabulary
-from . import chances, left_out, less_likely, probability, rivals
+from . import chances, closest, left_out, less_likely, probability, rivals
 
 SHOWN = 8  # of those that are not kept
 LEAST = 1e-6  # what a probability of nothing is said as: less than 1 %
@@ -29,6 +29,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     return [
         *within(_rows(content, rows, words), 0),
         *([f"Kept: {less_likely.numbers(list(rows)[: len(kept)])}."] if len(kept) > 1 and not known else []),
+        *closest.stand_ins([each["ids"] for each in rows.values()]),
         *probability.rule(content),
         *less_likely.remarks(content, rows, len(kept), words),
         *left_out.lines(content),

@@ -1,10 +1,10 @@
 """How probable each explanation is, and by which rule the likely ones are kept, in words."""
 
-from ...choice.judged import HELD, UNKNOWN
+from ...choice.judged import HELD
 from ...document.content import Part, Verdict
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
-from ..language.quantity import listing, percent
+from ..language.quantity import percent
 from . import left_out
 
 HELD_STANDINGS = ("named", "tied")
@@ -66,9 +66,8 @@ def likeliest(explanations: list[Part]) -> list[Part]:
 
 
 def stand_ins(kept: list[list[str]]) -> str:
-    """Which of the kept explanations are no physics of the library: their share is part of that of none of it."""
-    names = [" + ".join(ids) for ids in kept if ids and not physics(tuple(ids))]
-    return f" ({listing(names)} included)" if names else ""
+    """That some explanations are no physics of the library: their share is part of that of none of it."""
+    return ", stand-ins included" if any(ids and not physics(tuple(ids)) for ids in kept) else ""
 
 
 def _left_out(content: Verdict) -> str:
@@ -77,14 +76,6 @@ def _left_out(content: Verdict) -> str:
     which = "One likely explanation is" if len(out) == 1 else f"{len(out)} likely explanations are"
     share = left_out.together(content)
     return f"{which} left out ({percent(share)}), so less than {percent(HELD)} is kept. " if share else ""
-
-
-def of_none(content: Verdict) -> list[str]:
-    """From which probability of physics that the library lacks on a verdict is `unknown`, where this one is so."""
-    none = content["evidence"].get("probability_of_none")
-    if none is None or not known(content) or none < UNKNOWN:
-        return []
-    return [f"From {percent(UNKNOWN)} on for such physics the verdict is unknown."]
 
 
 def not_weighed(ids: list[str]) -> str:

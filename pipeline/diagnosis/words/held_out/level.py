@@ -47,7 +47,7 @@ def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
     who = holdout.closest(content) or holdout.of_other(content) or "calibration"
     errs = f"{METHOD} errs by {without} on the {holdout.strokes(content)}, {who} by {own}"
     if errors[1] > NO_BETTER * errors[0]:
-        return [f"{errs}: it does no better, so what is left there follows none of these as in the strokes before."]
+        return [f"{errs}: it does no better, so nothing that was recorded foretells more of it."]
     return [f"{errs}. That is the level which physics still has to reach: {_where(content, words)}."]
 
 

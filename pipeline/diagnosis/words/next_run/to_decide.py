@@ -48,6 +48,18 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
     return [[f"Make no other run: none that was tried decides {question}{others}."]]
 
 
+def to_see_more(content: Verdict, words: Vocabulary, short: bool) -> list[list[str]]:
+    """The run that shows more of what is missing where nothing is named: what it is and what it shows, as a step."""
+    run = content["next_run"]
+    if not run:
+        return []
+    title = experiment.title(run, words)
+    which = f"{lasting(run)} in all" if len(title) > LONG else f"{title}, {lasting(run)} in all"
+    follows = f": whether that follows {words.follows(run['follows'])}" if "follows" in run else ""
+    where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}"
+    return [[f"Make the run that shows more of what is missing{follows}. {which}. {where}."]]
+
+
 def _alone(words: Vocabulary, folders: list[Path]) -> list[str]:
     """The command that makes the run for a person; nothing on a rig that `settle` cannot move."""
     if not words.twisted:

@@ -117,7 +117,7 @@ def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
     more = f"{most}: where more are at work, the verdict is unknown too."
     return [
         *closest.insufficient(content, words),
-        " ".join([*probability.of_none(content), more]),
+        more,
         *level.to_reach(content, words),
     ]
 
@@ -130,7 +130,7 @@ def moved(content: Verdict, words: Vocabulary) -> list[str]:
         *(table(content, words) if named or far or content["verdict"] == "parameters" else []),
         *cautions(content, words, holdout.included(content), unseen.inexact(content, words), in_step),
         *(in_run_yaml.lines(content, to_measure.to_measure(content)) if named else []),
-        *tolerances.in_force(content, words),
+        *(tolerances.in_force(content, words) if named or far or content["verdict"] != "unknown" else []),
     ]
 
 

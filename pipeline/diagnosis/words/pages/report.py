@@ -17,6 +17,7 @@ RULE = (
     "Such a size has an interval narrower than a factor of 2; where moved dimensions can hide a part of an effect, it "
     "is the share that none could imitate (docs/diagnosis.md)."
 )
+NO_EFFECT = "Do not report an effect: none is named, however close one comes."
 ONLY_PART = "Of {} only that share, not what {} in all nor {} constants (loop, times): dimensions could make the rest."
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
@@ -51,6 +52,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         f"- {statements[-1]}.",
         *_not_yet(content, words),
         *_held(content),
+        *([NO_EFFECT] if content["verdict"] == "unknown" else []),
     ]
 
 

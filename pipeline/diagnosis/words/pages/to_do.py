@@ -18,6 +18,10 @@ from .adoption import dimensions_came, predictions
 
 HEADING = "What to do, in this order"
 NAMED = ("explained", "ambiguous")
+SUSPECT = (
+    "If you suspect a cause, write its law as a mechanism of your own and diagnose again: docs/new_rig.md. Until then "
+    "report the size, the place and what it follows, under What is missing."
+)
 COMMANDS = (f" Commands: {RUN}.", f" Commands: {DETAILS}, {RUN}.")  # where they stand, for the details and the page
 
 
@@ -94,10 +98,8 @@ def _measure(content: Verdict, words: Vocabulary, short: bool, then: str = "go o
 def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
     """The steps where nothing is named."""
     if content["verdict"] == "unknown":
-        run, where = content["next_run"], _where(short)
-        shows = f"Make the run {where} under {RUN}: it shows more of what is missing."
         again = _measure(content, words, short, "go on")
-        return [*again, *([[shows]] if run else []), [advice.nothing_named(content)]]
+        return [*again, *to_decide.to_see_more(content, words, short), [advice.nothing_named(content)], [SUSPECT]]
     if advised := _advised(content, words, folders, short):
         return [*_anew(content, words, folders, short), advised, *make_sure.of_what_is_left(content, words)]
     tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]

@@ -135,7 +135,7 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
     return [
         f"{missing}, {lies}. It follows {mismatch['driver']}.",
         "What comes closest, and does not do:",
-        *(f"  {line}" for line in closest.insufficient(content, words)),
+        *closest.insufficient(content, words),
         *level.to_reach(content, words),
     ]
 

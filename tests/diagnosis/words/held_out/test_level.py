@@ -1,5 +1,7 @@
 """What a regression without physics foretells of unseen strokes."""
 
+import re
+
 import pytest
 from made_content import SYSTEMS, content, explanation, told
 
@@ -14,7 +16,11 @@ def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest()
     )
     shown = [explanation([], "nothing", 0.45), explanation(["x_wave"], "not enough", 0.06)]
     text = told(content(verdict="unknown", mechanisms=[], alternatives=[], evidence__explanations=shown))
-    assert "x_wave: takes 99 % of the mismatch's energy, and is no physics of the library." in text
+    rows = [re.split(" {2,}", line.strip()) for line in text.splitlines()]
+    assert ["x_wave", "99 %", "0.060 mm (2.0)", "no physics of the library"] in rows
+    assert ["calibration alone", "0 %", "0.45 mm (15)"] in rows, "what remains without any"
+    assert "x_wave: a steady oscillation in time, whatever the rig does." in " ".join(text.split()), "in words"
+    assert "Do not report an effect: none is named" in text and "Now in force" not in text
     assert "At most three effects at once are tried" in text
 
 
@@ -34,7 +40,7 @@ def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest()
             "errs by 0.020 mm rms on the unseen strokes, calibration by 0.80 mm rms. That is the level",
             "better",
         ),
-        ("unknown", 0.79, "calibration by 0.80 mm rms: it does no better, so what is left there follows", "level"),
+        ("unknown", 0.79, "calibration by 0.80 mm rms: it does no better, so nothing that was recorded", "level"),
         ("unknown", None, "", "regression"),
     ],
 )

@@ -246,7 +246,10 @@ def test_without_a_name_the_page_says_what_comes_closest_what_moved_and_what_wou
     unknown = page(content(verdict="unknown", mechanisms=[], alternatives=[]))
     assert "What comes closest, and does not do:" in unknown
     assert "Adopt nothing: no effect of the library is named." in unknown
-    assert "Make the run in details.txt under The run to make next" in unknown
+    shown = " ".join(unknown.split())
+    assert " Make the run that shows more of what is missing" in shown
+    assert "Steps and commands: details.txt, The run to make next. 3. Adopt nothing" in shown
+    assert "4. If you suspect a cause, write its law as a mechanism of your own" in shown
     settled = content(**NOTHING, mismatch=None, evidence__moved_sigma=NEAR)
     assert steps(settled) == "Nothing needs to be done: this recording shows nothing further."
     assert "from this size on: 0.0040 mm (backlash) to 0.020 mm (creep) rms" in page(settled)
