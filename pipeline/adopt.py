@@ -50,7 +50,7 @@ def check(content: Verdict, source: Path, folder: Path) -> tuple[list[str], list
     adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
     own_run = before_after.is_of(content, run.run)
     errors = before_after.told(bare, len(samples), of_run(run), of_run(adopting), source, own_run)
-    own = before_after.on_unseen(content, bare.drivers.units.reading, run.run)
+    own = before_after.on_unseen(content, Vocabulary.of(run.system), run.run)
     return [*errors, *own], before_after.dimensions(content)
 
 
@@ -150,9 +150,8 @@ def adopt(source: Path, folder: Path, sure: bool = False) -> None:
             "beware: the main job records this run anew, and then its run.yaml holds nothing adopted", file=sys.stderr
         )
     if not own:
-        caution = (
-            f"{source} is of {short(content['run'])}: what it names holds for the same string on the same rig only"
-        )
+        same = "the same string on the same rig" if words.twisted else "the same rig"
+        caution = f"{source} is of {short(content['run'])}: what it names holds for {same} only"
         print(f"beware: {caution}", file=sys.stderr)
     origin = adoptions(content, str(source), run.run, instead(content, words))
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")

@@ -120,22 +120,25 @@ def is_of(content: Verdict, run: str) -> bool:
     return run in (of if isinstance(of, list) else [of])
 
 
-def on_unseen(content: Verdict, unit: str, run: str) -> list[str]:
+def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
     """What the verdict on a run says of strokes that no fit has seen, and whether it says not to adopt; or nothing.
 
-    `unit` is that of the reading. Of a run that went after others in the diagnosis that is said too.
+    Of a run that went after others in the diagnosis that is said too.
     """
     fit, verdict = content.get("fit"), content.get("verdict")
     held = fit.get("heldout") if isinstance(fit, dict) else None
-    values = [held.get(f"{name}_{unit}") for name in ("calibrated", "explained")] if isinstance(held, dict) else []
+    values = (
+        [held.get(f"{name}_{words.ending}") for name in ("calibrated", "explained")] if isinstance(held, dict) else []
+    )
     if not is_of(content, run) or verdict not in ("explained", "ambiguous"):
         return []
     if len(values) != 2 or not all(map(is_number, values)):
         return []
     calibrated, explained = (float(value) for value in values if value is not None)
     sentences = [
-        f"Those errors are of strokes that the fit has seen. On unseen ones the verdict says {size(explained, unit)}"
-        f"{holdout.whose_if_known(content)}, and {size(calibrated, unit)} without the effects."
+        "Those errors are of strokes that the fit has seen. On unseen ones the verdict says "
+        f"{size(explained, words.unit)}"
+        f"{holdout.whose_if_known(content)}, and {size(calibrated, words.unit)} without the effects."
     ]
     if names := names_before(content, run):
         after = f"There {run} goes after {' and '.join(map(key_name, names))}"

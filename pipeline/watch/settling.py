@@ -14,6 +14,7 @@ from ..settle.step import Place, Step
 
 SHOWN = ("proposed", "approved", "recorded")  # while what is foretold is of interest
 RIVALS = 6
+CAME = "came"  # the drawing of what came, without its ending
 
 
 def moves(step: Step) -> dict[str, Any] | None:
@@ -74,7 +75,16 @@ class Settling:
             "approved_by": step.approved_by,
             "question": question["question"] if working and question and question["step"] == step.number else None,
             "foretold": self._foretold(step) if step.state in SHOWN else None,
+            "came": self._came(step),
         }
+
+    def _came(self, step: Step) -> dict[str, Any] | None:
+        """The newest drawing of what came over what was foretold: of which step, and its file; None where none is."""
+        for number in range(step.number, -1, -1):
+            path = self.place.folder(number) / f"{CAME}.png"
+            if path.is_file():
+                return {"step": number, "file": str(path)}
+        return None
 
     def _foretold(self, step: Step) -> dict[str, Any] | None:
         try:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -62,6 +63,10 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
         if loop and loop["foretold"] and loop["state"] != "proposed" and len(rows := followed.means.rows):
             came = beyond(rows[:, 0], rows[:, turns], rows[:, mm], loop["foretold"])
             loop["foretold"]["came"] = {key: numbers(values) for key, values in came.items()}
+    if (loop := content.get("loop")) and (drawing := loop.get("came")):
+        place, root = (Path(os.path.realpath(path)) for path in (drawing["file"], reports))
+        below = place.relative_to(root).as_posix() if place.is_relative_to(root) else None  # else nothing serves it
+        loop["came"] = drawing | {"page": below}
     content["verdicts"] = verdicts(reports)
     listed = next((verdict for verdict in content["verdicts"] if verdict["run"] == content["run"]), None)
     newest = newest_verdict(reports, content["run"]) or listed

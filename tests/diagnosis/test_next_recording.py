@@ -79,7 +79,9 @@ def test_a_rival_that_is_likelier_than_one_in_the_table_is_said_not_to_be_in_it(
 def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
     text = " ".join(full(rubbing()).split())
     assert "It has no second load: 26 N, twice, tells friction_hysteresis from backlash best" in text
-    assert "So record: 12 strokes as before, 0 to 30.7 turns under 26 N, at 1 to 2 turns/s" in text
+    assert (
+        "So record: 12 strokes as before, 0 to 30.7 turns, but under 26 N in place of 13 N, at 1 to 2 turns/s" in text
+    )
     assert "--like raw/nylon-3 --load-n 26" in text
     near = foretold(0.2, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
     neither = named(["friction_hysteresis"], [near, PLAY], {"backlash": 0.02})

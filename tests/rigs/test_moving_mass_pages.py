@@ -156,7 +156,7 @@ def test_the_numbers_that_it_adopted_are_explained_without_a_string(rubbing):
     explained = " ".join(printed.split())
     program("pipeline.adopt", "--remove", rubbing)
     assert "it multiplies the direction of motion, from -1 to 1" in explained and "twist" not in explained
-    assert "Its formula: h s; h: half the loop, s: the direction of motion" in explained
+    assert re.search(r"h 1[0-9.]* N half the loop s calculated the direction of motion", explained)
 
 
 def test_an_error_of_a_mass_is_of_averages_on_every_page_and_says_so(rubbing, tmp_path):
@@ -169,6 +169,7 @@ def test_an_error_of_a_mass_is_of_averages_on_every_page_and_says_so(rubbing, tm
     assert re.search(r"rms error against the recording: [0-9.]+ N, of averages of 0.01 s\n", printed)
     printed = program("pipeline.adopt", diagnosis, shutil.copytree(rubbing, tmp_path / rubbing.name))
     assert "on this recording, rms of averages of 0.01 s" in printed
+    assert "On unseen ones the verdict says " in " ".join(printed.split()), "its keys end in n, and its unit is N"
 
 
 def test_nine_of_ten_averages_of_a_mass_lie_in_the_band_of_the_recorded_motion(rubbing, tmp_path):

@@ -99,6 +99,10 @@ def test_the_page_says_the_same(tmp_path):
     assert "20 standard deviations" in moves["apart"] and moves["winds"] is None
     assert settling.told(step.at("approved"))["moves"]["winds"] == 1, "of the program: the rig's own motion has another"
     assert settling.told(step.at("diagnosed"))["moves"] is None
+    assert settling.told(step.at("diagnosed"))["came"] is None
+    (place.folder(0) / "came.png").write_bytes(b"")
+    drawing = {"step": 0, "file": str(place.folder(0) / "came.png")}
+    assert settling.told(step)["came"] == drawing, "of the step before, while the next one is proposed"
     step.legs[1]["seconds"] = 0.0
     assert settling.told(step)["moves"] is None, "a damaged file ends no page"
 

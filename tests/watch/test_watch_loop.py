@@ -170,6 +170,20 @@ BLACK = """((name) => {
 })"""  # how many dots of a canvas's curves are black
 
 
+def test_the_drawing_of_what_came_can_be_opened_after_the_run_is_diagnosed(place):
+    """The curves went with the diagnosis, and nothing said where they are."""
+    out = place / "reports" / "settle" / "poor-1" / "step-0"
+    out.mkdir(parents=True)
+    (out / "state.json").write_text('{"number": 0, "state": "diagnosed", "run_dir": ""}')
+    (out / "came.png").write_bytes(b"drawn")
+    with watched(place / "raw" / "poor-1") as (port, _):
+        came = told(port)["loop"]["came"]
+        assert came["step"] == 0 and came["page"] == "settle/poor-1/step-0/came.png"
+        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=5)
+        connection.request("GET", f"/reports/{came['page']}")
+        assert connection.getresponse().read() == b"drawn"
+
+
 @CHROMIUM
 def test_what_came_is_drawn_beside_what_each_explanation_foretold_where_they_differ(tmp_path):
     """The panel of the small differences had no black line: nobody could see which explanation came true."""

@@ -13,7 +13,7 @@ from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 from ...ground.kinematics import Array
 from ..document.content import Part, Verdict
 from ..recording.drivers import Drivers
-from ..words.explanations import probability, rivals
+from ..words.explanations import explanation_table, probability, rivals
 from ..words.held_out.holdout import included
 from ..words.language.quantity import percent, size, times
 from ..words.language.vocabulary import directions
@@ -30,7 +30,7 @@ NAMED = "as diagnosed"
 STANDINGS = {
     "named": (AFTER, "the best explanation"),
     "tied": (TIED, "likely as well"),
-    "beaten": (OTHER, "less likely (details.txt: the likeliest of them)"),
+    "beaten": (OTHER, "less likely"),
     "not needed": (MORE, "less likely, with more effects"),
     "not enough": (TIED, "the best there is, and not enough"),
     "nothing": (BEFORE, "no mechanism, only calibration"),
@@ -76,7 +76,12 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
     adopted = set(included(content))
     all_explanations = content["evidence"]["explanations"]
-    others = [explanation for explanation in all_explanations if not adopted & set(explanation["ids"])]
+    listed = all_explanations
+    if content.get("verdict") in ("explained", "ambiguous"):  # the rows that details.txt has
+        passed_over = [each for each in all_explanations if each["standing"] in ("beaten", "not needed")]
+        left_out = [each for each in passed_over if each not in explanation_table.others_shown(content)]
+        listed = [each for each in all_explanations if each not in left_out]
+    others = [explanation for explanation in listed if not adopted & set(explanation["ids"])]
     shown = sorted(others, key=lambda each: (each["standing"] in KEPT, each.get("probability") or 0.0))  # from below
     floor = content["evidence"][f"floor_{ending}"]
     left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]

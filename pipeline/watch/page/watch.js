@@ -125,6 +125,8 @@ function loop(d) {
   show("stop", l.state === "approved" ? "Stop the motor, then the loop" : "Stop the loop");
   at("still").hidden = !l.at_work || l.state === "approved"; at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
   at("no-token").hidden = Boolean(token) || !l.at_work;
+  const c = l.came;
+  at("came-file").replaceChildren(...(c ? [`What came in step ${c.step}, drawn over what each explanation foretold: `, c.page ? link(`reports/${c.page}`, "came.png") : c.file] : []));
   foretold(l.foretold, d);
 }
 

@@ -18,7 +18,7 @@ from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.diagnosis.verdict import diagnosis
-from pipeline.diagnosis.words.explanations import probability
+from pipeline.diagnosis.words.explanations import explanation_table, probability, rivals
 from pipeline.diagnosis.words.held_out.holdout import heading
 from pipeline.diagnosis.words.held_out.unseen import noises
 from pipeline.diagnosis.words.language.quantity import percent
@@ -189,9 +189,9 @@ def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_rule
     others = [one for one in evidence["explanations"] if one["standing"] in ("beaten", "not needed")]
     assert others and all((one["probability"] or 0.0) <= min(held) for one in others)
     shown = [text.get_text() for text in figure.subfigs[-2].axes[0].texts]
-    kept_last = sorted(
-        evidence["explanations"], key=lambda one: (one["standing"] in panels.KEPT, one["probability"] or 0.0)
-    )
+    listed = explanation_table.others_shown(content)
+    in_table = [one for one in evidence["explanations"] if one not in others or one in listed]
+    kept_last = sorted(in_table, key=lambda one: (one["standing"] in panels.KEPT, one["probability"] or 0.0))
     assert shown == [
         probability.not_weighed(one["ids"]) if one["probability"] is None else percent(one["probability"])
         for one in kept_last
@@ -292,6 +292,28 @@ def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best
     said = [text.get_text() for text in axes.get_legend().get_texts()]
     assert ("less likely, with more effects" in said) is named
     assert ("with a further effect that adds too little" in said) is not named
+
+
+def test_a_larger_set_is_drawn_with_no_more_than_its_parts_leave_and_each_row_stands_in_the_details_too() -> None:
+    """A fit that did not find its best stood there with eight times what one of its effects leaves alone."""
+    sizes = {(): 1.0, ("creep",): 0.1, ("creep", "wear"): 0.8, ("slack",): 1.6}
+    others = [("creep", f"x_{letter}") for letter in "abcdefgh"]
+    one = {"bent_mm": 2.0, "probability": None, "standing": "beaten"}
+    shown = [{**one, "ids": [*ids], "left_mm": left} for ids, left in [*sizes.items(), *((ids, 0.1) for ids in others)]]
+    shown[0]["standing"], shown[1]["standing"] = "nothing", "named"
+    evidence = {"explanations": shown, "floor_mm": 0.1, "calibrated_mm": 1.0}
+    content = {"evidence": evidence, "mechanisms": [{"id": "creep"}], "verdict": "explained"}
+    _, axes = plt.subplots()
+    panels.ranking(axes, content, "mm")
+    names = [label.get_text() for label in axes.get_yticklabels()]
+    left = dict(zip(names, axes.collections[1].get_offsets()[:, 0], strict=True))
+    assert left["creep"] == pytest.approx(1.0) and max(left.values()) == left["calibration alone"] == pytest.approx(
+        10.0
+    )
+    assert len(names) == 1 + explanation_table.SHOWN + 1, "the best one, those that the table has, calibration"
+    for ids in (["creep", "wear"], ["slack"]):
+        entry = next(each for each in shown if each["ids"] == ids)
+        assert rivals.left_of(entry, content, "mm") == (0.1 if "creep" in ids else 1.0)
 
 
 @pytest.mark.parametrize(("bent", "below"), [(0.04, True), (0.06, False)])

@@ -1,6 +1,6 @@
 """The explanations that were weighed, a numbered row each, the best one first; what no row can say follows."""
 
-from ...document.content import Verdict
+from ...document.content import Part, Verdict
 from ...mechanisms.interface import physics
 from ..language.quantity import percent, size, times
 from ..language.table import UNKNOWN, within
@@ -24,8 +24,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     known = probability.known(content)
     kept = [*named, *probability.likeliest(rivals.entries(content, "tied"))]
-    others = probability.likeliest([*rivals.entries(content, "beaten"), *rivals.entries(content, "not needed")])
-    rows = dict(enumerate([*kept, *others[:SHOWN]], start=1))
+    rows = dict(enumerate([*kept, *others_shown(content)], start=1))
     return [
         *within(_rows(content, rows, words), 0),
         *([f"Kept: {less_likely.numbers(list(rows)[: len(kept)])}."] if len(kept) > 1 and not known else []),
@@ -34,6 +33,12 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *less_likely.remarks(content, rows, len(kept), words),
         *left_out.lines(content),
     ]
+
+
+def others_shown(content: Verdict) -> list[Part]:
+    """The explanations that are shown though they are not kept, the likeliest first, in the table and in the figure."""
+    others = probability.likeliest([*rivals.entries(content, "beaten"), *rivals.entries(content, "not needed")])
+    return others[:SHOWN]
 
 
 def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> list[list[str]]:

@@ -29,9 +29,16 @@ def entries(content: Verdict, *standings: str) -> list[Part]:
 
 
 def left_of(explanation: Part, content: Verdict, ending: str) -> float:
-    """What an explanation leaves, rms; of calibration alone not what the search's approximation says, but the fit's."""
-    known = content["evidence"].get(f"calibrated_{ending}") if not explanation["ids"] else None
-    return float(explanation[f"left_{ending}"] if known is None else known)
+    """What an explanation leaves, rms; of calibration alone not what the search's approximation says, but the fit's.
+
+    Of effects that were fitted worse than some of them alone it is what these leave: the others could do nothing.
+    """
+    ids = set(explanation["ids"])
+    parts = [each for each in content["evidence"]["explanations"] if each["ids"] and set(each["ids"]) < ids]
+    known = content["evidence"].get(f"calibrated_{ending}")
+    alone = [float(known)] if known is not None else []
+    own = [] if alone and not ids else [float(explanation[f"left_{ending}"])]
+    return min([*own, *alone, *(float(each[f"left_{ending}"]) for each in parts)])
 
 
 def left(explanation: Part, content: Verdict, words: Vocabulary) -> str:

@@ -56,8 +56,12 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     count, (slow, fast) = max((last - first + 1) // runs, FEWEST), known["speed_per_s"]
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     new_load = load(content, words, ids)
-    hung = quantity(second_load.base(content) if new_load is None else new_load, words.load_unit)
-    under = f" under {hung}" if words.load is not None and known["load"][1] > 0.0 else ""
+    before = quantity(second_load.base(content), words.load_unit)
+    under = f" under {before}" if words.load is not None and known["load"][1] > 0.0 else ""
+    if new_load is not None:  # strokes as before, but for this
+        other = "all of them under" if content["evidence"]["loaded"] else "under"
+        instead = "" if content["evidence"]["loaded"] else f" in place of {before}"
+        under = f", but {other} {quantity(new_load, words.load_unit)}{instead}"
     speed = ends(slow, fast, f"{words.motion_unit}/s", 2)
     if "speed" in lacking:
         usual, half = (quantity(each, f"{words.motion_unit}/s") for each in (fast, fast / 2.0))
