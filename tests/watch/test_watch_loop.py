@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from settle.settle_bench import LIMITS, described, program, rig, set_up, started, state, until
 from watch.browser import CHROMIUM, browser
-from watch.test_watch import folder, told, watched
+from watch.test_watch import folder, get, told, watched
 from watch.test_watch_shown import one_stroke
 
 from pipeline.settle.answers import Answers
@@ -179,9 +179,7 @@ def test_the_drawing_of_what_came_can_be_opened_after_the_run_is_diagnosed(place
     with watched(place / "raw" / "poor-1") as (port, _):
         came = told(port)["loop"]["came"]
         assert came["step"] == 0 and came["page"] == "settle/poor-1/step-0/came.png"
-        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=5)
-        connection.request("GET", f"/reports/{came['page']}")
-        assert connection.getresponse().read() == b"drawn"
+        assert get(port, f"/reports/{came['page']}")[1] == b"drawn"
 
 
 @CHROMIUM
