@@ -2,7 +2,7 @@
 
 from ...document.content import Part, Verdict
 from ...mechanisms.interface import physics
-from ..language.quantity import percent, size, times
+from ..language.quantity import of_column, percent, size, times
 from ..language.table import UNKNOWN, within
 from ..language.vocabulary import Vocabulary
 from . import chances, closest, left_out, less_likely, probability, rivals
@@ -46,12 +46,15 @@ def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> li
     known, floor = probability.known(content), content["evidence"][f"floor_{words.ending}"]
     cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "differs from 1 by"]]
     out = [entry["ids"] for entry in left_out.entries(content)]
+    none_acts = rivals.entries(content, "nothing")
+    most = max(rivals.left_of(each, content, words.ending) for each in [*rows.values(), *none_acts])
+    farthest = max(each.get(f"gap_{words.ending}") or 0.0 for each in rows.values())
     for number, each in rows.items():
         left, share = rivals.left_of(each, content, words.ending), each.get("probability")
         gap, no_less = each.get(f"gap_{words.ending}"), rivals.no_less(each, content, words)
-        leaves = NO_LESS if no_less else f"{size(left, words.unit)} ({times(left / floor)})"
+        leaves = NO_LESS if no_less else f"{of_column(left, words.unit, most)} ({times(left / floor)})"
         probable = UNKNOWN if share is None else percent(share or LEAST)
-        differs = size(gap, words.unit) if gap is not None and number > 1 else UNKNOWN
+        differs = of_column(gap, words.unit, farthest) if gap is not None and number > 1 else UNKNOWN
         called = rivals.called(each["ids"]) + ", left out" * (each["ids"] in out)
         cells.append([_name(str(number), called), probable, leaves, differs])
     if known:
@@ -61,7 +64,7 @@ def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> li
         rest = max(1.0 - none - sum(of_library), 0.0)
         cells.append([_name(UNKNOWN, "all others of the library"), percent(rest), UNKNOWN, UNKNOWN])
         cells.append([_name(UNKNOWN, f"{chances.NONE}{stand_ins}"), percent(none), UNKNOWN, UNKNOWN])
-    for alone in rivals.entries(content, "nothing"):
+    for alone in none_acts:
         left = rivals.left_of(alone, content, words.ending)
         leaves = f"{size(left, words.unit)} ({times(left / floor)})"
         cells.append([_name(UNKNOWN, rivals.called([])), UNKNOWN, leaves, UNKNOWN])

@@ -4,7 +4,7 @@ import math
 
 from ...document.content import Part, Verdict
 from ...mechanisms.library import mechanisms
-from ..language.quantity import listing, percent, size, times
+from ..language.quantity import listing, of_column, percent, size, times
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from .rivals import ALIKE, LITTLE, called
@@ -70,7 +70,7 @@ def _row(entry: Part, first: Part, stands: list[str], content: Verdict, words: V
     known = wrong_by(entry, first, floor, words)
     beside = entry[f"beside_{words.ending}"]
     saved = 0.0 if beside is None else math.sqrt(max(first[f"left_{words.ending}"] ** 2 - beside**2, 0.0))
-    takes = UNKNOWN if beside is None else NOTHING if saved < ADDS * floor else size(saved, words.unit)
+    takes = UNKNOWN if beside is None else NOTHING if saved < ADDS * floor else of_column(saved, words.unit, left)
     return [entry["id"], place, leaves, *(known.get(phase, UNKNOWN) for phase in stands), takes]
 
 

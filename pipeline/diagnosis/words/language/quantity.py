@@ -56,9 +56,19 @@ def plus_minus(value: float, half_width: float, unit: str) -> str:
     return f"{value:,.{decimals}f} ± {half_width:,.{decimals}f} {said_unit(unit)}".strip()
 
 
-def to_tell(value: float, apart: float, unit: str) -> str:
-    """A number to the second digit of how far it is from another, and to no more than four digits."""
-    return quantity(round(value, 1 - math.floor(math.log10(apart))) if apart > 0.0 else value, unit, 4)
+def of_column(value: float, unit: str, highest: float) -> str:
+    """A size in a column whose highest is known: in the unit of that one, so that no column mixes two units."""
+    small = abs(value) < LEAST <= abs(highest)
+    return f"{number(value, 2, whole=True)} {said_unit(unit)}".strip() if small else size(value, unit)
+
+
+def to_tell(values: Sequence[float], apart: float, unit: str) -> list[str]:
+    """Numbers to the second digit of how far they are apart, to four digits at most, each with as many decimals."""
+    highest = max(abs(value) for value in values)
+    if not apart > 0.0 or highest < LEAST:
+        return [quantity(value, unit, 4) for value in values]
+    places = max(min(1 - math.floor(math.log10(apart)), 3 - math.floor(math.log10(highest))), 0)
+    return [f"{value:,.{places}f} {said_unit(unit)}".strip() for value in values]
 
 
 def to_the_band(value: float, half_width: float, digits: int = 6) -> str:

@@ -40,4 +40,5 @@ def _adopted_as(content: Verdict, id_: str) -> str:
     if len(sets) == 1:
         return f"explained{against}"
     count = sum(id_ in ids for ids in sets)
-    return f"in {'all' if count == len(sets) else count} of {len(sets)} likely explanations{against}"
+    every = "both" if len(sets) == 2 else f"all {len(sets)}"
+    return f"in {every if count == len(sets) else f'{count} of {len(sets)}'} likely explanations{against}"

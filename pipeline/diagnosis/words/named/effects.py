@@ -26,7 +26,7 @@ EVERY = "once in every "  # such a length: it is said in place of the turn, whic
 NO_CONSTANT = "Of {} there is no constant to report: {}."
 OF_PARTS = "the fit knows what {} parts do together, not each part"
 BARE = re.compile(r": [0-9.,]+ ")  # a constant without an interval
-CONSTANT = re.compile(r"\d \S+ \([0-9.,]+ to [0-9.,]+\)")
+CONSTANT = re.compile(r"\d [^()]*\(-?[0-9.,]+ to -?[0-9.,]+\)")  # its unit may have spaces: 114 N s/m
 
 
 def sentence(

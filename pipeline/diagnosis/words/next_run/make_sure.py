@@ -117,9 +117,11 @@ def of_names(
 
 def _compared(content: Verdict, words: Vocabulary) -> str:
     """What to record on a rig without a string to make sure of a name; the table of what to expect goes on from it."""
-    expected = content["evidence"]["expected"]["explanations"][0]
-    slower = f"loop_half_speed_{words.ending}" in expected
-    run = "record one stroke at half the speed and compare its loop" if slower else "record it again and compare"
+    known = content["evidence"]["expected"]
+    slow = quantity(0.5 * known["speed_per_s"], f"{words.motion_unit}/s")
+    slower = f"loop_half_speed_{words.ending}" in known["explanations"][0]
+    half = f"record one stroke at {slow}, half the usual speed, and compare its loop"
+    run = half if slower else "record it again and compare"
     return f"To make sure of the name, {run}"
 
 

@@ -42,13 +42,15 @@ def _closest(content: Verdict) -> str:
 def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
     """The table's cells: an explanation, its probability if it has one, and its reading where both differ the most."""
     known, rows = run.get("apart"), []
-    for ids, which in zip(run["parts"], ("first", "second"), strict=True):
+    ends = [f"{which}_{words.ending}" for which in ("first", "second")]
+    both = to_tell([known[end] for end in ends], known[f"by_{words.ending}"], words.unit) if known else ["", ""]
+    for ids, reading in zip(run["parts"], both, strict=True):
         cells = [rivals.called(ids)]
         if probability.known(content):
             share = worth.share(ids, content)
             cells.append(UNKNOWN if share is None else percent(share))
         if known:
-            cells.append(to_tell(known[f"{which}_{words.ending}"], known[f"by_{words.ending}"], words.unit))
+            cells.append(reading)
         rows.append(cells)
     head = ["it is to tell apart", *(["probability"] if probability.known(content) else [])]
     if known:

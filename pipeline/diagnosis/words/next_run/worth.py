@@ -86,7 +86,7 @@ def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     near = place_near(known[words.driver], words.motion_unit, high - low)
     names = [rivals.called(ids) for ids in run["parts"]]
     differ = known[f"by_{words.ending}"]
-    both = [to_tell(known[f"{which}_{words.ending}"], differ, words.unit) for which in ("first", "second")]
+    both = to_tell([known[f"{which}_{words.ending}"] for which in ("first", "second")], differ, words.unit)
     return (
         f"In it, if it follows this recording at once, the two predicted readings differ by up to {most}, most near "
         f"{near}: {both[0]} if it is {names[0]}, {both[1]} if it is {names[1]}."

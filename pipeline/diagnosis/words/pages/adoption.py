@@ -38,8 +38,8 @@ def cautions(content: Verdict, rest: str = "") -> list[str]:
         return [*against_advice(content), *doubtful(content)]
     them = "it" if len(ids) == 1 else "them"
     own = (
-        f" {program_name('simulate')} takes the dimensions that were adopted with {them}, and errs as the adopted "
-        "verdict says; below they are fitted anew, from the measured ones."
+        f" Below, dimensions are fitted anew from the measured ones; {program_name('simulate')} takes those that were "
+        f"adopted with {them}."
     )
     own = own if dimensions_came(content) else ""
     lines = [

@@ -38,7 +38,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if held else [TOO_FEW]
     remarks = [*remarks[:-1], f"{remarks[-1]} {_moved_most(content, words)}".strip()]
     remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
-    return [*aligned(_rows(content, words)), *(line for line in remarks if line)]
+    rows = [row for row in _rows(content, words) if row[0] != "nominal" or not kept_times(content, words)]
+    return [*aligned(rows), *(line for line in remarks if line)]
 
 
 def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
@@ -120,6 +121,8 @@ def _of_other(content: Verdict) -> list[str]:
 def _moved_most(content: Verdict, words: Vocabulary) -> str:
     """That moving dimensions took most of the error away, where it did and no dimension moved far."""
     nominal, calibrated, _ = _seen(content, words)
+    if kept_times(content, words):  # nobody simulates with adopted effects and the dimensions of run.yaml
+        return ""
     if nominal is None or calibrated is None or nominal < HALVED * calibrated or far_moved(content):
         return ""
     return "Moving dimensions alone takes most of the nominal error away (how far each moved: Dimensions)."

@@ -26,3 +26,12 @@ def test_numbers_read_well():
     assert quantity.at(-0.000488, "turns", 30.0) == "0 turns" and quantity.at(30.671, "turns", 30.0) == "30.7 turns"
     assert quantity.said_unit("mm/10N") == "mm/10 N" and quantity.said_unit("mm/turn^2") == "mm/turn²"
     assert [quantity.duration(s) for s in (0.5, 30.2, 120.0, 150.0)] == ["0.5 s", "30 s", "2 min", "2 min 30 s"]
+
+
+def test_a_column_has_one_unit_and_numbers_that_are_compared_have_as_many_decimals() -> None:
+    """0.82 µm stood under 0.015 mm, and 32 mm above 31.9 mm."""
+    assert quantity.of_column(0.00082, "mm", 0.015) == "0.00082 mm"
+    assert quantity.of_column(0.00082, "mm", 0.00091) == "0.82 µm", "where all of it are so small"
+    assert quantity.to_tell([32.03, 31.93], 0.1, "mm") == ["32.03 mm", "31.93 mm"]
+    assert quantity.to_tell([11.6, 11.64], 0.04, "mm") == ["11.60 mm", "11.64 mm"]
+    assert quantity.to_tell([0.00032, 0.0003], 2e-5, "mm") == ["0.32 µm", "0.3 µm"]

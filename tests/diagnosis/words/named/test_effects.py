@@ -144,6 +144,9 @@ def test_effects_that_work_against_each_other_more_are_said_to():
 def test_an_effect_without_a_constant_to_report_says_why() -> None:
     """A page reported a loss without a constant, and no word said why."""
     bare = {"id": "viscous_loss", "sentence": "A loss follows the speed: 114 N s/m."}
+    assert effects.has_constants({"sentence": "A loss follows the speed: 114 N s/m (110 to 118)."}), (
+        "a unit of two words"
+    )
     parts = {"id": "sensor_lag", "sentence": "The reading is late, which is worth 0.044 mm rms."}
     known = {"id": "friction_hysteresis", "sentence": "A loop: half the loop is 0.108 mm (0.0985 to 0.111)."}
     lines = effects.no_constants([bare, parts, known])
