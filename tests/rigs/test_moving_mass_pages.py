@@ -66,7 +66,7 @@ def test_its_pages_ask_for_rows_and_not_corners_and_know_no_up_no_down_and_no_ef
     verdict, details = (" ".join((place / f"{name}.txt").read_text().split()) for name in ("verdict", "details"))
     for text in (verdict, details):
         assert "at your controller's rate; the force needs the acceleration" in text and "corners will do" not in text
-        assert "record one stroke at half the speed and compare its loop with" in text
+        assert "half the usual speed, and compare its loop with" in text
         assert "the way forward" in text and "the way back" in text and "the way up" not in text
     assert "the way forward and the way back differ by a rounded loop" in verdict
     assert "No percentage is known on this rig." in verdict
