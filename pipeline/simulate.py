@@ -21,6 +21,7 @@ from .diagnosis.prediction.without_a_name import said_of_no_name, to_simulate
 from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
 from .diagnosis.simulate_options import parsed
+from .diagnosis.study.engine import make_problem
 from .diagnosis.study.own_rate import at_own_rate
 from .diagnosis.words.foretold import loop_table
 from .diagnosis.words.foretold.another_rig import warning as another_rig
@@ -125,7 +126,8 @@ def main() -> None:
         if arguments.simulation:
             warn_of_another(content, run, arguments.run_dir)
         if arguments.home:
-            carried = carried_over(problem, content, source, run.run)
+            coarse = make_problem([recorded], to_fit=False)
+            carried = carried_over(problem, content, source, run.run, coarse)
             content, unit = carried.content, problem.drivers.units.reading
             show([*of_carried_over(carried, run.run, unit), of_home(carried, unit)])
         before = simulated_before(content, run.run, arguments.run_dir)

@@ -37,17 +37,20 @@ class CarriedOver:
         return self.effects and self.dimensions
 
 
-def carried_over(problem: Problem, content: Simulated, path: Path, run: str) -> CarriedOver:
+def carried_over(
+    problem: Problem, content: Simulated, path: Path, run: str, coarse: Problem | None = None
+) -> CarriedOver:
     """What of a diagnosis simulates another run, homed on its first stroke: all, or the part that is clearly better.
 
-    Nothing after that stroke is read for the choice. Raises BadInput as `homed` does.
+    `coarse` is the same recording in averages. Nothing after that stroke is read for the
+    choice. Raises BadInput as `homed` does.
     """
     parts: dict[tuple[bool, bool], Simulated] = {(True, True): content}
     if content["parameters"]:
         parts[True, False] = cast(Simulated, {**content, "parameters": {}})
     if content["simulation"]:
         parts |= {(False, took): cast(Simulated, {**part, "simulation": []}) for (_, took), part in parts.items()}
-    tried = {kept: homed(problem, part, path, run) for kept, part in parts.items()}
+    tried = {kept: homed(problem, part, path, run, coarse) for kept, part in parts.items()}
     left = {kept: home.left for kept, (_, home) in tried.items()}
     best = min(left, key=lambda kept: left[kept])
     if left[best] >= CLEARLY * left[True, True]:

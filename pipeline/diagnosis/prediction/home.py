@@ -38,8 +38,12 @@ class Home:
     left: float
 
 
-def homed(problem: Problem, content: Simulated, path: Path, run: str) -> tuple[Simulated, Home]:
+def homed(
+    problem: Problem, content: Simulated, path: Path, run: str, coarse: Problem | None = None
+) -> tuple[Simulated, Home]:
     """The simulator with the motor's zero that leaves least of the first stroke of a run, and that zero.
+
+    `coarse`: the same recording in averages, on which the places that are tried first are told apart.
 
     Raises BadInput for a rig that has no such zero, and for a run that the diagnosis was made of.
     """
@@ -61,9 +65,15 @@ def homed(problem: Problem, content: Simulated, path: Path, run: str) -> tuple[S
     def of_first(value: float) -> float:
         return float(np.std(left(value)[first]))
 
+    averaged = coarse or problem
+    first_averaged = _first_stroke(averaged)
+
+    def roughly(value: float) -> float:
+        return float(np.std((averaged.measured - simulated(averaged, at(value), path, run))[first_averaged]))
+
     reach = BOUND * parameter.sigma
     places = np.linspace(parameter.nominal - reach, parameter.nominal + reach, TRIED)
-    best, step = float(min(places, key=of_first)), float(places[1] - places[0])
+    best, step = float(min(places, key=roughly)), float(places[1] - places[0])
     if step > 0.0:
         ends = max(best - step, float(places[0])), min(best + step, float(places[-1]))
         best = float(minimize_scalar(of_first, bounds=ends, method="bounded", options={"xatol": 1e-3 * step}).x)
