@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
-from ..mechanisms.interface import Nonlinear
+from ..mechanisms.interface import Mechanism, Nonlinear
 from ..mechanisms.library import mechanisms
 from ..numerics.bounded import boxed, fitted, scan
 from ..numerics.columns import Columns
 from ..numerics.noise import Noise
 from ..numerics.products import Products
 from .problem import Act, Problem, State
-from .slopes import column, linearised
+from .slopes import column, linearised, untouched
 
 Key = tuple[str, int]  # a mechanism's id and the index of one of its candidates
 ZERO_SIGMA, FIXED_SIGMA = 1e3, 1e-6  # of a zero that is arbitrary, and of one that is true
@@ -35,6 +35,11 @@ class Fit:
     active: int
 
 
+def operates(problem: Problem, mechanism: Mechanism, options: list[Nonlinear]) -> bool:
+    """Whether a mechanism acts on the reading itself: what else acts changes what it does."""
+    return any(callable(term.signal) for nonlinear in options[:1] for term in problem.terms(mechanism, nonlinear))
+
+
 class Linear(Products):
     """A problem linearised at a state, under a noise model, with columns for the candidates of chosen mechanisms."""
 
@@ -47,9 +52,10 @@ class Linear(Products):
         extra: Array | None = None,
         deviations: dict[str, Array] | None = None,
     ) -> None:
-        self.problem, self.state, self.noise, self.catalogue = problem, state, noise, catalogue
+        self.problem, self.state, self.noise, self.catalogue = problem, state, noise, dict(catalogue)
         rows = self.rows = problem.rows
         tangent = linearised(problem, state)
+        bare = untouched(problem, tangent)
         more = sum(map(len, (deviations or {}).values())) + (0 if extra is None else len(extra))
         columns = Columns(rows, FEW + PER_CANDIDATE * sum(map(len, catalogue.values())) + more)
         run_index = problem.record.run_index[:rows]
@@ -67,10 +73,14 @@ class Linear(Products):
         self.calibration = known = np.arange(len(columns))
         self.index: dict[Key, np.ndarray] = {}
         for id_, options in catalogue.items():
-            for number, nonlinear in enumerate(options):
+            beside = [(nonlinear, tangent) for nonlinear in options]
+            if bare is not tangent and operates(problem, mechanisms()[id_], options):
+                beside += [(nonlinear, bare) for nonlinear in options]
+                self.catalogue[id_] = [*options, *options]
+            for number, (nonlinear, reading_at) in enumerate(beside):
                 before = len(columns)
                 for term in problem.terms(mechanisms()[id_], nonlinear):
-                    columns.add(column(problem, term, tangent)[:rows], term.low, term.high, np.inf)
+                    columns.add(column(problem, term, reading_at)[:rows], term.low, term.high, np.inf)
                 self.index[id_, number] = np.arange(before, len(columns))
         self.extra = columns.free(np.zeros((0, rows)) if extra is None else extra, np.inf)
         self.deviations = {id_: columns.free(ways, 1.0) for id_, ways in (deviations or {}).items()}

@@ -1,6 +1,6 @@
 """How the reading of a simulator moves with its dimensions and with what acts in it: one linearisation at a state."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,6 +45,17 @@ def linearised(problem: Problem, state: State) -> Linearised:
         values[index] += step
         slopes[problem.parameters[index].name] = (problem.reading(values, added, operators) - before) / step
     return Linearised(state, clean, before + state.zeros[problem.record.run_index], slopes)
+
+
+def untouched(problem: Problem, at: Linearised) -> Linearised:
+    """The same with the channel as it is without what acts in the state: what a rival of these acts would work on.
+
+    A stop clips the reading of a string without a jam, not one that a jam has kept below the stop.
+    """
+    acts = tuple(act for act in at.state.acts if act not in problem.included)
+    if all(callable(term.signal) or term.port == "sensor" for act in acts for term, _ in problem.act_terms(act)):
+        return at
+    return replace(at, clean=problem.simulated(at.state.values, problem.ports(problem.included)[0]))
 
 
 def column(problem: Problem, term: Term, at: Linearised) -> Array:
