@@ -7,6 +7,8 @@ import numpy as np
 
 from ..fit.problem import Problem, State
 from ..numerics.judge import SIZES, Weighed
+from ..numerics.recogniser import signs as signature_signs
+from ..signature.signature import signature_of
 from .search import Explanation, Search
 
 SINGLES, PAIRS, TRIPLES = 10, 12, 6  # explanations of each size that are weighed, the cheapest
@@ -34,13 +36,18 @@ def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
 
     A mechanism whose mark the recording lacks is in none of them.
     """
-    explanations, marks, library = (
-        candidates(search),
-        marked(search.linear.problem, base),
-        search.linear.problem.library,
-    )
+    problem = search.linear.problem
+    explanations, marks, library = candidates(search), marked(problem, base), problem.library
+    alike = problem.judge.recogniser.likenesses(signature_of(problem, base)) if problem.judge.recogniser else {}
     return [
-        Weighed(explanation.ids, {**signs(search, explanation, explanations, floor), **own(marks, explanation.ids)})
+        Weighed(
+            explanation.ids,
+            {
+                **signs(search, explanation, explanations, floor),
+                **own(marks, explanation.ids),
+                **signature_signs(alike, explanation.ids),
+            },
+        )
         for explanation in explanations
         if all(marks.get(id_, 0.0) >= library[id_].least_mark for id_ in explanation.ids)
     ]

@@ -20,6 +20,8 @@ import numpy as np
 from ...ground.command import command
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array
+from .recogniser import Recogniser
+from .recogniser import read as recogniser_of
 
 HERE = Path(__file__).parent
 SIZES = (1, 2, 3)  # mechanisms in an explanation
@@ -43,6 +45,7 @@ class Judge:
     names: list[str]
     weights: Array  # (weights,), without a unit: what each column of `basis` counts
     of_none: Array  # (weights of none,), without a unit: what each of `none_of` counts
+    recogniser: Recogniser | None = None  # what says which mechanisms a signature looks like
 
     def basis(self, weighed: list[Weighed]) -> Array:
         """What the weights multiply, shape (explanations, weights). Each without a unit."""
@@ -87,19 +90,21 @@ class Judge:
 
 
 def none_of(weighed: list[Weighed]) -> Array:
-    """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is.
+    """What tells that none is one: what the best leaves, and the best single, how large the mismatch is, its signature.
 
     Shape (weights,), each without a unit.
     """
     singles = [candidate for candidate in weighed if len(candidate.ids) == 1]
     best = min(candidate.signs["left_share"] for candidate in weighed)
     return np.array([1.0, best, max(best, -3.0), min(candidate.signs["left_share"] for candidate in singles or weighed),
-                     weighed[0].signs["mismatch_floors"]])  # fmt: skip
+                     weighed[0].signs["mismatch_floors"], weighed[0].signs.get("alike_outside", 0.0)])  # fmt: skip
 
 
 def read(content: dict[str, Any]) -> Judge:
     """A judge from the content of its file."""
-    return Judge(content["knots"], content["names"], np.array(content["weights"]), np.array(content["of_none"]))
+    recogniser = recogniser_of(content["recogniser"]) if "recogniser" in content else None
+    weights, of_none = np.array(content["weights"]), np.array(content["of_none"])
+    return Judge(content["knots"], content["names"], weights, of_none, recogniser)
 
 
 @cache

@@ -39,7 +39,7 @@ class Judged:
 
 def judged(judge: Judge, lesson: Lesson) -> Judged:
     """What a judge says of a lesson."""
-    weighed = explanations(lesson)
+    weighed = explanations(lesson, judge.recogniser)
     *shares, none = judge.probabilities(weighed).tolist()
     named = np.array(shares)
     places = held(named) if none + helpers_share(weighed, named) < UNKNOWN else []
@@ -51,7 +51,7 @@ def left_out(lessons: list[Lesson]) -> list[Judged]:
     judgements = []
     for author in sorted({lesson.author for lesson in lessons}):
         judge = fitted([lesson for lesson in lessons if lesson.author != author])
-        judgements += [judged(judge, lesson) for lesson in lessons if lesson.author == author]
+        judgements += [judged(judge, lesson) for lesson in lessons if lesson.author == author and lesson.ids]
     return judgements
 
 

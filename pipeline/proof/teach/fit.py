@@ -4,38 +4,57 @@ import numpy as np
 from scipy.optimize import minimize
 
 from ...diagnosis.numerics.judge import SIZES, Judge, Weighed, none_of
+from ...diagnosis.numerics.recogniser import Recogniser
+from ...diagnosis.numerics.recogniser import content as recogniser_content
+from ...diagnosis.numerics.recogniser import signs as signature_signs
 from ...ground.kinematics import Array
 from .lesson import Lesson
+from .recognise import taught
 
 QUANTILES = (0.02, 0.35, 0.65, 0.98)  # of a sign over all explanations: knots of its ramps
 PRIOR = 1.0  # one over the variance of a weight
 
 
-def explanations(lesson: Lesson) -> list[Weighed]:
-    """A lesson's explanations as the judge sees them."""
-    return [Weighed(ids, signs) for ids, signs in zip(lesson.ids, lesson.signs, strict=True)]
+def explanations(lesson: Lesson, recogniser: Recogniser | None) -> list[Weighed]:
+    """A lesson's explanations as a judge with this recogniser sees them."""
+    alike = recogniser.likenesses(lesson.signature) if recogniser else {}
+    return [
+        Weighed(ids, {**signs, **signature_signs(alike, ids)})
+        for ids, signs in zip(lesson.ids, lesson.signs, strict=True)
+    ]
 
 
-def blank(lessons: list[Lesson]) -> Judge:
-    """A judge that knows the signs and names of some lessons, and holds all alike."""
-    every = [signs for lesson in lessons for signs in lesson.signs]
+def by_others(lessons: list[Lesson]) -> dict[str, Recogniser | None]:
+    """For each author a recogniser that the others taught, as a stranger's recordings meet one; none without others."""
+    authors = {lesson.author for lesson in lessons}
+    return {
+        author: taught([lesson for lesson in lessons if lesson.author != author]) if len(authors) > 1 else None
+        for author in sorted(authors)
+    }
+
+
+def blank(cases: list[list[Weighed]]) -> Judge:
+    """A judge that knows the signs and names of the explanations of some cases, and holds all alike."""
+    every = [candidate.signs for case_explanations in cases for candidate in case_explanations]
     knots = {}
     for name in every[0]:
         knots_there = np.unique(np.round(np.quantile([signs[name] for signs in every], QUANTILES), 5))
         if len(knots_there) > 1:
             knots[name] = knots_there.tolist()
-    names = sorted({id_ for lesson in lessons for ids in lesson.ids for id_ in ids})
+    names = sorted({id_ for case_explanations in cases for candidate in case_explanations for id_ in candidate.ids})
     ramps = sum(len(positions) - 1 for positions in knots.values())
-    return Judge(knots, names, np.zeros((1 + len(SIZES)) * (1 + ramps + len(names))), np.zeros(5))
+    return Judge(knots, names, np.zeros((1 + len(SIZES)) * (1 + ramps + len(names))), np.zeros(len(none_of(cases[0]))))
 
 
-def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
-    """The judge whose softmax makes the right answers of some lessons likeliest.
+def fitted(all_lessons: list[Lesson], prior: float = PRIOR) -> Judge:
+    """The judge whose softmax makes the right answers of some lessons likeliest, with the recogniser of all of them.
 
-    "None of them" is right where none is, and so is a set without physics of the library.
+    "None of them" is right where none is, and so is a set without physics of the library. Each lesson's signature is
+    recognised by one whom its author did not teach: else the judge would trust the recogniser too much.
     """
-    judge = blank(lessons)
-    seen = [explanations(lesson) for lesson in lessons]
+    lessons, others = [lesson for lesson in all_lessons if lesson.ids], by_others(all_lessons)
+    seen = [explanations(lesson, others[lesson.author]) for lesson in lessons]
+    judge = blank(seen)
     table = np.vstack([judge.basis(case_explanations) for case_explanations in seen])
     none = np.array([none_of(case_explanations) for case_explanations in seen])
     starts = np.cumsum([0, *map(len, seen)])[:-1]
@@ -58,7 +77,7 @@ def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
     solution = minimize(
         surprise, np.zeros(count + none.shape[1]), jac=True, method="L-BFGS-B", options={"maxiter": 500}
     ).x
-    return Judge(judge.knots, judge.names, solution[:count], solution[count:])
+    return Judge(judge.knots, judge.names, solution[:count], solution[count:], taught(all_lessons))
 
 
 def content(judge: Judge) -> dict[str, object]:
@@ -68,4 +87,5 @@ def content(judge: Judge) -> dict[str, object]:
         "names": judge.names,
         "weights": [float(f"{value:.4g}") for value in judge.weights],
         "of_none": [float(f"{value:.4g}") for value in judge.of_none],
+        **({"recogniser": recogniser_content(judge.recogniser)} if judge.recogniser else {}),
     }

@@ -2,16 +2,19 @@
 
 import json
 import random
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
 from ...diagnosis.choice.weigh import weighed
+from ...diagnosis.fit import calibrate
+from ...diagnosis.fit.problem import Problem
 from ...diagnosis.mechanisms.interface import physics
 from ...diagnosis.numerics.judge import Weighed
 from ...diagnosis.recording.recorded_run import RecordedRun
+from ...diagnosis.signature.signature import signature_of
 from ...diagnosis.study.engine import make_problem, study
 from ...rig.authors import authors
 from ...rig.authors.interface import Asked, OutOfReach, Protocol
@@ -38,6 +41,7 @@ class Lesson:
     ids: tuple[tuple[str, ...], ...] = ()
     signs: tuple[dict[str, float], ...] = ()
     right: tuple[bool, ...] = ()
+    signature: dict[str, float] = field(default_factory=dict)  # of the mismatch
 
     @property
     def answers(self) -> tuple[bool, ...]:
@@ -79,30 +83,49 @@ def recorded(content: dict[str, Any], table: pd.DataFrame) -> RecordedRun:
     return RecordedRun(run, *check(run, to_samples(run, table, path, folder / "run.yaml"), path))
 
 
-def learnt(lesson: Lesson) -> Lesson:
-    """A lesson with what the search makes of its recording: nothing where nothing was seen, or nothing can be made."""
+def problem_of(lesson: Lesson) -> Problem | None:
+    """The problem of a lesson's recording; none where its author's rig cannot show the effect."""
     for number in range(TRIES):
         request = Asked(lesson.seed + APART * number, lesson.effects, lesson.kappas, lesson.protocol)
         try:
             made = authors()[lesson.author].make(request)
-            break
         except OutOfReach:
             continue
-    else:
+        return make_problem([recorded({"run": "lesson", **made.content}, made.table)])
+    return None
+
+
+def sighted(lesson: Lesson) -> Lesson:
+    """A lesson with the signature of its mismatch alone: nothing where nothing can be made."""
+    problem = problem_of(lesson)
+    if problem is None:
         return lesson
-    studied = study(make_problem([recorded({"run": "lesson", **made.content}, made.table)]))
+    problem, _ = calibrate.without_outliers(problem, calibrate.base(problem))
+    return replace(lesson, signature=rounded(signature_of(problem, calibrate.base(problem))))
+
+
+def learnt(lesson: Lesson) -> Lesson:
+    """A lesson with its signature and what the search makes of its recording: no sets where nothing was seen."""
+    problem = problem_of(lesson)
+    if problem is None:
+        return lesson
+    studied = study(problem)
+    lesson = replace(lesson, signature=rounded(signature_of(studied.problem, studied.base)))
     if not studied.judged.likely:
         return lesson
     return of(lesson, weighed(studied.search, studied.base, studied.noise.floor), tuple(studied.random))
+
+
+def rounded(number_by_name: dict[str, float]) -> dict[str, float]:
+    """The same numbers with as many digits as a lesson keeps."""
+    return {name: round(number, DIGITS) for name, number in number_by_name.items()}
 
 
 def of(lesson: Lesson, weighed_sets: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
     """A lesson with explanations; what jerks at random is named beside each of them."""
     truth = {name for name in lesson.effects if not name.startswith("x_")}
     right = tuple({*explanation.ids, *jerks} == truth for explanation in weighed_sets)
-    signs = tuple(
-        {name: round(sign, DIGITS) for name, sign in explanation.signs.items()} for explanation in weighed_sets
-    )
+    signs = tuple(rounded(explanation.signs) for explanation in weighed_sets)
     content = {"ids": tuple(explanation.ids for explanation in weighed_sets), "signs": signs, "right": right}
     return Lesson(**{**asdict(lesson), **content})
 

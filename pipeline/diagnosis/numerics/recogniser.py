@@ -1,0 +1,72 @@
+"""Which mechanism's mismatches a signature looks like: a small network, taught on other people's laws.
+
+It sees numbers of the mismatch alone and knows no law. A judge weighs what it says beside what each explanation
+leaves. One class more, `outside`, is what the library does not have.
+
+Source: Bishop, Neural Networks for Pattern Recognition, 1995 (chapters 4 and 6: one hidden layer, softmax).
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...ground.kinematics import Array
+
+OUTSIDE = "outside"  # the class of effects that no mechanism of the library has
+DOUBT = 0.01  # of the probability: nothing is less like a signature than that
+UNSEEN = {"alike": 0.0, "alike_least": 0.0, "alike_else": 0.0, "alike_outside": 0.0}  # signs where nothing recognises
+
+
+@dataclass(frozen=True)
+class Recogniser:
+    """Names of the signature's numbers and of the classes, and a network with one layer of rectified units."""
+
+    numbers: list[str]
+    classes: list[str]
+    centre: Array  # (numbers,), each in its number's unit
+    spread: Array  # (numbers,), each in its number's unit
+    hidden: Array  # (units, numbers + 1), without a unit; the last column is the bias
+    output: Array  # (classes, units + 1), without a unit; the last column is the bias
+
+    def likenesses(self, signature: dict[str, float]) -> dict[str, float]:
+        """How likely the signature is of each class, shares of 1 by the class's name; a missing number counts as 0."""
+        values = np.array([signature.get(name, 0.0) for name in self.numbers])
+        units = np.maximum(self.hidden @ np.append((values - self.centre) / self.spread, 1.0), 0.0)
+        scores = self.output @ np.append(units, 1.0)
+        odds = np.exp(scores - scores.max())
+        return dict(zip(self.classes, (odds / odds.sum()).tolist(), strict=True))
+
+
+def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
+    """What a signature says of an explanation, as logarithms of shares.
+
+    `alike`: its mechanisms on the mean; `alike_least`: the least of them; `alike_else`: the likeliest that it does not
+    name; `alike_outside`: none of the library.
+    """
+    if not likeness_by_class:
+        return dict(UNSEEN)
+    classes = {OUTSIDE if id_.startswith("x_") else id_ for id_ in ids}
+    named = [float(np.log(likeness_by_class.get(name, 0.0) + DOUBT)) for name in sorted(classes)]
+    others = [share for name, share in likeness_by_class.items() if name not in classes and name != OUTSIDE]
+    return {
+        "alike": float(np.mean(named)),
+        "alike_least": min(named),
+        "alike_else": float(np.log(max(others, default=0.0) + DOUBT)),
+        "alike_outside": float(np.log(likeness_by_class.get(OUTSIDE, 0.0) + DOUBT)),
+    }
+
+
+def read(content: dict[str, Any]) -> Recogniser:
+    """A recogniser from the content of a judge's file; raises KeyError, TypeError or ValueError where it is none."""
+    layers = {name: np.array(content[name], float) for name in ("centre", "spread", "hidden", "output")}
+    return Recogniser(content["numbers"], content["classes"], **layers)
+
+
+def content(recogniser: Recogniser) -> dict[str, object]:
+    """A recogniser as the content of a judge's file."""
+    layers = {name: getattr(recogniser, name) for name in ("centre", "spread", "hidden", "output")}
+    rounded = {name: [[float(f"{value:.4g}") for value in np.atleast_1d(row)] for row in np.atleast_2d(layer)]
+               for name, layer in layers.items()}  # fmt: skip
+    flat = {name: rows[0] if name in ("centre", "spread") else rows for name, rows in rounded.items()}
+    return {"numbers": recogniser.numbers, "classes": recogniser.classes, **flat}

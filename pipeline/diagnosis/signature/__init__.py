@@ -1,0 +1,1 @@
+"""What a mismatch looks like, in numbers that ask for no mechanism: the mismatch → its signature."""

@@ -1,0 +1,34 @@
+"""Signatures of concealed cases → a recogniser: a network that tells by which mechanism a mismatch was made."""
+
+import warnings
+
+import numpy as np
+from sklearn.exceptions import ConvergenceWarning
+from sklearn.neural_network import MLPClassifier
+
+from ...diagnosis.numerics.recogniser import OUTSIDE, Recogniser
+from .lesson import Lesson
+
+UNITS, DECAY, PASSES = 48, 3.0, 200  # of the network: rectified units, weight decay, passes over all lessons
+
+
+def classes(lesson: Lesson) -> list[str]:
+    """What a lesson's signature is of: each hidden effect, or `outside`."""
+    return [OUTSIDE if name.startswith("x_") else name for name in lesson.effects]
+
+
+def taught(lessons: list[Lesson]) -> Recogniser:
+    """The recogniser of the signatures of some lessons; where two effects were hidden, each is right by half."""
+    seen = [lesson for lesson in lessons if lesson.signature]
+    numbers = sorted(seen[0].signature)
+    rows = [[lesson.signature[name] for name in numbers] for lesson in seen for _ in classes(lesson)]
+    table, right = np.array(rows), np.array([name for lesson in seen for name in classes(lesson)])
+    centre, spread = table.mean(axis=0), np.maximum(table.std(axis=0), 1e-6)
+    network = MLPClassifier((UNITS,), alpha=DECAY, max_iter=PASSES, random_state=0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ConvergenceWarning)  # the passes are as many as help strangers
+        network.fit((table - centre) / spread, right)
+    layers = [
+        np.column_stack([weights.T, bias]) for weights, bias in zip(network.coefs_, network.intercepts_, strict=True)
+    ]
+    return Recogniser(numbers, [str(name) for name in network.classes_], centre, spread, *layers)
