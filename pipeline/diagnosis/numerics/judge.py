@@ -1,7 +1,7 @@
 """How likely each explanation is: a conditional logit on its signs and names, learnt on other people's laws.
 
-The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, and small
-deviations of both for singles, pairs and triples. The scores of all explanations and of "none of them" share one
+The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, a share of what
+the signature says, and small deviations of all these for singles, pairs and triples. The scores of all explanations and of "none of them" share one
 softmax. `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
 
 Source: McFadden, "Conditional logit analysis of qualitative choice behavior", in Zarembka, Frontiers in Econometrics,
@@ -20,12 +20,13 @@ import numpy as np
 from ...ground.command import command
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array
-from .recogniser import Recogniser
+from .recogniser import OF_ALL, OF_EXPLANATION, Recogniser
 from .recogniser import read as recogniser_of
 
 HERE = Path(__file__).parent
 SIZES = (1, 2, 3)  # mechanisms in an explanation
 BY_SIZE, BY_NAME = 2.0, 1.5  # how freely the number of mechanisms and each name may weigh, beside a ramp's 1
+BY_SIGNATURE = 3.0  # the same of what a signature says: it is a logarithm of odds already, and weighs in proportion
 APART = 0.3  # how freely singles, pairs and triples may be weighed otherwise than all of them
 
 
@@ -47,6 +48,11 @@ class Judge:
     of_none: Array  # (weights of none,), without a unit: what each of `none_of` counts
     recogniser: Recogniser | None = None  # what says which mechanisms a signature looks like
 
+    @property
+    def straight(self) -> tuple[str, ...]:
+        """Signs that weigh in proportion too: those of the signature, where there is a recogniser."""
+        return OF_EXPLANATION if self.recogniser else ()
+
     def basis(self, weighed: list[Weighed]) -> Array:
         """What the weights multiply, shape (explanations, weights). Each without a unit."""
         signs = {
@@ -57,9 +63,12 @@ class Judge:
             for name, knots in self.knots.items()
             for low, high in pairwise(knots)
         ]
+        alike = [
+            BY_SIGNATURE * np.array([candidate.signs.get(name, 0.0) for candidate in weighed]) for name in self.straight
+        ]
         named = [BY_NAME * np.array([float(name in candidate.ids) for candidate in weighed]) for name in self.names]
         sizes = np.array([len(candidate.ids) for candidate in weighed])
-        every = np.column_stack([BY_SIZE * np.ones(len(weighed)), *ramps, *named])
+        every = np.column_stack([BY_SIZE * np.ones(len(weighed)), *ramps, *alike, *named])
         apart = np.hstack([every * (sizes == size)[:, None] for size in SIZES])
         return np.hstack([every, APART * apart])
 
@@ -80,6 +89,8 @@ class Judge:
         at = 1
         for name, knots in self.knots.items():
             lead_by_sign[name], at = float(parts[at : at + len(knots) - 1].sum()), at + len(knots) - 1
+        for name in self.straight:
+            lead_by_sign[name], at = lead_by_sign.get(name, 0.0) + float(parts[at]), at + 1
         return lead_by_sign | {"names": float(parts[at:].sum())}
 
     def probabilities(self, weighed: list[Weighed]) -> Array:
@@ -97,7 +108,7 @@ def none_of(weighed: list[Weighed]) -> Array:
     singles = [candidate for candidate in weighed if len(candidate.ids) == 1]
     best = min(candidate.signs["left_share"] for candidate in weighed)
     return np.array([1.0, best, max(best, -3.0), min(candidate.signs["left_share"] for candidate in singles or weighed),
-                     weighed[0].signs["mismatch_floors"], weighed[0].signs.get("alike_outside", 0.0)])  # fmt: skip
+                     weighed[0].signs["mismatch_floors"], weighed[0].signs.get(OF_ALL, 0.0)])  # fmt: skip
 
 
 def read(content: dict[str, Any]) -> Judge:

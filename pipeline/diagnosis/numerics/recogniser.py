@@ -15,7 +15,8 @@ from ...ground.kinematics import Array
 
 OUTSIDE = "outside"  # the class of effects that no mechanism of the library has
 DOUBT = 0.01  # of the probability: nothing is less like a signature than that
-UNSEEN = {"alike": 0.0, "alike_least": 0.0, "alike_else": 0.0, "alike_outside": 0.0}  # signs where nothing recognises
+OF_EXPLANATION = ("alike", "alike_least", "alike_else")  # signs of one explanation
+OF_ALL = "alike_outside"  # the sign that all explanations of a recording share
 
 
 @dataclass(frozen=True)
@@ -41,19 +42,19 @@ class Recogniser:
 def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
     """What a signature says of an explanation, as logarithms of shares.
 
-    `alike`: its mechanisms on the mean; `alike_least`: the least of them; `alike_else`: the likeliest that it does not
-    name; `alike_outside`: none of the library.
+    `alike`: its mechanisms together; `alike_least`: the least of them; `alike_else`: the likeliest that it does not name;
+    `alike_outside`: none of the library.
     """
     if not likeness_by_class:
-        return dict(UNSEEN)
+        return dict.fromkeys((*OF_EXPLANATION, OF_ALL), 0.0)
     classes = {OUTSIDE if id_.startswith("x_") else id_ for id_ in ids}
     named = [float(np.log(likeness_by_class.get(name, 0.0) + DOUBT)) for name in sorted(classes)]
     others = [share for name, share in likeness_by_class.items() if name not in classes and name != OUTSIDE]
     return {
-        "alike": float(np.mean(named)),
+        "alike": sum(named),
         "alike_least": min(named),
         "alike_else": float(np.log(max(others, default=0.0) + DOUBT)),
-        "alike_outside": float(np.log(likeness_by_class.get(OUTSIDE, 0.0) + DOUBT)),
+        OF_ALL: float(np.log(likeness_by_class.get(OUTSIDE, 0.0) + DOUBT)),
     }
 
 
@@ -66,7 +67,8 @@ def read(content: dict[str, Any]) -> Recogniser:
 def content(recogniser: Recogniser) -> dict[str, object]:
     """A recogniser as the content of a judge's file."""
     layers = {name: getattr(recogniser, name) for name in ("centre", "spread", "hidden", "output")}
-    rounded = {name: [[float(f"{value:.4g}") for value in np.atleast_1d(row)] for row in np.atleast_2d(layer)]
-               for name, layer in layers.items()}  # fmt: skip
-    flat = {name: rows[0] if name in ("centre", "spread") else rows for name, rows in rounded.items()}
-    return {"numbers": recogniser.numbers, "classes": recogniser.classes, **flat}
+    rounded = {
+        name: np.array([float(f"{value:.4g}") for value in layer.flat]).reshape(layer.shape).tolist()
+        for name, layer in layers.items()
+    }
+    return {"numbers": recogniser.numbers, "classes": recogniser.classes, **rounded}

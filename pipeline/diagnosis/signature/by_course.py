@@ -58,8 +58,9 @@ def rests(mismatch: Mismatch) -> dict[str, float]:
     for begin, end in zip(np.flatnonzero(resting == 1), np.flatnonzero(resting == -1), strict=True):
         if end - begin < LEAST_REST or np.std(mismatch.heavier[begin:end]) > STEADY:
             continue
-        part, value = max(2, (end - begin) // END), mismatch.smooth[begin:end]
-        moved[bool(np.mean(mismatch.place[begin:end]) > 0.5)].append(float(value[-part:].mean() - value[:part].mean()))
+        part, value = max(2, int(end - begin) // END), mismatch.smooth[begin:end]
+        above = bool(np.mean(mismatch.place[begin:end]) > 0.5)
+        moved[above].append(float(np.mean(value[len(value) - part :]) - np.mean(value[:part])))
     return {
         f"rest_{name}": float(np.median(moved[above])) if moved[above] else 0.0
         for name, above in (("top", True), ("bottom", False))

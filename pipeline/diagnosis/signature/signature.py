@@ -16,7 +16,10 @@ MOST = 12.0  # no number of a signature counts as more
 def signature(of: Mismatch) -> dict[str, float]:
     """All numbers of a mismatch by name, each a share or in units of the mismatch's own size."""
     values = {name: value for part in PARTS for name, value in part(of).items()}
-    return {name: float(np.clip(np.nan_to_num(value, posinf=0.0, neginf=0.0), -MOST, MOST)) for name, value in values.items()}
+    return {
+        name: float(np.clip(np.nan_to_num(value, posinf=0.0, neginf=0.0), -MOST, MOST))
+        for name, value in values.items()
+    }
 
 
 def signature_of(problem: Problem, base: State) -> dict[str, float]:

@@ -2,20 +2,26 @@
 
 import argparse
 import json
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
+from ...diagnosis.numerics import judge as judge_file
+from ...diagnosis.numerics.judge import judge
 from ...ground.errors import BadInput, program
 from ...ground.files import write_text
 from ...ground.progress import steps
 from ...rig.authors import names
 from . import across, fit
-from .lesson import Lesson, curriculum, learnt, read, written
+from .lesson import Lesson, curriculum, learnt, read, sighted, written
 
 AT_ONCE = 8  # lessons between two savings
+JUDGES = Path(__file__).parent / "judges"
+LIBRARY = Path(judge_file.__file__).parent / "judge.json"
+SIGHTED = 500_000  # the seed of the first sighting, beyond that of the first lesson
 
 
-def taken(path: Path, wanted: list[Lesson], jobs: int) -> list[Lesson]:
+def taken(path: Path, wanted: list[Lesson], jobs: int, make: Callable[[Lesson], Lesson]) -> list[Lesson]:
     """All lessons that are wanted: those that a file has are kept, the others are made and added to it."""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     lessons = [read(line) for line in lines]
@@ -24,14 +30,15 @@ def taken(path: Path, wanted: list[Lesson], jobs: int) -> list[Lesson]:
     groups = [missing[at : at + AT_ONCE] for at in range(0, len(missing), AT_ONCE)]
     with ProcessPoolExecutor(jobs) as pool:
         for group in steps(groups, f"{AT_ONCE} lessons"):
-            lessons += pool.map(learnt, group)
+            lessons += pool.map(make, group)
             write_text(path, "".join(f"{written(lesson)}\n" for lesson in lessons))
     return lessons
 
 
-def save(path: Path, lessons: list[Lesson]) -> None:
-    """Write the judge that some lessons make."""
-    write_text(path, json.dumps(fit.content(fit.fitted(lessons)), separators=(",", ":")) + "\n")
+def save(path: Path, lessons: list[Lesson], before: Path | None) -> None:
+    """Write the judge that some lessons make, which goes on from the one in a file, if there is one."""
+    made = fit.fitted(lessons, judge(before) if before else None)
+    write_text(path, json.dumps(fit.content(made), separators=(",", ":")) + "\n")
 
 
 @program
@@ -41,6 +48,12 @@ def main() -> None:
     parser.add_argument("--lessons", type=Path, required=True, metavar="FILE", help="where lessons are kept (.jsonl)")
     parser.add_argument("--rounds", type=int, default=3, help="of all effects of all authors")
     parser.add_argument("--seed", type=int, default=50_000, help="of the first case")
+    parser.add_argument(
+        "--sightings", type=int, default=0, metavar="ROUNDS", help="of which the signature is taken alone"
+    )
+    parser.add_argument(
+        "--onwards", action="store_true", help="hold the weights near those of the judges that are there"
+    )
     parser.add_argument("--jobs", type=int, default=1, help="lessons at a time")
     parser.add_argument(
         "--out", type=Path, required=True, metavar="FILE", help="the file of the judge (.json); required"
@@ -48,14 +61,20 @@ def main() -> None:
     parser.add_argument("--apart", type=Path, metavar="DIR", help="where the judges without one author go")
     arguments = parser.parse_args()
     wanted = curriculum(list(names()), arguments.rounds, arguments.seed)
-    lessons = [lesson for lesson in taken(arguments.lessons, wanted, arguments.jobs) if lesson.ids]
-    if len({lesson.author for lesson in lessons}) < 2:
-        problem = f"{len(lessons)} lessons with explanations are not by two authors"
+    lessons = taken(arguments.lessons, wanted, arguments.jobs, learnt)
+    if arguments.sightings:
+        more = curriculum(list(names()), arguments.sightings, arguments.seed + SIGHTED)
+        lessons = taken(arguments.lessons, more, arguments.jobs, sighted)
+    if len({lesson.author for lesson in lessons if lesson.ids}) < 2:
+        count = sum(bool(lesson.ids) for lesson in lessons)
+        problem = f"{count} lessons with explanations are not by two authors"
         raise BadInput(arguments.lessons, "--rounds", problem, "ask for at least one round")
-    save(arguments.out, lessons)
+    before = {author: JUDGES / f"without_{author}.json" for author in names()} if arguments.onwards else {}
+    save(arguments.out, lessons, LIBRARY if arguments.onwards else None)
     for author in names() if arguments.apart else []:
-        save(arguments.apart / f"without_{author}.json", [lesson for lesson in lessons if lesson.author != author])
-    print(across.table(across.left_out(lessons)))
+        others = [lesson for lesson in lessons if lesson.author != author]
+        save(arguments.apart / f"without_{author}.json", others, before.get(author))
+    print(across.table(across.left_out(lessons, {author: judge(path) for author, path in before.items()})))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 """How a judge does on an author whose laws it was not taught."""
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -46,11 +48,14 @@ def judged(judge: Judge, lesson: Lesson) -> Judged:
     return Judged(lesson, tuple(weighed[place].ids for place in places), tuple(places))
 
 
-def left_out(lessons: list[Lesson]) -> list[Judged]:
-    """Every lesson, judged by one who was taught by the other authors alone."""
+def left_out(lessons: list[Lesson], before: Mapping[str, Judge] = MappingProxyType({})) -> list[Judged]:
+    """Every lesson with explanations, judged by one who was taught by the other authors alone.
+
+    `before` has for an author the judge that the one for it goes on from.
+    """
     judgements = []
     for author in sorted({lesson.author for lesson in lessons}):
-        judge = fitted([lesson for lesson in lessons if lesson.author != author])
+        judge = fitted([lesson for lesson in lessons if lesson.author != author], before.get(author))
         judgements += [judged(judge, lesson) for lesson in lessons if lesson.author == author and lesson.ids]
     return judgements
 

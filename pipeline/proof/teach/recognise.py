@@ -17,9 +17,11 @@ def classes(lesson: Lesson) -> list[str]:
     return [OUTSIDE if name.startswith("x_") else name for name in lesson.effects]
 
 
-def taught(lessons: list[Lesson]) -> Recogniser:
+def taught(lessons: list[Lesson]) -> Recogniser | None:
     """The recogniser of the signatures of some lessons; where two effects were hidden, each is right by half."""
     seen = [lesson for lesson in lessons if lesson.signature]
+    if len({name for lesson in seen for name in classes(lesson)}) < 2:
+        return None
     numbers = sorted(seen[0].signature)
     rows = [[lesson.signature[name] for name in numbers] for lesson in seen for _ in classes(lesson)]
     table, right = np.array(rows), np.array([name for lesson in seen for name in classes(lesson)])

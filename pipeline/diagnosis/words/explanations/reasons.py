@@ -14,6 +14,10 @@ SAID = {
     ),
     "more": ("a further effect would add less to it", "a further effect would add more to it"),
     "cancels": ("its effects work against each other less", "its effects work against each other more"),
+    "signature": (
+        "what is left without effects looks less like what its effects leave",
+        "what is left without effects looks more like what its effects leave",
+    ),
     "size": ("it has fewer effects", "it has more effects"),
 }
 MARK = ("it leaves out {}", "it has {}")
@@ -23,6 +27,7 @@ OF_ITS_SIZE = (
 )
 SPEAKS_FOR = {  # whether an aspect's sign is larger, where a reader would take it for a merit
     "fit": True, "numbers": False, "weakest": True, "instead": False, "more": False, "cancels": False,
+    "signature": True,
 }  # fmt: skip
 TAUGHT = "though {}: such explanations were right less often in the simulated recordings that taught the judge"
 NOT_OF_THIS = ("names",)  # aspects that say nothing of this recording: told where nothing else is
