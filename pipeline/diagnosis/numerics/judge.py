@@ -1,8 +1,8 @@
 """How likely each explanation is: a conditional logit on its signs and names, learnt on other people's laws.
 
 The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, a share of what
-the signature says, and small deviations of all these for singles, pairs and triples. The scores of all explanations and of "none of them" share one
-softmax. `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
+the signature says, and small deviations of all these for singles, pairs and triples. The scores of all explanations and
+of "none of them" share one softmax. `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
 
 Source: McFadden, "Conditional logit analysis of qualitative choice behavior", in Zarembka, Frontiers in Econometrics,
 1974.

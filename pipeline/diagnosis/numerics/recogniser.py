@@ -42,8 +42,8 @@ class Recogniser:
 def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
     """What a signature says of an explanation, as logarithms of shares.
 
-    `alike`: its mechanisms together; `alike_least`: the least of them; `alike_else`: the likeliest that it does not name;
-    `alike_outside`: none of the library.
+    `alike`: its mechanisms together; `alike_least`: the least of them; `alike_else`: the likeliest that it does not
+    name; `alike_outside`: none of the library.
     """
     if not likeness_by_class:
         return dict.fromkeys((*OF_EXPLANATION, OF_ALL), 0.0)
