@@ -11,11 +11,11 @@ import pytest
 from pandas.testing import assert_frame_equal
 
 from pipeline.diagnosis.choice.judged import held
-from pipeline.diagnosis.numerics.judge import judge
+from pipeline.diagnosis.numerics.judge import Judge, judge
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.ground.errors import BadInput
 from pipeline.proof import verdicts
-from pipeline.proof.teach import across, fit
+from pipeline.proof.teach import across, fit, recognise
 from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, recorded, written
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.__main__ import write
@@ -47,7 +47,7 @@ def made_lessons(count: int, seed: int = 0) -> list[Lesson]:
 def test_a_judge_learns_which_explanation_is_right_and_when_none_is() -> None:
     taught = fit.fitted(made_lessons(200))
     for lesson in made_lessons(40, seed=1):
-        *named, none = taught.probabilities(fit.explanations(lesson)).tolist()
+        *named, none = taught.probabilities(fit.explanations(lesson, taught.recogniser)).tolist()
         assert sum(named) + none == pytest.approx(1.0)
         best = int(np.argmax(named))
         assert lesson.right[best] and none < 0.5 if any(lesson.right) else none > 0.5
@@ -60,10 +60,64 @@ def test_where_nothing_of_the_library_is_right_a_set_without_its_physics_is() ->
     assert replace(lesson, right=(True, False, False)).answers == (True, False, False)
 
 
+def signed(count: int, seed: int = 0) -> list[Lesson]:
+    """Lessons whose explanations all leave as much: only the signature says which effect was hidden."""
+    rng, lessons = np.random.default_rng(seed), []
+    for number in range(count):
+        name = ("creep", "jam", "x_odd")[number % 3]
+        ids, alike = (("creep",), ("jam",)), {"left_share": -3.0, "mismatch_floors": 1.0}
+        signature = {effect: float(rng.normal(3.0 * (effect == name), 1.0)) for effect in ("creep", "jam", "x_odd")}
+        right = tuple(only == name for (only,) in ids)
+        author = ("one", "two")[(number // 3) % 2]
+        lessons.append(Lesson(author, number, (name,), (1.0,), "rich", ids, (alike, alike), right, signature))
+    return lessons
+
+
+def test_where_all_explanations_leave_as_much_the_signature_tells_which_is_right() -> None:
+    taught = fit.fitted(signed(240))
+    likeliest = []
+    for lesson in signed(60, seed=1):
+        *named, none = taught.probabilities(fit.explanations(lesson, taught.recogniser)).tolist()
+        likeliest.append(lesson.right[int(np.argmax(named))] and none < 0.5 if any(lesson.right) else none > 0.5)
+    assert np.mean(likeliest) > 0.85
+    deaf = fit.fitted([replace(lesson, signature={}) for lesson in signed(240)])
+    assert deaf.recogniser is None and not deaf.straight
+
+
+def test_the_judge_meets_each_signature_by_a_recogniser_whom_its_author_did_not_teach(monkeypatch) -> None:
+    asked: list[set[str]] = []
+    whole = fit.taught
+    monkeypatch.setattr(fit, "taught", lambda some: asked.append({each.author for each in some}) or whole(some))
+    fit.fitted(signed(60))
+    assert asked == [{"two"}, {"one"}, {"one", "two"}]
+
+
+def test_a_judge_that_goes_on_from_one_before_says_the_same_until_it_is_taught(monkeypatch) -> None:
+    lessons = signed(60)
+    before = fit.fitted([replace(lesson, signature={}) for lesson in lessons])
+    recogniser = recognise.taught(lessons)
+    onwards = fit.onwards(before, recogniser)
+    assert onwards.straight and not before.straight
+    for lesson in lessons:
+        explanations = fit.explanations(lesson, recogniser)
+        assert onwards.probabilities(explanations) == pytest.approx(before.probabilities(explanations))
+    near, far = (gone(before, monkeypatch, held) for held in (1e6, 1e-2))
+    assert near < 1e-3 < far
+
+
+def gone(before: Judge, monkeypatch, held: float) -> float:
+    """How far the weights of a judge go from those of the one before, held so firmly."""
+    monkeypatch.setattr(fit, "STAYS", held)
+    taught = fit.fitted(signed(60), before)
+    return float(np.abs(taught.weights - fit.onwards(before, taught.recogniser).weights).max())
+
+
 def test_it_is_scored_on_authors_whom_it_does_not_know(monkeypatch) -> None:
     asked: list[set[str]] = []
     whole = fit.fitted
-    monkeypatch.setattr(across, "fitted", lambda some: asked.append({one.author for one in some}) or whole(some))
+    monkeypatch.setattr(
+        across, "fitted", lambda some, before: asked.append({one.author for one in some}) or whole(some, before)
+    )
     found = across.left_out(made_lessons(120))
     assert asked == [{"two"}, {"one"}] and len(found) == 120
     singles = [one for one in found if one.stratum == "single"]
@@ -88,7 +142,8 @@ def test_the_curriculum_has_every_effect_of_every_author_and_repeats() -> None:
 def test_a_lesson_has_the_signs_that_the_judge_weighs_and_comes_back_from_its_line() -> None:
     lesson = learnt(Lesson("lattice", 4, ("axial_elasticity",), (6.0,), "rich"))
     assert any(lesson.right) and lesson.ids[lesson.right.index(True)] == ("axial_elasticity",)
-    assert set(judge().knots) <= set(lesson.signs[0])
+    assert {*judge().knots, *judge().straight} <= set(lesson.signs[0])
+    assert judge().recogniser and set(judge().recogniser.numbers) == set(lesson.signature)
     assert all(np.isfinite(value) for signs in lesson.signs for value in signs.values())
     assert read(written(lesson)) == lesson
     assert not learnt(replace(lesson, seed=5, effects=(), kappas=(), ids=(), signs=(), right=())).ids

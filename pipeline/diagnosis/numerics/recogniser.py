@@ -7,7 +7,7 @@ Source: Bishop, Neural Networks for Pattern Recognition, 1995 (chapters 4 and 6:
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -17,6 +17,17 @@ OUTSIDE = "outside"  # the class of effects that no mechanism of the library has
 DOUBT = 0.01  # of the probability: nothing is less like a signature than that
 OF_EXPLANATION = ("alike", "alike_least", "alike_else")  # signs of one explanation
 OF_ALL = "alike_outside"  # the sign that all explanations of a recording share
+
+
+class Content(TypedDict):
+    """A recogniser as a judge's file holds it: the fields of `Recogniser`, arrays as lists."""
+
+    numbers: list[str]
+    classes: list[str]
+    centre: list[float]
+    spread: list[float]
+    hidden: list[list[float]]
+    output: list[list[float]]
 
 
 @dataclass(frozen=True)
@@ -58,17 +69,20 @@ def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str
     }
 
 
-def read(content: dict[str, Any]) -> Recogniser:
+def read(content: Content) -> Recogniser:
     """A recogniser from the content of a judge's file; raises KeyError, TypeError or ValueError where it is none."""
-    layers = {name: np.array(content[name], float) for name in ("centre", "spread", "hidden", "output")}
-    return Recogniser(content["numbers"], content["classes"], **layers)
+    centre, spread = np.array(content["centre"], float), np.array(content["spread"], float)
+    hidden, output = np.array(content["hidden"], float), np.array(content["output"], float)
+    return Recogniser(content["numbers"], content["classes"], centre, spread, hidden, output)
 
 
-def content(recogniser: Recogniser) -> dict[str, object]:
-    """A recogniser as the content of a judge's file."""
-    layers = {name: getattr(recogniser, name) for name in ("centre", "spread", "hidden", "output")}
-    rounded = {
-        name: np.array([float(f"{value:.4g}") for value in layer.flat]).reshape(layer.shape).tolist()
-        for name, layer in layers.items()
-    }
-    return {"numbers": recogniser.numbers, "classes": recogniser.classes, **rounded}
+def written(recogniser: Recogniser) -> Content:
+    """A recogniser as the content of a judge's file, its numbers with four digits."""
+    centre, spread, hidden, output = (
+        np.array([float(f"{value:.4g}") for value in layer.flat]).reshape(layer.shape).tolist()
+        for layer in (recogniser.centre, recogniser.spread, recogniser.hidden, recogniser.output)
+    )
+    return Content(
+        numbers=recogniser.numbers, classes=recogniser.classes,
+        centre=centre, spread=spread, hidden=hidden, output=output,
+    )  # fmt: skip

@@ -7,8 +7,8 @@ from scipy.optimize import minimize
 
 from ...diagnosis.numerics.judge import SIZES, Judge, Weighed, none_of
 from ...diagnosis.numerics.recogniser import Recogniser
-from ...diagnosis.numerics.recogniser import content as recogniser_content
 from ...diagnosis.numerics.recogniser import signs as signature_signs
+from ...diagnosis.numerics.recogniser import written as recogniser_written
 from ...ground.kinematics import Array
 from .lesson import Lesson
 from .recognise import taught
@@ -107,5 +107,5 @@ def content(judge: Judge) -> dict[str, object]:
         "names": judge.names,
         "weights": [float(f"{value:.4g}") for value in judge.weights],
         "of_none": [float(f"{value:.4g}") for value in judge.of_none],
-        **({"recogniser": recogniser_content(judge.recogniser)} if judge.recogniser else {}),
+        **({"recogniser": recogniser_written(judge.recogniser)} if judge.recogniser else {}),
     }

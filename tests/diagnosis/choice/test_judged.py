@@ -21,7 +21,9 @@ def test_stick_slip_is_weighed_only_where_its_jerks_are_seen(monkeypatch, jerks,
     monkeypatch.setattr(weigh, "candidates", lambda search: [explanation("stick_slip"), explanation("creep")])
     monkeypatch.setattr(weigh, "marked", lambda problem, base: {"stick_slip": jerks})
     monkeypatch.setattr(weigh, "signs", lambda search, one, some, floor: {})
-    search = SimpleNamespace(linear=SimpleNamespace(problem=SimpleNamespace(library=mechanisms())))
+    search = SimpleNamespace(
+        linear=SimpleNamespace(problem=SimpleNamespace(library=mechanisms(), judge=SimpleNamespace(recogniser=None)))
+    )
     assert [one.ids[0] for one in weigh.weighed(search, None, 0.01)] == weighed
 
 
