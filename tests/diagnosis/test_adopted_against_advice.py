@@ -32,7 +32,7 @@ def visit(tmp_path_factory):
     def make():
         raw, first, again = (shared / "advised" / name for name in ("raw", "first", "again"))
         folder = raw / "synthetic-01"
-        assert programs.run("pipeline.rig.record", "small", folder, "--seed", 1).returncode == 0
+        assert programs.run("pipeline.rig.record", "small", folder, "--seed", 6).returncode == 0
         assert programs.run("pipeline.diagnose", folder, "--out", first).returncode == 0
         source = first / folder.name / "diagnosis.json"
         refused = programs.run("pipeline.adopt", source, folder)
