@@ -12,10 +12,11 @@ from pandas.testing import assert_frame_equal
 
 from pipeline.diagnosis.choice.judged import held
 from pipeline.diagnosis.numerics.judge import Judge, judge
+from pipeline.diagnosis.numerics.recogniser import OF_EXPLANATION
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.ground.errors import BadInput
 from pipeline.proof import verdicts
-from pipeline.proof.teach import across, fit, recognise
+from pipeline.proof.teach import across, fit
 from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, recorded, written
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.__main__ import write
@@ -47,7 +48,7 @@ def made_lessons(count: int, seed: int = 0) -> list[Lesson]:
 def test_a_judge_learns_which_explanation_is_right_and_when_none_is() -> None:
     taught = fit.fitted(made_lessons(200))
     for lesson in made_lessons(40, seed=1):
-        *named, none = taught.probabilities(fit.explanations(lesson, taught.recogniser)).tolist()
+        *named, none = taught.probabilities(fit.explanations(lesson)).tolist()
         assert sum(named) + none == pytest.approx(1.0)
         best = int(np.argmax(named))
         assert lesson.right[best] and none < 0.5 if any(lesson.right) else none > 0.5
@@ -74,52 +75,33 @@ def signed(count: int, seed: int = 0) -> list[Lesson]:
 
 
 def test_where_all_explanations_leave_as_much_the_signature_tells_which_is_right() -> None:
-    taught = fit.fitted(signed(240))
-    likeliest = []
-    for lesson in signed(60, seed=1):
-        *named, none = taught.probabilities(fit.explanations(lesson, taught.recogniser)).tolist()
-        likeliest.append(lesson.right[int(np.argmax(named))] and none < 0.5 if any(lesson.right) else none > 0.5)
-    assert np.mean(likeliest) > 0.85
-    deaf = fit.fitted([replace(lesson, signature={}) for lesson in signed(240)])
-    assert deaf.recogniser is None and not deaf.straight
+    deaf = fit.fitted(signed(240))
+    listening = fit.listening(deaf, signed(240))
+    assert deaf.recogniser is None and np.array_equal(listening.weights, deaf.weights)
+    for judge_of, least, most in ((deaf, 0.0, 0.6), (listening, 0.85, 1.0)):
+        likeliest = []
+        for lesson in signed(60, seed=1):
+            best = int(np.argmax(judge_of.probabilities(fit.explanations(lesson, judge_of.recogniser))))
+            likeliest.append([*lesson.right, not any(lesson.right)][best])
+        assert least <= np.mean(likeliest) <= most
 
 
 def test_the_judge_meets_each_signature_by_a_recogniser_whom_its_author_did_not_teach(monkeypatch) -> None:
     asked: list[set[str]] = []
     whole = fit.taught
     monkeypatch.setattr(fit, "taught", lambda some: asked.append({each.author for each in some}) or whole(some))
-    fit.fitted(signed(60))
+    fit.listening(fit.fitted(signed(60)), signed(60))
     assert asked == [{"two"}, {"one"}, {"one", "two"}]
 
 
-def test_a_judge_that_goes_on_from_one_before_says_the_same_until_it_is_taught(monkeypatch) -> None:
-    lessons = signed(60)
-    before = fit.fitted([replace(lesson, signature={}) for lesson in lessons])
-    recogniser = recognise.taught(lessons)
-    onwards = fit.onwards(before, recogniser)
-    assert onwards.straight and not before.straight
-    for lesson in lessons:
-        explanations = fit.explanations(lesson, recogniser)
-        assert onwards.probabilities(explanations) == pytest.approx(before.probabilities(explanations))
-    near, far = (gone(before, monkeypatch, held) for held in (1e6, 1e-2))
-    assert near < 1e-3 < far
-
-
-def gone(before: Judge, monkeypatch, held: float) -> float:
-    """How far the weights of a judge go from those of the one before, held so firmly."""
-    monkeypatch.setattr(fit, "STAYS", held)
-    taught = fit.fitted(signed(60), before)
-    return float(np.abs(taught.weights - fit.onwards(before, taught.recogniser).weights).max())
-
-
 def test_it_is_scored_on_authors_whom_it_does_not_know(monkeypatch) -> None:
-    asked: list[set[str]] = []
-    whole = fit.fitted
-    monkeypatch.setattr(
-        across, "fitted", lambda some, before: asked.append({one.author for one in some}) or whole(some, before)
-    )
-    found = across.left_out(made_lessons(120))
-    assert asked == [{"two"}, {"one"}] and len(found) == 120
+    lessons = made_lessons(120)
+    taught = {name: fit.fitted([each for each in lessons if each.author != name]) for name in ("one", "two")}
+    asked: list[Judge] = []
+    whole = across.judged
+    monkeypatch.setattr(across, "judged", lambda judge, lesson: asked.append(judge) or whole(judge, lesson))
+    found = across.left_out([*lessons, replace(lessons[0], ids=())], taught)
+    assert [taught[each.lesson.author] for each in found] == asked and len(found) == 120
     singles = [one for one in found if one.stratum == "single"]
     assert sum(one.outcome == "exact" for one in singles) > 0.8 * len(singles)
     assert sum(one.outcome == "unknown" for one in found if one.stratum == "open") == 30
@@ -142,7 +124,7 @@ def test_the_curriculum_has_every_effect_of_every_author_and_repeats() -> None:
 def test_a_lesson_has_the_signs_that_the_judge_weighs_and_comes_back_from_its_line() -> None:
     lesson = learnt(Lesson("lattice", 4, ("axial_elasticity",), (6.0,), "rich"))
     assert any(lesson.right) and lesson.ids[lesson.right.index(True)] == ("axial_elasticity",)
-    assert {*judge().knots, *judge().straight} <= set(lesson.signs[0])
+    assert {*judge().knots, *OF_EXPLANATION} <= set(lesson.signs[0])
     assert judge().recogniser and set(judge().recogniser.numbers) == set(lesson.signature)
     assert all(np.isfinite(value) for signs in lesson.signs for value in signs.values())
     assert read(written(lesson)) == lesson

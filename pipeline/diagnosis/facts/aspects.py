@@ -15,7 +15,7 @@ SIGNS = {
     "instead": ("instead",),
     "more": ("more_share", "more_floors", "more_gain", "more_completes"),
     "cancels": ("cancels",),
-    "signature": ("alike", "alike_least", "alike_else"),
+    "signature": ("alike", "alike_else"),
 }  # of each aspect; the first tells which way it points  # fmt: skip
 MARKS = ("with_", "without_")  # of a mechanism, whose id follows
 

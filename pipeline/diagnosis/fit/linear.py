@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
-from ..mechanisms.interface import Mechanism, Nonlinear
+from ..mechanisms.interface import Nonlinear
 from ..mechanisms.library import mechanisms
 from ..numerics.bounded import boxed, fitted, scan
 from ..numerics.columns import Columns
@@ -33,11 +33,6 @@ class Fit:
     misfit: float  # whitened, prior included
     energy: float  # squared residual, not whitened, per sample
     active: int
-
-
-def operates(problem: Problem, mechanism: Mechanism, options: list[Nonlinear]) -> bool:
-    """Whether a mechanism acts on the reading itself: what else acts changes what it does."""
-    return any(callable(term.signal) for nonlinear in options[:1] for term in problem.terms(mechanism, nonlinear))
 
 
 class Linear(Products):
@@ -74,7 +69,7 @@ class Linear(Products):
         self.index: dict[Key, np.ndarray] = {}
         for id_, options in catalogue.items():
             beside = [(nonlinear, tangent) for nonlinear in options]
-            if bare is not tangent and operates(problem, mechanisms()[id_], options):
+            if bare is not tangent and mechanisms()[id_].clips:
                 beside += [(nonlinear, bare) for nonlinear in options]
                 self.catalogue[id_] = [*options, *options]
             for number, (nonlinear, reading_at) in enumerate(beside):

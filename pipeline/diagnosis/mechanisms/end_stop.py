@@ -66,6 +66,7 @@ MECHANISM = Mechanism(
     meaning="the motion is cut off at an end.",
     sentence="The motion is clipped at a stop, which takes up to {span} away ({size}).",
     details=("the stop is {stop_mm} from where the recording begins",),
+    clips=True,
     candidates=candidates,
     terms=terms,
     mark=mark,

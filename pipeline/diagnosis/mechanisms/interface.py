@@ -82,6 +82,7 @@ class Mechanism:
     variants: dict[str, str] = field(default_factory=dict)  # other equations, by the nonlinear parameter of their kind
     plain_equation: str = ""  # where nothing is twisted, if `equation` is one of a string
     twisted: bool = False  # of a string alone: where nothing is wound it is no candidate, and worth no word
+    clips: bool = False  # cuts the reading: what it does depends on how far the reading would go without it
     helper: bool = False  # fits without saying what it is: an explanation that is mostly this explains nothing
     names: dict[str, str] = field(default_factory=dict)
     derived: dict[str, Callable[[Nonlinear], float]] = field(default_factory=dict)  # of all parameters, by their names

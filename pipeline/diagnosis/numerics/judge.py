@@ -1,15 +1,16 @@
 """How likely each explanation is: a conditional logit on its signs and names, learnt on other people's laws.
 
-The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, a share of what
-the signature says, and small deviations of all these for singles, pairs and triples. The scores of all explanations and
-of "none of them" share one softmax. `judge.json` holds the weights; `python -m pipeline.proof.teach` makes it.
+The score of an explanation is a sum: a piecewise linear function of each sign, a number for each name, and small
+deviations of both for singles, pairs and triples. To those of singles and of "none of them" a share is added of what
+the signature of the mismatch looks like. All scores share one softmax. `judge.json` holds the weights;
+`python -m pipeline.proof.teach` makes it.
 
 Source: McFadden, "Conditional logit analysis of qualitative choice behavior", in Zarembka, Frontiers in Econometrics,
 1974.
 """
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -26,7 +27,7 @@ from .recogniser import read as recogniser_of
 HERE = Path(__file__).parent
 SIZES = (1, 2, 3)  # mechanisms in an explanation
 BY_SIZE, BY_NAME = 2.0, 1.5  # how freely the number of mechanisms and each name may weigh, beside a ramp's 1
-BY_SIGNATURE = 3.0  # the same of what a signature says: it is a logarithm of odds already, and weighs in proportion
+OF_SIGNATURE = (*OF_EXPLANATION, "size", OF_ALL, "none")  # what is weighed of it: of singles, and of "none of them"
 APART = 0.3  # how freely singles, pairs and triples may be weighed otherwise than all of them
 
 
@@ -46,12 +47,8 @@ class Judge:
     names: list[str]
     weights: Array  # (weights,), without a unit: what each column of `basis` counts
     of_none: Array  # (weights of none,), without a unit: what each of `none_of` counts
-    recogniser: Recogniser | None = None  # what says which mechanisms a signature looks like
-
-    @property
-    def straight(self) -> tuple[str, ...]:
-        """Signs that weigh in proportion too: those of the signature, where there is a recogniser."""
-        return OF_EXPLANATION if self.recogniser else ()
+    recogniser: Recogniser | None = None  # what says which effect a signature looks like
+    of_signature: Array = field(default_factory=lambda: np.zeros(len(OF_SIGNATURE)))  # (5,), without a unit
 
     def basis(self, weighed: list[Weighed]) -> Array:
         """What the weights multiply, shape (explanations, weights). Each without a unit."""
@@ -63,12 +60,9 @@ class Judge:
             for name, knots in self.knots.items()
             for low, high in pairwise(knots)
         ]
-        alike = [
-            BY_SIGNATURE * np.array([candidate.signs.get(name, 0.0) for candidate in weighed]) for name in self.straight
-        ]
         named = [BY_NAME * np.array([float(name in candidate.ids) for candidate in weighed]) for name in self.names]
         sizes = np.array([len(candidate.ids) for candidate in weighed])
-        every = np.column_stack([BY_SIZE * np.ones(len(weighed)), *ramps, *alike, *named])
+        every = np.column_stack([BY_SIZE * np.ones(len(weighed)), *ramps, *named])
         apart = np.hstack([every * (sizes == size)[:, None] for size in SIZES])
         return np.hstack([every, APART * apart])
 
@@ -89,33 +83,51 @@ class Judge:
         at = 1
         for name, knots in self.knots.items():
             lead_by_sign[name], at = float(parts[at : at + len(knots) - 1].sum()), at + len(knots) - 1
-        for name in self.straight:
-            lead_by_sign[name], at = lead_by_sign.get(name, 0.0) + float(parts[at]), at + 1
+        of_each = (signature_of([candidate, other])[:2] * self.of_signature).tolist()
+        for name, first_part, second_part in zip(OF_SIGNATURE, *of_each, strict=True):
+            if name in (*OF_EXPLANATION, "size"):
+                lead_by_sign[name] = lead_by_sign.get(name, 0.0) + first_part - second_part
         return lead_by_sign | {"names": float(parts[at:].sum())}
 
     def probabilities(self, weighed: list[Weighed]) -> Array:
         """Of each explanation, and, last, of none of them. Shape (explanations + 1,), shares of 1."""
         scores = np.append(self.basis(weighed) @ self.weights, none_of(weighed) @ self.of_none)
+        scores = scores + signature_of(weighed) @ self.of_signature
         odds = np.exp(scores - scores.max())
         return np.asarray(odds / odds.sum())
 
 
 def none_of(weighed: list[Weighed]) -> Array:
-    """What tells that none is one: what the best leaves, and the best single, how large the mismatch is, its signature.
+    """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is.
 
     Shape (weights,), each without a unit.
     """
     singles = [candidate for candidate in weighed if len(candidate.ids) == 1]
     best = min(candidate.signs["left_share"] for candidate in weighed)
     return np.array([1.0, best, max(best, -3.0), min(candidate.signs["left_share"] for candidate in singles or weighed),
-                     weighed[0].signs["mismatch_floors"], weighed[0].signs.get(OF_ALL, 0.0)])  # fmt: skip
+                     weighed[0].signs["mismatch_floors"]])  # fmt: skip
+
+
+def signature_of(weighed: list[Weighed]) -> Array:
+    """What the signature says of each explanation, and, last, of none of them.
+
+    Shape (explanations + 1, 5), each without a unit: logarithms of shares, and ones.
+    """
+    table = np.zeros((len(weighed) + 1, len(OF_SIGNATURE)))
+    for row, candidate in zip(table, weighed, strict=False):
+        if len(candidate.ids) == 1:
+            row[:3] = [*(candidate.signs.get(name, 0.0) for name in OF_EXPLANATION), 1.0]
+    table[-1, 3:] = weighed[0].signs.get(OF_ALL, 0.0), 1.0
+    return table
 
 
 def read(content: dict[str, Any]) -> Judge:
     """A judge from the content of its file."""
-    recogniser = recogniser_of(content["recogniser"]) if "recogniser" in content else None
-    weights, of_none = np.array(content["weights"]), np.array(content["of_none"])
-    return Judge(content["knots"], content["names"], weights, of_none, recogniser)
+    judge = Judge(content["knots"], content["names"], np.array(content["weights"]), np.array(content["of_none"]))
+    if "recogniser" not in content:
+        return judge
+    recogniser = recogniser_of(content["recogniser"])
+    return replace(judge, recogniser=recogniser, of_signature=np.array(content["of_signature"], float))
 
 
 @cache

@@ -15,7 +15,7 @@ from ...ground.kinematics import Array
 
 OUTSIDE = "outside"  # the class of effects that no mechanism of the library has
 DOUBT = 0.01  # of the probability: nothing is less like a signature than that
-OF_EXPLANATION = ("alike", "alike_least", "alike_else")  # signs of one explanation
+OF_EXPLANATION = ("alike", "alike_else")  # signs of one explanation
 OF_ALL = "alike_outside"  # the sign that all explanations of a recording share
 
 
@@ -51,22 +51,20 @@ class Recogniser:
 
 
 def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
-    """What a signature says of an explanation, as logarithms of shares.
+    """What a signature says of an explanation by one effect, as logarithms of shares; of larger ones it says nothing.
 
-    `alike`: its mechanisms together; `alike_least`: the least of them; `alike_else`: the likeliest that it does not
-    name; `alike_outside`: none of the library.
+    `alike`: that effect; `alike_else`: the likeliest other one; `alike_outside`: none of the library, of all
+    explanations alike.
     """
     if not likeness_by_class:
         return dict.fromkeys((*OF_EXPLANATION, OF_ALL), 0.0)
-    classes = {OUTSIDE if id_.startswith("x_") else id_ for id_ in ids}
-    named = [float(np.log(likeness_by_class.get(name, 0.0) + DOUBT)) for name in sorted(classes)]
-    others = [share for name, share in likeness_by_class.items() if name not in classes and name != OUTSIDE]
-    return {
-        "alike": sum(named),
-        "alike_least": min(named),
-        "alike_else": float(np.log(max(others, default=0.0) + DOUBT)),
-        OF_ALL: float(np.log(likeness_by_class.get(OUTSIDE, 0.0) + DOUBT)),
-    }
+    outside = {OF_ALL: float(np.log(likeness_by_class.get(OUTSIDE, 0.0) + DOUBT))}
+    if len(ids) != 1:
+        return dict.fromkeys(OF_EXPLANATION, 0.0) | outside
+    name = OUTSIDE if ids[0].startswith("x_") else ids[0]
+    others = [share for other, share in likeness_by_class.items() if other not in (name, OUTSIDE)]
+    named, other = likeness_by_class.get(name, 0.0), max(others, default=0.0)
+    return {"alike": float(np.log(named + DOUBT)), "alike_else": float(np.log(other + DOUBT))} | outside
 
 
 def read(content: Content) -> Recogniser:

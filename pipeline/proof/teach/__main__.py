@@ -7,7 +7,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from ...diagnosis.numerics import judge as judge_file
-from ...diagnosis.numerics.judge import judge
+from ...diagnosis.numerics.judge import Judge, judge
 from ...ground.errors import BadInput, program
 from ...ground.files import write_text
 from ...ground.progress import steps
@@ -35,10 +35,16 @@ def taken(path: Path, wanted: list[Lesson], jobs: int, make: Callable[[Lesson], 
     return lessons
 
 
-def save(path: Path, lessons: list[Lesson], before: Path | None) -> None:
-    """Write the judge that some lessons make, which goes on from the one in a file, if there is one."""
-    made = fit.fitted(lessons, judge(before) if before else None)
+def judge_of(lessons: list[Lesson], onwards: Path | None) -> Judge:
+    """The judge that some lessons make, or one of a file that learns of them what signatures look like alone."""
+    weighing = judge(onwards) if onwards else fit.fitted([lesson for lesson in lessons if lesson.ids])
+    return fit.listening(weighing, lessons)
+
+
+def save(path: Path, made: Judge) -> Judge:
+    """Write a judge; the same judge."""
     write_text(path, json.dumps(fit.content(made), separators=(",", ":")) + "\n")
+    return made
 
 
 @program
@@ -52,7 +58,9 @@ def main() -> None:
         "--sightings", type=int, default=0, metavar="ROUNDS", help="of which the signature is taken alone"
     )
     parser.add_argument(
-        "--onwards", action="store_true", help="hold the weights near those of the judges that are there"
+        "--onwards",
+        action="store_true",
+        help="teach the judges that are there signatures alone",
     )
     parser.add_argument("--jobs", type=int, default=1, help="lessons at a time")
     parser.add_argument(
@@ -69,12 +77,14 @@ def main() -> None:
         count = sum(bool(lesson.ids) for lesson in lessons)
         problem = f"{count} lessons with explanations are not by two authors"
         raise BadInput(arguments.lessons, "--rounds", problem, "ask for at least one round")
-    before = {author: JUDGES / f"without_{author}.json" for author in names()} if arguments.onwards else {}
-    save(arguments.out, lessons, LIBRARY if arguments.onwards else None)
-    for author in names() if arguments.apart else []:
+    save(arguments.out, judge_of(lessons, LIBRARY if arguments.onwards else None))
+    apart = {}
+    for author in names():
         others = [lesson for lesson in lessons if lesson.author != author]
-        save(arguments.apart / f"without_{author}.json", others, before.get(author))
-    print(across.table(across.left_out(lessons, {author: judge(path) for author, path in before.items()})))
+        apart[author] = judge_of(others, JUDGES / f"without_{author}.json" if arguments.onwards else None)
+        if arguments.apart:
+            save(arguments.apart / f"without_{author}.json", apart[author])
+    print(across.table(across.left_out(lessons, apart)))
 
 
 if __name__ == "__main__":

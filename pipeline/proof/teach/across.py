@@ -1,15 +1,13 @@
 """How a judge does on an author whose laws it was not taught."""
 
 from collections import Counter
-from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
 from ...diagnosis.choice.judged import UNKNOWN, held, helpers_share
 from ...diagnosis.numerics.judge import Judge
-from .fit import explanations, fitted
+from .fit import explanations
 from .lesson import Lesson
 
 STRATA = {1: "single", 2: "pair"}
@@ -48,14 +46,11 @@ def judged(judge: Judge, lesson: Lesson) -> Judged:
     return Judged(lesson, tuple(weighed[place].ids for place in places), tuple(places))
 
 
-def left_out(lessons: list[Lesson], before: Mapping[str, Judge] = MappingProxyType({})) -> list[Judged]:
-    """Every lesson with explanations, judged by one who was taught by the other authors alone.
-
-    `before` has for an author the judge that the one for it goes on from.
-    """
+def left_out(lessons: list[Lesson], judge_by_author: dict[str, Judge]) -> list[Judged]:
+    """Every lesson with explanations, judged by one who was taught by the other authors alone."""
     judgements = []
     for author in sorted({lesson.author for lesson in lessons}):
-        judge = fitted([lesson for lesson in lessons if lesson.author != author], before.get(author))
+        judge = judge_by_author[author]
         judgements += [judged(judge, lesson) for lesson in lessons if lesson.author == author and lesson.ids]
     return judgements
 

@@ -34,13 +34,12 @@ def test_a_file_keeps_what_a_recogniser_says() -> None:
     assert again.likenesses({"loop": 1.234}) == pytest.approx(made().likenesses({"loop": 1.234}), rel=1e-3)
 
 
-def test_signs_are_of_what_an_explanation_names_and_of_what_it_does_not() -> None:
+def test_signs_are_of_the_one_effect_that_an_explanation_names_and_of_the_likeliest_other() -> None:
     alike = {"backlash": 0.6, "creep": 0.3, "jam": 0.08, "outside": 0.02}
     single, pair = signs(alike, ("creep",)), signs(alike, ("backlash", "creep"))
-    assert single["alike"] == single["alike_least"] == pytest.approx(np.log(0.3 + DOUBT))
+    assert single["alike"] == pytest.approx(np.log(0.3 + DOUBT))
     assert single["alike_else"] == pytest.approx(np.log(0.6 + DOUBT))
-    assert pair["alike"] == pytest.approx(np.log(0.6 + DOUBT) + np.log(0.3 + DOUBT))
-    assert pair["alike_least"] == single["alike"] and pair["alike_else"] == pytest.approx(np.log(0.08 + DOUBT))
+    assert pair["alike"] == pair["alike_else"] == 0.0 and pair["alike_outside"] == single["alike_outside"]
     assert signs(alike, ("x_clock",))["alike"] == single["alike_outside"] == pytest.approx(np.log(0.02 + DOUBT))
     assert signs(alike, ("thermal",))["alike"] == pytest.approx(np.log(DOUBT))
     assert set(signs({}, ("creep",)).values()) == {0.0} and set(signs({}, ("creep",))) == set(single)

@@ -8,6 +8,7 @@ import pytest
 from pipeline.diagnosis.facts.aspects import MARKS, SIGNS, by_aspect, chief
 from pipeline.diagnosis.facts.evidence import explanations
 from pipeline.diagnosis.numerics.judge import Weighed, judge
+from pipeline.diagnosis.numerics.recogniser import OF_EXPLANATION
 from pipeline.diagnosis.words.explanations.reasons import NAMES, SAID, chiefly, less_often, reason
 
 NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "wear")]
@@ -17,7 +18,7 @@ NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "
 def some() -> list[Weighed]:
     """Explanations of every size, their signs drawn over all that the judge has knots for."""
     draw = np.random.default_rng(1)
-    knots = (judge().knots | {name: (-5.0, 0.0) for name in judge().straight}).items()
+    knots = (judge().knots | {name: (-5.0, 0.0) for name in OF_EXPLANATION}).items()
     return [Weighed(ids, {name: float(draw.uniform(ends[0], ends[-1])) for name, ends in knots}) for ids in NAMED]
 
 
@@ -28,7 +29,7 @@ def test_the_parts_of_the_judges_score_add_up_to_the_log_of_the_ratio_of_probabi
             ratio = pytest.approx(np.log(share / beside), abs=1e-9)
             assert sum(judge().because(one, other).values()) == ratio
             assert sum(by_aspect(judge(), one, other).values()) == ratio
-            assert set(judge().because(one, other)) == {*judge().knots, *judge().straight, "names", "size"}
+            assert set(judge().because(one, other)) == {*judge().knots, *OF_EXPLANATION, "names", "size"}
 
 
 def test_a_sign_in_which_two_explanations_agree_counts_nothing(some) -> None:
@@ -40,7 +41,7 @@ def test_a_sign_in_which_two_explanations_agree_counts_nothing(some) -> None:
 def test_every_sign_of_the_judge_has_an_aspect_and_every_aspect_a_word(some) -> None:
     of_signs = [sign for signs in SIGNS.values() for sign in signs]
     assert len(of_signs) == len(set(of_signs)) and set(SAID) == {*SIGNS, "size"}
-    known = {*judge().knots, *judge().straight}
+    known = {*judge().knots, *OF_EXPLANATION}
     assert {sign for sign in known if not sign.startswith(MARKS)} == set(of_signs)
     for aspect in by_aspect(judge(), some[0], some[1]):
         for more in (-1.0, 0.0, 1.0):
