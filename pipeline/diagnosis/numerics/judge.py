@@ -83,16 +83,15 @@ class Judge:
         at = 1
         for name, knots in self.knots.items():
             lead_by_sign[name], at = float(parts[at : at + len(knots) - 1].sum()), at + len(knots) - 1
-        of_each = (signature_of([candidate, other])[:2] * self.of_signature).tolist()
-        for name, first_part, second_part in zip(OF_SIGNATURE, *of_each, strict=True):
-            if name in (*OF_EXPLANATION, "size"):
-                lead_by_sign[name] = lead_by_sign.get(name, 0.0) + first_part - second_part
+        first_parts, second_parts, _ = signature_table([candidate, other]) * self.of_signature
+        for name, part in zip((*OF_EXPLANATION, "size"), first_parts - second_parts, strict=False):
+            lead_by_sign[name] = lead_by_sign.get(name, 0.0) + float(part)
         return lead_by_sign | {"names": float(parts[at:].sum())}
 
     def probabilities(self, weighed: list[Weighed]) -> Array:
         """Of each explanation, and, last, of none of them. Shape (explanations + 1,), shares of 1."""
         scores = np.append(self.basis(weighed) @ self.weights, none_of(weighed) @ self.of_none)
-        scores = scores + signature_of(weighed) @ self.of_signature
+        scores = scores + signature_table(weighed) @ self.of_signature
         odds = np.exp(scores - scores.max())
         return np.asarray(odds / odds.sum())
 
@@ -108,7 +107,7 @@ def none_of(weighed: list[Weighed]) -> Array:
                      weighed[0].signs["mismatch_floors"]])  # fmt: skip
 
 
-def signature_of(weighed: list[Weighed]) -> Array:
+def signature_table(weighed: list[Weighed]) -> Array:
     """What the signature says of each explanation, and, last, of none of them.
 
     Shape (explanations + 1, 5), each without a unit: logarithms of shares, and ones.

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import minimize
 
-from ...diagnosis.numerics.judge import OF_SIGNATURE, SIZES, Judge, Weighed, none_of, signature_of
+from ...diagnosis.numerics.judge import OF_SIGNATURE, SIZES, Judge, Weighed, none_of, signature_table
 from ...diagnosis.numerics.recogniser import OF_ALL, OF_EXPLANATION, Recogniser
 from ...diagnosis.numerics.recogniser import signs as signature_signs
 from ...diagnosis.numerics.recogniser import written as recogniser_written
@@ -92,7 +92,7 @@ def listening(judge: Judge, lessons: list[Lesson]) -> Judge:
         if lesson.ids and others[lesson.author]:
             seen = explanations(lesson, others[lesson.author])
             right = np.append(np.array(lesson.answers, float), 0.0 if any(lesson.right) else 1.0)
-            cases.append((np.log(deaf.probabilities(seen) + 1e-12), signature_of(seen), right))
+            cases.append((np.log(deaf.probabilities(seen) + 1e-12), signature_table(seen), right))
 
     def surprise(weights: Array) -> tuple[float, Array]:
         whole, gradient = 0.5 * weights @ weights, weights.copy()

@@ -1,0 +1,45 @@
+"""A stop acts on the reading: beside a jam that keeps the reading below it, it must still be weighed on its own."""
+
+import numpy as np
+import pytest
+
+from pipeline.diagnosis.fit.calibrate import base
+from pipeline.diagnosis.fit.linear import Linear
+from pipeline.diagnosis.fit.problem import Act, State
+from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.numerics.noise import white
+from pipeline.diagnosis.study.engine import study
+from pipeline.proof.teach.lesson import Lesson, problem_of
+
+STOPPED = Lesson("lattice", 165_006, ("end_stop",), (11.669,), "rich")
+
+
+@pytest.fixture(scope="module")
+def problem():
+    """A recording by a stranger that is held at a stop."""
+    return problem_of(STOPPED)
+
+
+def test_beside_a_jam_a_stop_has_each_candidate_on_the_reading_without_the_jam_too(problem) -> None:
+    calibrated = base(problem)
+    top = float(np.percentile(problem.drivers.motion, 99.9))
+    jam = Act("jam", ({"critical_turns": 0.8 * top, "softness_turns": 0.01 * top},), (1.0, 0.0))
+    catalogue = {id_: mechanisms()[id_].candidates(problem.drivers) for id_ in ("end_stop", "sensor_lag")}
+    alone, jammed = (
+        Linear(problem, State(calibrated.values, calibrated.zeros, acts), white(1.0), catalogue)
+        for acts in ((), (jam,))
+    )
+    count = len(catalogue["end_stop"])
+    assert len(alone.catalogue["end_stop"]) == count and len(jammed.catalogue["end_stop"]) == 2 * count
+    assert len(jammed.catalogue["sensor_lag"]) == len(alone.catalogue["sensor_lag"])
+    for number in range(count):
+        bare = jammed.index["end_stop", count + number]
+        assert jammed.catalogue["end_stop"][number] == jammed.catalogue["end_stop"][count + number]
+        assert jammed.table[bare] == pytest.approx(alone.table[alone.index["end_stop", number]])
+    high = [number for number in range(count) if np.abs(alone.table[alone.index["end_stop", number]]).max() > 0.0]
+    assert any(np.abs(jammed.table[jammed.index["end_stop", number]]).max() == 0.0 for number in high)
+
+
+def test_a_stop_whose_best_rival_is_a_jam_is_found(problem) -> None:
+    studied = study(problem)
+    assert max(studied.judged.likely, key=studied.judged.likely.get) == ("end_stop",)
