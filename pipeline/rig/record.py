@@ -35,15 +35,17 @@ def record(which: str, folder: Path, seed: int) -> int:
     environment["PYTHONPATH"] = os.pathsep.join(filter(None, roots))
     with tempfile.TemporaryDirectory(prefix="rig-") as place:
         link = Path(place) / "port"
-        command = [sys.executable, "-m", __package__, which, "--link", str(link), "--seed", str(seed)]
-        command += ["--pace", "inf", "--recordings", "1"]
+        start = [sys.executable, "-m", __package__, which, "--link", str(link), "--seed", str(seed)]
+        start += ["--pace", "inf", "--recordings", "1"]
         # a session of its own: Ctrl-C is for the capture program, which then stops the rig in good order
-        rig = subprocess.Popen(command, env=environment, start_new_session=True, stdout=subprocess.DEVNULL)
+        rig = subprocess.Popen(start, env=environment, start_new_session=True, stdout=subprocess.DEVNULL)
         try:
             deadline_s = time.monotonic() + PATIENCE_S
             while not link.is_symlink():
-                if rig.poll() is not None or time.monotonic() > deadline_s:
-                    return rig.poll() or 1
+                ended = rig.poll()
+                if ended is not None or time.monotonic() > deadline_s:
+                    print(f"error: {which}: {_absent(ended)}", file=sys.stderr)
+                    return ended or 1
                 time.sleep(0.01)
             capture = [sys.executable, "-m", f"{HOUSE}.capture", str(link), str(folder)]
             status = subprocess.run(capture, env=environment, check=False).returncode
@@ -51,6 +53,13 @@ def record(which: str, folder: Path, seed: int) -> int:
         finally:
             rig.terminate()
             rig.wait()
+
+
+def _absent(ended: int | None) -> str:
+    """What became of a rig that was not there, from the exit status of its program; the mend."""
+    if ended is not None:
+        return f"the rig ended with status {ended} before it was there; run it alone to see why: {command('rig')}"
+    return f"the rig was not there within {PATIENCE_S:g} s; run the command again when the machine is less busy"
 
 
 @program
