@@ -38,7 +38,8 @@ def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
     """
     problem = search.linear.problem
     explanations, marks, library = candidates(search), marked(problem, base), problem.library
-    alike = problem.judge.recogniser.likenesses(signature_of(problem, base)) if problem.judge.recogniser else {}
+    recogniser = problem.judge.recogniser if problem.runs == 1 else None  # it was taught on single recordings
+    alike = recogniser.likenesses(signature_of(problem, base)) if recogniser else {}
     return [
         Weighed(
             explanation.ids,

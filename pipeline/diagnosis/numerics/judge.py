@@ -108,15 +108,17 @@ def none_of(weighed: list[Weighed]) -> Array:
 
 
 def signature_table(weighed: list[Weighed]) -> Array:
-    """What the signature says of each explanation, and, last, of none of them.
+    """What the signature says of each explanation, and, last, of none of them; zeros where nothing recognised it.
 
     Shape (explanations + 1, 5), each without a unit: logarithms of shares, and ones.
     """
     table = np.zeros((len(weighed) + 1, len(OF_SIGNATURE)))
+    if OF_ALL not in weighed[0].signs:
+        return table
     for row, candidate in zip(table, weighed, strict=False):
         if len(candidate.ids) == 1:
             row[:3] = [*(candidate.signs.get(name, 0.0) for name in OF_EXPLANATION), 1.0]
-    table[-1, 3:] = weighed[0].signs.get(OF_ALL, 0.0), 1.0
+    table[-1, 3:] = weighed[0].signs[OF_ALL], 1.0
     return table
 
 

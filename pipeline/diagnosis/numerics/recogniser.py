@@ -54,10 +54,10 @@ def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str
     """What a signature says of an explanation by one effect, as logarithms of shares; of larger ones it says nothing.
 
     `alike`: that effect; `alike_else`: the likeliest other one; `alike_outside`: none of the library, of all
-    explanations alike.
+    explanations alike. No signs where nothing was recognised.
     """
     if not likeness_by_class:
-        return dict.fromkeys((*OF_EXPLANATION, OF_ALL), 0.0)
+        return {}
     outside = {OF_ALL: float(np.log(likeness_by_class.get(OUTSIDE, 0.0) + DOUBT))}
     if len(ids) != 1:
         return dict.fromkeys(OF_EXPLANATION, 0.0) | outside

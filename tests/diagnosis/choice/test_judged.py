@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.diagnosis.choice import cross_validation, judged, weigh
 from pipeline.diagnosis.mechanisms.library import mechanisms
-from pipeline.diagnosis.numerics.judge import Weighed
+from pipeline.diagnosis.numerics.judge import Weighed, signature_table
 from pipeline.diagnosis.numerics.noise import white
 
 
@@ -22,7 +22,9 @@ def test_stick_slip_is_weighed_only_where_its_jerks_are_seen(monkeypatch, jerks,
     monkeypatch.setattr(weigh, "marked", lambda problem, base: {"stick_slip": jerks})
     monkeypatch.setattr(weigh, "signs", lambda search, one, some, floor: {})
     search = SimpleNamespace(
-        linear=SimpleNamespace(problem=SimpleNamespace(library=mechanisms(), judge=SimpleNamespace(recogniser=None)))
+        linear=SimpleNamespace(
+            problem=SimpleNamespace(library=mechanisms(), judge=SimpleNamespace(recogniser=None), runs=1)
+        )
     )
     assert [one.ids[0] for one in weigh.weighed(search, None, 0.01)] == weighed
 
@@ -94,3 +96,17 @@ def test_a_single_effect_is_no_reason_to_take_a_set_of_three(monkeypatch):
 
 def test_where_nothing_was_found_that_it_is_none_of_them_is_certain():
     assert judged.NOTHING.none == 1.0 and not judged.NOTHING.sets and judged.NOTHING.confidence("creep") == 0.0
+
+
+@pytest.mark.parametrize(("runs", "asked"), [(1, True), (2, False)])
+def test_the_recogniser_is_asked_about_single_recordings_alone(monkeypatch, runs, asked):
+    monkeypatch.setattr(weigh, "candidates", lambda search: [explanation("creep"), explanation("creep", "jam")])
+    monkeypatch.setattr(weigh, "marked", lambda problem, base: {})
+    monkeypatch.setattr(weigh, "signs", lambda search, one, some, floor: {})
+    monkeypatch.setattr(weigh, "signature_of", lambda problem, base: {})
+    recogniser = SimpleNamespace(likenesses=lambda signature: {"creep": 0.7, "jam": 0.2, "outside": 0.1})
+    problem = SimpleNamespace(library=mechanisms(), judge=SimpleNamespace(recogniser=recogniser), runs=runs)
+    single, pair = weigh.weighed(SimpleNamespace(linear=SimpleNamespace(problem=problem)), None, 0.01)
+    assert ("alike" in single.signs) == ("alike_outside" in pair.signs) == asked
+    table = signature_table([single, pair])
+    assert table.shape == (3, 5) and bool(table[0].any()) == bool(table[2].any()) == asked and not table[1].any()

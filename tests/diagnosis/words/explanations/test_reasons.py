@@ -8,7 +8,7 @@ import pytest
 from pipeline.diagnosis.facts.aspects import MARKS, SIGNS, by_aspect, chief
 from pipeline.diagnosis.facts.evidence import explanations
 from pipeline.diagnosis.numerics.judge import Weighed, judge
-from pipeline.diagnosis.numerics.recogniser import OF_EXPLANATION
+from pipeline.diagnosis.numerics.recogniser import OF_ALL, OF_EXPLANATION
 from pipeline.diagnosis.words.explanations.reasons import NAMES, SAID, chiefly, less_often, reason
 
 NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "wear")]
@@ -18,7 +18,7 @@ NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "
 def some() -> list[Weighed]:
     """Explanations of every size, their signs drawn over all that the judge has knots for."""
     draw = np.random.default_rng(1)
-    knots = (judge().knots | {name: (-5.0, 0.0) for name in OF_EXPLANATION}).items()
+    knots = (judge().knots | {name: (-5.0, 0.0) for name in (*OF_EXPLANATION, OF_ALL)}).items()
     return [Weighed(ids, {name: float(draw.uniform(ends[0], ends[-1])) for name, ends in knots}) for ids in NAMED]
 
 
