@@ -13,7 +13,11 @@ STARVED = "the device said nothing"  # the test's own device had no processor fo
 
 
 def recorded(place: Path) -> bool:
-    """Whether all of it arrived and was shown; False where the device itself was starved by a busy machine."""
+    """Whether all of it arrived and was shown; False where a busy machine may have starved the device or the host.
+
+    The line holds what comes in a fifth of a second: a host that gets no processor for so long loses some of it, page
+    or no page. A page that costs samples does so in each try.
+    """
     place.mkdir()
     run = folder(place, "load-1")
     with watched(run) as (_, printed), browser(place) as seen:
@@ -25,7 +29,9 @@ def recorded(place: Path) -> bool:
             if STARVED not in str(fault) or " 0 lost, 0 bad" not in str(fault):
                 raise
             return False
-        assert (load.lost, load.bad, load.samples) == (0, 0, SECONDS * RATE_HZ), load
+        if load.lost:
+            return False
+        assert (load.bad, load.samples) == (0, SECONDS * RATE_HZ), load
         seen.until("document.getElementById('state').textContent == 'complete'")
         seen.until(f"document.getElementById('samples').textContent == '{load.samples:,}'")
         assert (seen.text("lost"), seen.text("rate")) == ("0, 0", "5,000")
