@@ -78,9 +78,9 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     all_explanations = content["evidence"]["explanations"]
     listed = all_explanations
     if content.get("verdict") in ("explained", "ambiguous"):  # the rows that details.txt has
-        passed_over = [each for each in all_explanations if each["standing"] in ("beaten", "not needed")]
-        left_out = [each for each in passed_over if each not in explanation_table.others_shown(content)]
-        listed = [each for each in all_explanations if each not in left_out]
+        in_table = explanation_table.others_shown(content)
+        passed_over = ("beaten", "not needed")
+        listed = [each for each in all_explanations if each["standing"] not in passed_over or each in in_table]
     others = [explanation for explanation in listed if not adopted & set(explanation["ids"])]
     shown = sorted(others, key=lambda each: (each["standing"] in KEPT, each.get("probability") or 0.0))  # from below
     floor = content["evidence"][f"floor_{ending}"]

@@ -50,7 +50,8 @@ class Linear(Products):
         self.problem, self.state, self.noise, self.catalogue = problem, state, noise, dict(catalogue)
         rows = self.rows = problem.rows
         tangent = linearised(problem, state)
-        bare = untouched(problem, tangent)
+        clips = any(mechanisms()[id_].clips for id_ in catalogue)
+        bare = untouched(problem, tangent) if clips else tangent
         more = sum(map(len, (deviations or {}).values())) + (0 if extra is None else len(extra))
         columns = Columns(rows, FEW + PER_CANDIDATE * sum(map(len, catalogue.values())) + more)
         run_index = problem.record.run_index[:rows]

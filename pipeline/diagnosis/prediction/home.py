@@ -54,22 +54,20 @@ def homed(
         known = "is one that the diagnosis was made of, which holds its motor's zero"
         raise BadInput(HOME, run, known, "leave it out")
     parameter = next(parameter for parameter in problem.parameters if parameter.name == name)
-    first = _first_stroke(problem)
+    first, averaged = _first_stroke(problem), coarse or problem
+    first_averaged = _first_stroke(averaged)
 
     def at(value: float) -> Simulated:
         return cast(Simulated, {**content, "parameters": {**content["parameters"], name: {"value": value}}})
 
-    def left(value: float) -> Array:
-        return problem.measured - simulated(problem, at(value), path, run)
+    def left(value: float, of: Problem = problem) -> Array:
+        return of.measured - simulated(of, at(value), path, run)
 
     def of_first(value: float) -> float:
         return float(np.std(left(value)[first]))
 
-    averaged = coarse or problem
-    first_averaged = _first_stroke(averaged)
-
     def roughly(value: float) -> float:
-        return float(np.std((averaged.measured - simulated(averaged, at(value), path, run))[first_averaged]))
+        return float(np.std(left(value, averaged)[first_averaged]))
 
     reach = BOUND * parameter.sigma
     places = np.linspace(parameter.nominal - reach, parameter.nominal + reach, TRIED)

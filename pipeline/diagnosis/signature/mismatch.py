@@ -46,6 +46,10 @@ class Mismatch:
         mean = np.bincount(groups, self.smooth, minlength=groups.max() + 1) / number
         return np.asarray(self.smooth - mean[groups])
 
+    def quicker_than(self, times: float) -> Array:
+        """What is quicker than some times the width of what is quick. Shape (samples,), in its own unit."""
+        return np.asarray(self.raw - without_quick(self.raw, times))
+
     def within(self, part: tuple[float, float]) -> NDArray[np.bool_]:
         """Which samples lie in a part of the range of motion. Shape (samples,)."""
         return (self.place > part[0]) & (self.place < part[1])
@@ -74,12 +78,20 @@ def seen(residual: Array, motion: Array, rate: Array, load: Array, time_s: Array
     fastest = max(float(np.percentile(np.abs(rate), 95)), 1e-12)
     mean_load = max(float(np.mean(load)), 1e-6)
     return Mismatch(
-        raw, gaussian_filter1d(raw, max(1.0, len(raw) / QUICK)), noise / size, motion,
+        raw, without_quick(raw), noise / size, motion,
         np.clip((motion - low) / max(high - low, 1e-12), 0.0, 1.0),
         np.where(rate > MOVES * fastest, 1, np.where(rate < -MOVES * fastest, -1, 0)),
         np.abs(rate) / fastest, (load - np.mean(load)) / mean_load,
         (time_s - time_s[0]) / max(float(time_s[-1] - time_s[0]), 1e-12), stroke,
     )  # fmt: skip
+
+
+def without_quick(values: Array, times: float = 1.0) -> Array:
+    """Values without what is quicker than some times the width of what is quick.
+
+    Shape (samples,), in their own unit.
+    """
+    return np.asarray(gaussian_filter1d(values, times * max(1.0, len(values) / QUICK)))
 
 
 def mean(values: Array, least: int = 4) -> float:

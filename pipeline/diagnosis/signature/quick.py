@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
-from .mismatch import QUICK, Mismatch, follows, mean
+from .mismatch import Mismatch, follows, mean
 
 FEW = 10  # samples of a phase, at least
 SHAKE, RIPPLE = 8, 12  # times the width of what is quick: what a start shakes, and a ripple, are quicker
@@ -23,9 +23,8 @@ def roughness(mismatch: Mismatch) -> dict[str, float]:
 
 def ripples(mismatch: Mismatch) -> dict[str, float]:
     """The size of what comes half a time, once and twice a turn of the motor while it moves."""
-    width = max(1.0, len(mismatch.raw) / QUICK)
     moving = mismatch.way != 0
-    quick = (mismatch.raw - gaussian_filter1d(mismatch.raw, RIPPLE * width))[moving]
+    quick = mismatch.quicker_than(RIPPLE)[moving]
     turned = mismatch.motion[moving]
     return {
         f"ripple_{per_turn:g}": 2.0 * abs(complex(mean(quick * np.cos(2 * np.pi * per_turn * turned)),
@@ -36,7 +35,6 @@ def ripples(mismatch: Mismatch) -> dict[str, float]:
 
 def shakes(mismatch: Mismatch) -> dict[str, float]:
     """How far what is quick moves with the acceleration of the motor."""
-    width = max(1.0, len(mismatch.raw) / QUICK)
-    quick = mismatch.raw - gaussian_filter1d(mismatch.raw, SHAKE * width)
+    quick = mismatch.quicker_than(SHAKE)
     acceleration = np.gradient(gaussian_filter1d(mismatch.speed * mismatch.way, 1.0))
     return {"shaken": follows(quick, acceleration, np.ones(len(quick), bool))}
