@@ -5,7 +5,7 @@ from typing import Any, NotRequired, TypedDict
 
 from ...run.description import Included
 
-Part = dict[str, Any]  # of the document, with keys that end in the unit of the rig's reading, as `rms_mm`
+Part = dict[str, Any]  # of the document, with keys by the rig's channels and the unit of its reading, as `rms_mm`
 LegSaid = dict[str, float]  # of a proposed run: `seconds`, and motion and load at its end, by their channels' names
 
 
@@ -21,7 +21,19 @@ class Simulated(TypedDict):
     against_advice: NotRequired[list[str]]
 
 
-class NextRun(TypedDict, total=False):
+class Quantity(TypedDict):
+    """A number of a mechanism with its 90 % interval, all three in `unit`."""
+
+    value: float
+    low: float
+    high: float
+    unit: str
+
+
+Place = TypedDict("Place", {"from": float}, total=False)  # the motion that a proposed run starts from
+
+
+class NextRun(Place, total=False):
     """A proposed run, in numbers; `gap_now` and `gap_then`: by how much the best leads, now and as foretold."""
 
     title: str

@@ -4,7 +4,6 @@ Nothing here decides: the verdict is already made.
 """
 
 from dataclasses import asdict, replace
-from typing import Any
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from ..choice.compare import price
 from ..choice.kept import at_work
 from ..choice.outcome import Study, cancels, rms
 from ..choice.search import Explanation, Search
+from ..document.content import Part
 from ..fit import generic, locate
 from ..fit.problem import Problem
 from ..recording.covered import covered
@@ -44,7 +44,7 @@ def listed(study: Study) -> list[Explanation]:
     )  # no rounding
 
 
-def explanations(study: Study, ending: str, calibrated: float) -> list[dict[str, Any]]:
+def explanations(study: Study, ending: str, calibrated: float) -> list[Part]:
     """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
 
     `bent_…`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first, which is minus
@@ -64,7 +64,7 @@ def explanations(study: Study, ending: str, calibrated: float) -> list[dict[str,
             standing = "nothing"
         elif not first or len(explanation.ids) > len(first.ids):
             standing = "not needed"
-        entry: dict[str, Any] = {
+        entry: Part = {
             "ids": list(explanation.ids),
             "standing": standing,
             f"left_{ending}": float(np.sqrt(max(explanation.energy, 0.0))),
@@ -93,12 +93,12 @@ def probability(study: Study, ids: tuple[str, ...]) -> float | None:
     return likely.get(study.beside_chance(ids), likely.get(ids)) if study.problem.drivers.levered else None
 
 
-def left_out(study: Study) -> list[dict[str, Any]]:
+def left_out(study: Study) -> list[Part]:
     """The likely explanations that are no names: ids, probability, `because` of what, and `of` which effects."""
     return [asdict(out) | {"probability": probability(study, out.ids)} for out in study.judged.left_out]
 
 
-def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[dict[str, Any]] | None:
+def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[Part] | None:
     """What counts most against an explanation beside the best one; None where the judge did not weigh both."""
     known = {weighed.ids: weighed for weighed in study.judged.weighed}
     rival, first = (known.get(study.without_chance(each)) or known.get(each) for each in (ids, best))
@@ -166,7 +166,7 @@ def misfits(study: Study, ending: str) -> dict[str, float]:
     }
 
 
-def evidence(study: Study) -> dict[str, Any]:
+def evidence(study: Study) -> Part:
     """All of it, as `diagnosis.json` holds it; `floor` is that of the values that were compared, `step_s` apart."""
     system, drivers = study.problem.system, study.problem.drivers
     ending = system.channel.rpartition("_")[2]

@@ -1,13 +1,11 @@
 """What is named: each mechanism at work with its size, parameters and place, as `diagnosis.json` lists it."""
 
-from typing import Any
-
 import numpy as np
 
 from ...ground.kinematics import Array
 from ..choice import chance
 from ..choice.outcome import Study, rms
-from ..document.content import Part
+from ..document.content import Part, Quantity
 from ..fit import locate
 from ..fit.adopt import entries
 from ..fit.intervals import Interval, Intervals
@@ -40,12 +38,12 @@ def effect_of(problem: Problem, state: State, act: Act) -> Array:
 
 def parameters_of(
     problem: Problem, act: Act, relative: tuple[float, float], half_widths: HalfWidths, half_loop: float | None = None
-) -> dict[str, dict[str, Any]]:
+) -> dict[str, Quantity]:
     """Parameters of an act by name, with 90 % intervals and units; strengths are as uncertain as the effect's size.
 
     `half_loop`, in the reading's unit, stands in the place of sums that are a part of the loop alone.
     """
-    names, parameters = problem.drivers.units, {}
+    names, parameters = problem.drivers.units, dict[str, Quantity]()
     for number, entry in enumerate(entries((act,), problem.drivers)):
         terms = problem.terms(mechanisms()[act.id], act.nonlinear[number])
         units = {names.name(term.name): names.unit(term.unit) for term in terms}
@@ -70,7 +68,7 @@ def parameters_of(
     return parameters
 
 
-def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[dict[str, Any]]:
+def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[Part]:
     """All that is named; `fine` is the problem at the recording's own rate, `unit` the ending of the channel."""
     problem, entries_ = study.problem, []
     for act in study.best.acts:

@@ -3,14 +3,13 @@
 Nothing here decides: the verdict is already made.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ...ground.kinematics import Array
 from ..choice.candidates import apart
 from ..choice.outcome import Study
 from ..choice.search import Explanation
+from ..document.content import Part
 from ..mechanisms.interface import physics
 from ..recording.working_samples import PHASES
 from .evidence import fitted
@@ -19,7 +18,7 @@ LEAST_S, LEAST_SAMPLES, LEAST_STANDS = 1.0, 9, 3  # shorter, coarser and fewer s
 PART = 3  # of a stand: its last third is held against its first
 
 
-def not_kept(study: Study, ending: str) -> list[dict[str, Any]]:
+def not_kept(study: Study, ending: str) -> list[Part]:
     """An entry each effect: `id`, how `likely` it is at work, and what the best explanation leaves with it, rms.
 
     `instead`: of as many effects as the best explanation; `beside`: added to it. `stands`: by how much what the
@@ -33,9 +32,7 @@ def not_kept(study: Study, ending: str) -> list[dict[str, Any]]:
     possible = {id_ for id_, options in search.linear.catalogue.items() if options}
     same = search.all_of(len(best.ids))
     tied = [{"ids": list(other.ids), "stands": _stands(study, other)} for other in study.sets[1:]]
-    entries: list[dict[str, Any]] = [
-        {"id": None, f"left_{ending}": _left(best), "stands": _stands(study, best), "tied": tied}
-    ]
+    entries: list[Part] = [{"id": None, f"left_{ending}": _left(best), "stands": _stands(study, best), "tied": tied}]
     for id_ in study.problem.library:
         if id_ in kept or not physics((id_,)):
             continue

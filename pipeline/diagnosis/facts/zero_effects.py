@@ -1,11 +1,10 @@
 """A diagnosis without the mechanisms that came out with no strength: what does nothing explains nothing."""
 
-from typing import Any
-
+from ..document.content import Part
 from ..mechanisms.library import mechanisms
 
 
-def without_zero_effects(content: dict[str, Any], ending: str) -> dict[str, Any]:
+def without_zero_effects(content: Part, ending: str) -> Part:
     """The content without named mechanisms of size 0, whose ids `evidence.idle` lists.
 
     Where no physics would remain they stay named, but for `simulation`.
@@ -20,7 +19,7 @@ def without_zero_effects(content: dict[str, Any], ending: str) -> dict[str, Any]
         return content
     ids = {entry["id"] for entry in kept}
     others = [other for other in content["alternatives"] if set(other) != ids]
-    shown: list[dict[str, Any]] = []
+    shown: list[Part] = []
     twins = [explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == ids]
     for explanation in content["evidence"]["explanations"]:
         if explanation["standing"] == "named":

@@ -1,11 +1,10 @@
 """Where the mismatch is: the smallest box of twist, strokes and phase that holds 80 % of its energy."""
 
-from typing import Any
-
 import numpy as np
 from numba import njit
 
 from ...ground.kinematics import Array
+from ..document.content import Part
 from ..recording.working_samples import PHASES
 from .problem import Problem
 
@@ -37,7 +36,7 @@ def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int,
     return best, place[0], place[1], place[2], place[3]
 
 
-def box(mismatch: Array, problem: Problem, share: float = SHARE) -> dict[str, Any]:
+def box(mismatch: Array, problem: Problem, share: float = SHARE) -> Part:
     """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold.
 
     The box is the smallest that holds `share` of the energy: the whole recording with a share of 0 where there is no
@@ -56,7 +55,7 @@ def box(mismatch: Array, problem: Problem, share: float = SHARE) -> dict[str, An
         ends = [int(max(strokes[0], 1)), int(max(strokes[-1], 1))]
         return {problem.system.driver: [low, high], "strokes": ends, "phase": "all", "share": 0.0}
     shape = (int(row.max()) + 1, TURN_BINS)
-    best: tuple[float, dict[str, Any]] | None = None
+    best: tuple[float, Part] | None = None
     for phase in ("all", *PHASES):
         inside = np.ones(len(row), bool) if phase == "all" else drivers.phase == PHASES.index(phase)
         energy, samples = np.zeros(shape), np.zeros(shape)

@@ -7,13 +7,13 @@ Source: Atkinson and Fedorov, "The design of experiments for discriminating betw
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 
 from ...ground.kinematics import Array
 from ...run.description import Run
 from ..choice.search import Explanation, Search
+from ..document.content import NextRun
 from ..fit.linear import Fit, Key, Linear
 from ..fit.problem import Problem
 from ..numerics.noise import Noise
@@ -51,9 +51,9 @@ class Proposal:
         """The smallest gap with the run, as `now` gives it."""
         return closest(self.all_then) if self.all_then else None
 
-    def entry(self, run: Run, fixed_load: bool) -> dict[str, Any]:
+    def entry(self, run: Run, fixed_load: bool) -> NextRun:
         """It as `diagnosis.json` holds it; `fixed_load`: whether the load stood still in what was recorded."""
-        content: dict[str, Any] = {"title": self.title, "legs": as_legs(self.legs, run), "from": self.rig.at}
+        content: NextRun = {"title": self.title, "legs": as_legs(self.legs, run), "from": self.rig.at}
         content |= {"load": self.rig.under, "fixed_load": fixed_load}
         if self.now and self.then:
             content["parts"] = [list(ids) for ids in self.then[1:]]

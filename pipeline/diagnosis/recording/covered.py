@@ -1,7 +1,7 @@
 """What a recording covers: the loads that hung, how fast it moved, how long it stood, wound and at rest."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -15,7 +15,14 @@ from .working_samples import PHASES, Record
 ENDS = (1.0, 99.0)  # per cent of the samples: what is beyond is noise or a moment
 
 
-def covered(record: Record) -> dict[str, Any]:
+class Paces(TypedDict, total=False):
+    """Speeds in the motion's unit per second: of the slowest and the fastest stroke, and the highest of a moment."""
+
+    strokes_per_s: list[float]
+    fastest_per_s: float
+
+
+def covered(record: Record) -> dict[str, list[float]]:
     """Lowest and highest load, slowest and fastest stroke; as `diagnosis.json` holds them.
 
     Loads in the load channel's unit, speeds in the motion's unit per second. `temperature_c`, where one was logged, is
@@ -45,7 +52,7 @@ def pauses(recorded: Sequence[RecordedRun]) -> dict[str, float]:
     return {f"longest_{name}_s": max(lasted_s) for name, lasted_s in longest.items()}
 
 
-def paces(recorded: Sequence[RecordedRun]) -> dict[str, Any]:
+def paces(recorded: Sequence[RecordedRun]) -> Paces:
     """The usual speeds of the slowest and the fastest stroke, and the highest speed of a moment, as a plan meets them.
 
     In the motion's unit per second; nothing of runs that nobody cut into strokes.

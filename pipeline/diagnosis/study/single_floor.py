@@ -1,7 +1,6 @@
 """The noise of single samples where a rig is scored in averages and `simulate` and `adopt` count single samples."""
 
 import math
-from typing import Any
 
 from ..choice.outcome import Study, rms
 from ..fit.problem import Problem
@@ -10,7 +9,7 @@ from ..recording.recorded_run import RecordedRun
 from .own_rate import SCORED_SAMPLES, at_own_rate, samples_of
 
 
-def single_floor(study: Study, fine: Problem, recorded: list[RecordedRun], floor: float) -> dict[str, Any]:
+def single_floor(study: Study, fine: Problem, recorded: list[RecordedRun], floor: float) -> dict[str, float]:
     """`scored_step_s`, over which `fine` averages, and `single_floor_…`, both for the `evidence`.
 
     `floor` is the noise of `fine`, in the reading's unit. Nothing where `fine` holds the single samples. Without the
@@ -20,7 +19,7 @@ def single_floor(study: Study, fine: Problem, recorded: list[RecordedRun], floor
     count, ending = samples_of(recorded), study.problem.system.channel.rpartition("_")[2]
     if study.problem.system.working_hz is None or len(fine.record) == count:
         return {}
-    known: dict[str, Any] = {"scored_step_s": fine.drivers.step_s}
+    known: dict[str, float] = {"scored_step_s": fine.drivers.step_s}
     if count > SCORED_SAMPLES or study.problem.system.differentiates:
         return known
     single = at_own_rate(recorded, thin=False, to_fit=False)
