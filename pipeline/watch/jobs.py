@@ -2,6 +2,7 @@
 
 import os
 import re
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,7 @@ class Jobs:
     def _forget(self, path: Path | None) -> None:
         self._path, self._at, self._rest = path, 0, b""
         self.total, self.done, self.ended = 0, 0, False
+        self._written_s = 0.0  # when the log last changed
         self.running: dict[int, str] = {}
         self.failed: dict[int, str] = {}
         self._rule, self._error = "", False
@@ -46,6 +48,7 @@ class Jobs:
             with open(self._path, "rb") as file:
                 file.seek(self._at)
                 chunk = file.read(LARGEST)
+                self._written_s = os.fstat(file.fileno()).st_mtime
         except OSError:
             return
         self._at += len(chunk)
@@ -85,6 +88,7 @@ class Jobs:
             "total": self.total,
             "done": self.done,
             "ended": self.ended,
+            "ended_utc": datetime.fromtimestamp(self._written_s, UTC).isoformat() if self.ended else None,
             "running": running[:LISTED],
             "failed": [*self.failed.values()][:LISTED],
             "failures": len(self.failed),

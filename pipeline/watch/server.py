@@ -14,7 +14,7 @@ import bottle
 from waitress.server import create_server
 
 PAGE = Path(__file__).parent / "page"
-OWN = {"": "watch.html", "watch.css": "watch.css", "watch.js": "watch.js", "plot.js": "plot.js"}
+OWN = {"": "watch.html"} | {name: name for name in ("watch.css", "watch.js", "settling.js", "plot.js")}
 OWN_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"

@@ -1,4 +1,7 @@
-"""A headless Chromium that a test drives: it opens a page, runs a sentence of JavaScript, and takes a picture."""
+"""A headless Chromium that a test drives: it opens a page, runs a sentence of JavaScript, and takes a picture.
+
+It hears what a page says to the console: an error there, or one that nobody catches, ends the test.
+"""
 
 import base64
 import itertools
@@ -23,8 +26,10 @@ class Browser:
 
     def __init__(self, says: int, hears: int) -> None:
         self._says, self._hears, self._rest, self._numbers = says, hears, b"", itertools.count(1)
+        self.faults: list[str] = []  # of scripts; what a server refuses is no fault of a page
         target = self._ask("Target.createTarget", url="about:blank")["targetId"]
         self._session = self._ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        self._ask("Runtime.enable", self._session)
 
     def _ask(self, method: str, session: str | None = None, **given: Any) -> dict:
         number = next(self._numbers)
@@ -35,9 +40,22 @@ class Browser:
                 self._rest += os.read(self._hears, 1 << 16)
             message, self._rest = self._rest.split(b"\0", 1)
             found = json.loads(message)
+            self._hear(found.get("method"), found.get("params", {}))
             if found.get("id") == number:
                 assert "error" not in found, found
                 return found["result"]
+
+    def _hear(self, method: str | None, params: dict) -> None:
+        """Keep an error that nobody catches, or that a script says to the console."""
+        if method == "Runtime.exceptionThrown":
+            self.faults.append(json.dumps(params["exceptionDetails"]))
+        elif method == "Runtime.consoleAPICalled" and params["type"] in ("error", "assert"):
+            self.faults.append(" ".join(str(each.get("description", each.get("value"))) for each in params["args"]))
+
+    def well(self) -> None:
+        """Ask that the page says nothing in red of itself, and nothing to the console."""
+        red = self.run("[...document.querySelectorAll('.bad')].filter((e) => e.offsetParent).map((e) => e.textContent)")
+        assert (red, self.faults, self.text("link")) == ([], [], "connected")
 
     def open(self, address: str) -> None:
         """Open an address."""
@@ -84,7 +102,10 @@ def browser(home: Path) -> Iterator[Browser]:
         try:
             os.close(theirs_in)
             os.close(theirs_out)
-            yield Browser(says, hears)
+            seen = Browser(says, hears)
+            yield seen
+            seen.run("0")  # hears what was said last
+            assert not seen.faults, seen.faults
         finally:
             one.terminate()
             os.close(says)

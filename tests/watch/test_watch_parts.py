@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
@@ -103,6 +104,7 @@ def test_a_log_is_read_on_while_it_grows_and_hostile_lines_are_text(tmp_path):
     jobs = Jobs(tmp_path)
     jobs.poll()
     assert jobs.told()["running"] == ["make <img src=x>"] and not jobs.told()["ended"]
+    assert jobs.told()["ended_utc"] is None
     with open(path, "ab") as file:
         file.write(b"\xff\xfe\nJob 1: other\nFinished jobid: 2 (Rule: a)\n1 of 3 steps (33%) do")
     jobs.poll()
@@ -112,3 +114,5 @@ def test_a_log_is_read_on_while_it_grows_and_hostile_lines_are_text(tmp_path):
     jobs.poll()
     found = jobs.told()
     assert (found["done"], found["failed"], found["running"], found["ended"]) == (1, ["other"], [], True)
+    at_s = datetime.fromisoformat(found["ended_utc"]).timestamp()
+    assert abs(at_s - path.stat().st_mtime) < 1e-3, "beside a recording of today stood the jobs of last week"

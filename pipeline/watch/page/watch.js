@@ -7,6 +7,7 @@ const at = (id) => document.getElementById(id);
 
 function show(id, text) { at(id).textContent = text; }
 function round(value, digits) { return value === null || value === undefined ? "–" : Number(value.toPrecision(digits)).toLocaleString("en"); }
+function moment(utc) { return new Date(utc).toLocaleString("sv", ZONED); }
 function bytes(value) { return value > 1e9 ? round(value / 1e9, 3) + " GB" : round(value / 1e6, 3) + " MB"; }
 
 function fact(name, text, id, bad) {
@@ -33,7 +34,7 @@ function facts(d) {
     fact("samples", d.samples.toLocaleString("en") + (d.unnamed && !d.samples ? `; ${d.unnamed.toLocaleString("en")} lines without names are kept` : ""), "samples"),
     fact(d.come_hz ? "samples per second" : "samples per second by the rig's clock", rate(d), "rate"),
     fact("frames lost, bad", d.lost === null ? `–, ${d.bad}` : `${d.lost}, ${d.bad}`, "lost", d.lost > 0 || d.bad > 0),
-    d.ended && d.ended_utc ? fact("ended at", new Date(d.ended_utc).toLocaleString("sv", ZONED), "age") : fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
+    d.ended && d.ended_utc ? fact("ended at", moment(d.ended_utc), "age") : fact("last sample", d.age_s === null ? "–" : `${d.age_s < 10 ? d.age_s.toFixed(1) : Math.round(d.age_s)} s ago`, "age", stale),
     fact("disk left", bytes(d.free_bytes), "disk", d.free_bytes < 1e9),
     fact("strokes", d.strokes === null ? "–" : planned ? `${d.strokes} of ${planned}` : `${d.strokes}`, "strokes"),
     fact(until ? `strokes left, forecast, until ${until}` : "strokes left, forecast", left, "left"),
@@ -70,21 +71,27 @@ function drawLoops(loops, d) {
   show("noise", !twice ? "" : isSeen(plot, BAND * d.noise_mm) ? `noise band ${twice}: twice the noise of one reading` : `noise band ${twice}: too thin to draw`);
 }
 
+// No name of an element's: a name that nothing here defines is that element, in each page.
+function linkTo(name, path) {
+  const a = document.createElement("a");
+  a.textContent = name; a.href = "/reports/" + path.split("/").map(encodeURIComponent).join("/");
+  return a;
+}
+
 let listed = "";
 function verdicts(d) {
   show("verdict", d.verdict || "This run has no diagnosis yet.");
   const text = JSON.stringify([d.verdicts, d.index, d.verdict_page, d.verdict_text, d.verdict_of, d.left]);
   if (text === listed) return;
   listed = text;
-  const link = (name, path) => { const a = document.createElement("a"); a.textContent = name; a.href = "/reports/" + path.split("/").map(encodeURIComponent).join("/"); return a; };
-  at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", link(`reports/${d.verdict_page}`, d.verdict_page), ...(d.verdict_text && d.verdict_text !== d.verdict_page ? [", as text in ", link(`reports/${d.verdict_text}`, d.verdict_text)] : []), d.verdict_of ? `: ${d.verdict_of}` : ""] : []));
-  at("left-file").replaceChildren(...(d.left ? ["The strokes left stand in ", link(`reports/${d.left.file}`, d.left.file), ".", d.left.until && ` Counted until ${d.left.until}.`, d.left.rests && ` From ${d.left.rests}.`, ...d.left.beside.map((other) => ` Also: ${other}.`)] : []));
-  at("index").replaceChildren(...(d.index ? [link("All reports", "index.html")] : []));
+  at("verdict-page").replaceChildren(...(d.verdict_page ? ["It stands in ", linkTo(`reports/${d.verdict_page}`, d.verdict_page), ...(d.verdict_text && d.verdict_text !== d.verdict_page ? [", as text in ", linkTo(`reports/${d.verdict_text}`, d.verdict_text)] : []), d.verdict_of ? `: ${d.verdict_of}` : ""] : []));
+  at("left-file").replaceChildren(...(d.left ? ["The strokes left stand in ", linkTo(`reports/${d.left.file}`, d.left.file), ".", d.left.until && ` Counted until ${d.left.until}.`, d.left.rests && ` From ${d.left.rests}.`, ...d.left.beside.map((other) => ` Also: ${other}.`)] : []));
+  at("index").replaceChildren(...(d.index ? [linkTo("All reports", "index.html")] : []));
   const others = d.verdicts.filter((one) => one.run !== d.run);
   at("others").hidden = !others.length;
   at("verdicts").replaceChildren(...others.map((one) => {
     const row = document.createElement("tr"), run = document.createElement("td"), said = document.createElement("td");
-    run.append(link(one.run, one.page)); said.textContent = one.verdict; row.append(run, said);
+    run.append(linkTo(one.run, one.page)); said.textContent = one.verdict; row.append(run, said);
     return row;
   }));
 }
@@ -108,68 +115,11 @@ async function press(button) {
 
 const opened = Date.now(), WAIT_MS = 4000;
 const NO_DATA = "connected, but no data yet: a long recording is read from its beginning first. If this stays, look at the terminal of watch; start it again and open the address that it prints.";
-let asked = null;
-const STATES = { proposed: "proposed", approved: "is made now", recorded: "is being diagnosed", diagnosed: "diagnosed" };
-function loop(d) {
-  const l = d.loop;
-  at("loop-part").hidden = !l;
-  if (!l) return;
-  if (l.question !== asked) { asked = l.question; at("clear").checked = false; show("said", ""); }
-  const size = l.seconds ? ` (${Math.round(l.seconds)} s, ${l.strokes} stroke${l.strokes === 1 ? "" : "s"})` : "";
-  show("step", `Step ${l.step}: ${l.title || "the runs that were there"}${size}`);
-  moves(l.moves);
-  const what = l.stopping ? "stopping" : l.question ? "waits for approval" : STATES[l.state];
-  show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
-  for (const id of ["clear-label", "approve"]) at(id).hidden = !l.question;
-  at("approve").disabled = !token || !at("clear").checked;
-  show("stop", l.state === "approved" ? "Stop the motor, then the loop" : "Stop the loop");
-  at("still").hidden = !l.at_work || l.state === "approved"; at("stop").hidden = !l.at_work; at("stop").disabled = !token || l.stopping;
-  at("no-token").hidden = Boolean(token) || !l.at_work;
-  const c = l.came;
-  at("came-file").replaceChildren(...(c ? [`What came in step ${c.step}, drawn over what each explanation foretold: `, c.page ? link(`reports/${c.page}`, "came.png") : c.file] : []));
-  foretold(l.foretold, d);
-}
-
-function moves(m) {
-  at("moves").hidden = !m;
-  if (!m) return;
-  show("begins", m.begins); show("apart-then", m.apart);
-  at("legs").replaceChildren(...[m.head, ...m.legs].map((cells, k) => {
-    const row = document.createElement("tr");
-    row.append(...cells.map((text) => Object.assign(document.createElement(k ? "td" : "th"), { textContent: text })));
-    return row;
-  }));
-}
-
-// As came.png of the step: what came with the reading before the motion as its zero, and the differences large.
-function foretold(f, d) {
-  at("foretold-part").hidden = !f;
-  if (!f) return;
-  const rivals = Object.entries(f.rivals), colour = (k) => COLOURS[k % COLOURS.length];
-  at("rivals").replaceChildren(...rivals.map(([name], k) => {
-    const one = document.createElement("span");
-    one.textContent = name; one.style.color = colour(k);
-    return one;
-  }));
-  const channel = f.came && d.channels.find((one) => one.name === "displacement_mm"), differ = rivals.length > 1 || f.came;
-  at("came").hidden = !channel;
-  const [times, values] = channel ? inOrder(channel) : [[], []], measured = values.map((one) => one === null ? null : one - f.came.zero_mm[0]);
-  const whole = axes(at("foretold"), [f.time_s, times], [...rivals.map((one) => one[1]), measured], differ ? "" : "time (s)", "displacement (mm)");
-  rivals.forEach(([, curve], k) => line(whole, f.time_s, curve, colour(k), 1));
-  line(whole, times, measured, BLACK, 1);
-  for (const id of ["apart", "apart-key"]) at(id).hidden = !differ;
-  if (!differ) return;
-  const apart = rivals.map(([, curve]) => curve.map((one, k) => one - f.calibrated[k])), came = f.came || { time_s: [], difference_mm: [] };
-  const large = axes(at("apart"), [f.time_s, came.time_s], [...apart, came.difference_mm], "time (s)", "difference (mm)");
-  apart.forEach((curve, k) => line(large, f.time_s, curve, colour(k), 1));
-  line(large, came.time_s, came.difference_mm, BLACK, 1);
-}
-
 function jobs(d) {
   const j = d.jobs;
   at("jobs-part").hidden = !j;
   if (!j) return;
-  show("jobs", `${j.done} of ${j.total} done${j.ended ? ", ended" : ""}; ${j.failures} failed`);
+  show("jobs", `${j.done} of ${j.total} done${j.ended ? `, ended at ${moment(j.ended_utc)}` : ""}; ${j.failures} failed`);
   at("jobs").className = j.failures ? "bad" : "";
   const rows = [...j.failed.map((one) => ["failed", one]), ...j.running.map((one) => ["running", one])];
   at("job-list").replaceChildren(...rows.map((cells) => {
@@ -179,20 +129,29 @@ function jobs(d) {
   }));
 }
 
+function connection(text, bad) { const line = at("link"); line.className = bad ? "bad" : ""; line.textContent = text; }
+
+// A part that cannot be drawn leaves the others as they are: a fault of the page is no fault of the recording.
+function parts(d) {
+  let fault = null;
+  for (const part of [facts, loop, draw, jobs, verdicts]) {
+    try { part(d); } catch (error) { console.error(error); fault = fault || `${part.name}: ${error.message}`; }
+  }
+  connection(fault ? `connected, but a part of this page cannot be shown (${fault})` : "connected", fault);
+}
+
 async function look() {
+  let d = null;
   try {
     const answer = await fetch("/data.json", { cache: "no-store", signal: AbortSignal.timeout(5000) });
     if (!answer.ok) throw new Error(answer.status === 403 ? "not allowed; open the address that was printed" : `answer ${answer.status}`);
-    const d = await answer.json();
-    if (d.run !== undefined) {
-      document.title = d.run; show("run", d.run);
-      show("about", [d.material, d.string && `string ${d.string}`, d.device].filter(Boolean).join(" · "));
-      facts(d); loop(d); draw(d); jobs(d); verdicts(d);
-      const link = at("link"); link.className = ""; link.textContent = "connected";
-    } else if (Date.now() - opened > WAIT_MS) show("link", NO_DATA);
-  } catch (error) {
-    const link = at("link"); link.className = "bad"; link.textContent = `no answer, trying again (${error.message})`;
-  }
+    d = await answer.json();
+  } catch (error) { connection(`no answer, trying again (${error.message})`, true); }
+  if (d && d.run !== undefined) {
+    document.title = d.run; show("run", d.run);
+    show("about", [d.material, d.string && `string ${d.string}`, d.device].filter(Boolean).join(" · "));
+    parts(d);
+  } else if (d && Date.now() - opened > WAIT_MS) show("link", NO_DATA);
   setTimeout(look, EVERY_MS);
 }
 at("approve").addEventListener("click", () => press("approve"));

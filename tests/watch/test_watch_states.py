@@ -1,0 +1,88 @@
+"""The page in each state of a loop, in a real browser: all that belongs on it is there, and nothing says an error."""
+
+import json
+from pathlib import Path
+
+import pytest
+from settle.settle_bench import LIMITS, described, ended, rig, set_up, state
+from watch.browser import CHROMIUM, Browser, browser
+from watch.test_watch import watched
+
+from pipeline.settle.answers import QUESTION
+from pipeline.settle.loop_lock import alone
+
+DRAWN = """((name) => {
+  const canvas = document.querySelector(name);
+  if (!canvas.offsetParent) return false;
+  return canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value);
+})"""
+PARTS = ("#loop", "#channels canvas")  # of a recording
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory) -> Path:
+    """A loop that went from nothing to its end."""
+    here = tmp_path_factory.mktemp("states")
+    set_up(here)
+    described(here)
+    words = ("raw/poor-1", "--port", "port", "--out", "reports/settle/poor-1", "--approve", "auto")
+    with rig(here, "--pace", "inf"):
+        done = ended(here, "settle", *words, "--limits", LIMITS)
+    assert done.returncode == 0, done.stdout
+    (here / "out").symlink_to(here / "reports" / "settle" / "poor-1")
+    return here
+
+
+def at(place: Path, name: str, number: int = 1) -> None:
+    """Put the loop back to a state of a step, as its folder holds it then."""
+    (place / "out" / f"step-{number}" / "state.json").write_text(json.dumps(state(place, number) | {"state": name}))
+
+
+def shown(page: Browser, place: Path, words: str) -> None:
+    """Wait for a state, look at all that is there in each of them, and keep a picture."""
+    page.until(f"document.getElementById('loop-state')?.textContent == '{words}'", 30.0)
+    page.until("document.getElementById('link').textContent != 'connecting'")
+    page.well()
+    assert all(page.run(f"{DRAWN}('{part}')") for part in PARTS), "a recording is there in each of these states"
+    assert page.text("verdict") and page.text("state") == "complete" and page.text("step").startswith("Step ")
+    page.picture(place / f"{words.replace(' ', '-')}.png")
+
+
+@CHROMIUM
+def test_in_each_state_of_a_loop_the_page_shows_all_its_parts_and_no_error(place):
+    """From the first recording on, the page said "link is not a function", and all below the loop stayed empty.
+
+    What opens `came.png` used a function of another part of the page. Tests read its address, and no browser was shown
+    the page of a step whose recording had been drawn.
+    """
+    last = len([*(place / "out").glob("step-*/came.png")]) - 1
+    assert last >= 1, "the first recording is drawn over what the simulator foretold, and so is a run that decides"
+    with watched(place / "raw" / "poor-1", "--reports", place / "reports") as (_, printed), browser(place) as page:
+        logs = place / ".snakemake" / "log"
+        logs.mkdir(parents=True)
+        (logs / "2026-01-01T000000.000000.snakemake.log").write_text(
+            "total   1\n1 of 1 steps (100%) done\nComplete log(s):\n"
+        )
+        page.open(printed)
+        page.until("document.getElementById('jobs')?.textContent.startsWith('1 of 1 done, ended at 2')")
+        shown(page, place, "settled")
+        for name, words in (
+            ("proposed", "proposed"),
+            ("proposed", "waits for approval"),
+            ("approved", "is made now"),
+            ("recorded", "is being diagnosed"),
+            ("diagnosed", "diagnosed"),
+        ):
+            with alone(place / "out"):
+                at(place, name, last)
+                if words == "waits for approval":
+                    question = {"step": last, "question": "of a test"}
+                    (place / "out" / QUESTION).write_text(json.dumps(question))
+                shown(page, place, words)
+                came = page.run("[...document.querySelectorAll('#came-file a')].map((link) => link.pathname)")
+                assert came == [f"/reports/settle/poor-1/step-{last}/came.png"]
+                assert page.run(f"fetch('{came[0]}').then((answer) => answer.status)") == 200
+                moves = name != "diagnosed"
+                assert page.run(f"{DRAWN}('#foretold')") == page.run(f"{DRAWN}('#apart')") == moves
+                assert not moves or len(page.text("legs")) > 50, "what moves is said in numbers"
+                (place / "out" / QUESTION).unlink(missing_ok=True)
