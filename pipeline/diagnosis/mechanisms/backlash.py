@@ -40,6 +40,11 @@ MECHANISM = Mechanism(
         "w": "half_width_turns",
     },
     strengths=("a_i",),
+    meanings={
+        "half_width_turns": (
+            "the widest part of the play; half the play is a share of it, which the verdict gives in turns"
+        ),
+    },
     source="Nordin and Gutman, Controlling mechanical systems with backlash: a survey, Automatica 38, 2002",
     confused_with="friction_hysteresis, sensor_lag, viscous_loss",
     told_apart_by="a second load: the play keeps its width",

@@ -70,6 +70,11 @@ MECHANISM = Mechanism(
         "z_i": "what each element has lengthened so far",
     },
     strengths=("a_i",),
+    meanings={
+        "fresh": (
+            "1 means: the {string} was first loaded at the first sample, and 0: it had been loaded for long before"
+        ),
+    },
     source=(
         "Findley, Lai and Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976 (Kelvin-Voigt chain)"
     ),

@@ -105,6 +105,10 @@ MECHANISM = Mechanism(
         "p": "where in the turn the ripple begins: by sine against cosine",
     },
     strengths=("A", "p"),
+    meanings={
+        "pitch_turns": "how far the {motion} goes from one ripple to the next",
+        "wheel_mm": "the circumference of the sensor's wheel; 0: it follows the motor's own turn",
+    },
     source="Slocum, Precision Machine Design, 1992 (error motion once a turn)",
     confused_with="stick_slip, load_swing",
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",

@@ -57,6 +57,11 @@ MECHANISM = Mechanism(
     letters={
         "x_stop": "stop_mm",
     },
+    meanings={
+        "side": "1 means: at the upper end; -1 means: at the lower end",
+        "soft_mm": "how softly the stop begins: 0 is hard",
+        "stop_mm": "where the reading stops, from where the recording begins",
+    },
     source=(
         "Brogliato, Nonsmooth Mechanics, 1999 (contact on one side); "
         "a sensor at its range: Khalil, Nonlinear Systems, 2002 (saturation)"

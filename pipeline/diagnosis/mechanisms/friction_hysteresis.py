@@ -36,13 +36,8 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
         dry = [{**kind, "loaded": loaded, **travel} for kind in _dry(drivers)]
         pairs = [(float(f"{a * drivers.span:.6g}"), float(f"{b * drivers.span:.6g}")) for a, b in ROUNDINGS]
         return [*({"half_turns": a, "wide_half_turns": b, "loaded": loaded, **travel} for a, b in pairs), *dry]
-    stretch = [
-        {
-            "span_turns": float(f"{drivers.span:.6g}"),
-            "fastest_turns_per_s": float(f"{fastest:.6g}"),
-            "loaded": loaded,
-        }
-    ]
+    span, top = (float(f"{value:.6g}") for value in (drivers.span, fastest))
+    stretch = [{"span_turns": span, "fastest_turns_per_s": top, "loaded": loaded}]
     usual = float(f"{max(float(np.median(drivers.load)), 1e-3):.6g}")
     plays = [
         {**nonlinear, "usual_load": usual}
@@ -158,6 +153,13 @@ MECHANISM = Mechanism(
     },
     plain_equation="h s; h: half the loop, s: the direction of motion, from -1 to 1, rounded where it turns",
     strengths=("a_i", "h", "k_i"),
+    meanings={
+        "fastest_turns_per_s": "the highest speed of the recording, {scale}",
+        "half_turns": "half the width of the narrow stop that rounds the loop",
+        "play_turns": "half the width of the widest play at the usual load",
+        "usual_load": "the load at which the widths hold: they grow in proportion to the load",
+        "wide_half_turns": "half the width of the wide stop that rounds the loop",
+    },
     source=(
         "Visintin, Differential Models of Hysteresis, 1994 (Prandtl-Ishlinskii); Armstrong-Helouvry, Dupont and "
         "Canudas de Wit, Automatica 30, 1994 (along the travel too)"

@@ -60,6 +60,9 @@ class Mechanism:
     it: of these the first all of whose parameters were found, each said as its value. `names` says what a word in its
     coefficients' names multiplies, for who reads them in run.yaml. `letters` says what a letter is: in words, with its
     value after ` | ` where that is always the same, or as the name of a nonlinear parameter.
+    `meanings` says what each nonlinear parameter is; `shared_meanings.MEANINGS` has those that several mechanisms have.
+    It may hold {string}, {motion}, {motion_unit}, and {scale} for a number that only sets a scale. A name that ends in
+    `_load` is a load, counted in 10 N.
     `derived` gives constants that follow from several of its parameters, by a name that ends in their unit; each is as
     uncertain as the effect's size.
     """
@@ -78,6 +81,7 @@ class Mechanism:
     meaning: str = ""
     remembers_turns: bool = False  # acts otherwise after a way back from the middle than after one from an end
     letters: dict[str, str] = field(default_factory=dict)  # of the equation, that mean nothing or otherwise elsewhere
+    meanings: dict[str, str] = field(default_factory=dict)  # of its nonlinear parameters, by their names
     strengths: tuple[str, ...] = ()  # letters of the equation that are the coefficients of the terms
     variants: dict[str, str] = field(default_factory=dict)  # other equations, by the nonlinear parameter of their kind
     plain_equation: str = ""  # where nothing is twisted, if `equation` is one of a string

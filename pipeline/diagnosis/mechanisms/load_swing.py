@@ -110,6 +110,12 @@ MECHANISM = Mechanism(
         "w": "how fast it swings: 2 pi x frequency_hz",
         "z": "damping",
     },
+    meanings={
+        "damping": "how fast the swing dies: 0 never, 1 at once",
+        "frequency_hz": "how fast it swings, under 10 N",
+        "heavy_slow": "1 means: it swings slower under a heavier load, and 0: always alike",
+        "second_hz": "how fast the second swing is",
+    },
     source="Den Hartog, Mechanical Vibrations, 1956 (a damped mass on a spring whose support moves)",
     confused_with="sensor_lag, eccentricity",
     told_apart_by="an abrupt stop followed by a hold",

@@ -85,6 +85,9 @@ MECHANISM = Mechanism(
         "k": "the strengths",
     },
     strengths=("k",),
+    meanings={
+        "top_turns": "the highest {motion} of the recording, {scale}",
+    },
     source=(
         "Haines et al., Artificial muscles from fishing line and sewing thread, Science 343, 2014 (coils beyond a "
         "critical twist)"

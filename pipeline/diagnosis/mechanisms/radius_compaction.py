@@ -57,6 +57,9 @@ MECHANISM = Mechanism(
         "s": "the power of the load",
     },
     strengths=("k", "s"),
+    meanings={
+        "highest_pressure": "the highest load x tan(helix angle)^2 of the recording, {scale}",
+    },
     source="Popov, Gaponov and Ryu, A study on twisted string actuation systems, IEEE/RSJ IROS 2012 (variable radius)",
     confused_with="a wrong radius, shaft_windup, jam",
     told_apart_by="more than 20 turns at two loads; an image of the bundle",

@@ -63,6 +63,9 @@ MECHANISM = Mechanism(
     letters={
         "c": "how far the zero has moved by then",
     },
+    meanings={
+        "warming_s": "in which time the zero has moved by 63 % of all that it will",
+    },
     source=(
         "JCGM 200:2012, International vocabulary of metrology (instrumental drift: a definition, no law); "
         "zero drift: Doebelin, Measurement Systems: Application and Design, 1966"

@@ -44,6 +44,10 @@ MECHANISM = Mechanism(
         "k_t": "the stiffness of the shaft: one over the strengths",
     },
     strengths=("k_t",),
+    meanings={
+        "highest_torque": "the highest torque of the recording, {scale}",
+        "loop_turns": "over which {motion} the part that rubs turns round",
+    },
     source=(
         "Timoshenko, Strength of Materials, 1930 (torsion of a shaft); "
         "couplings: Budynas and Nisbett, Shigley's Mechanical Engineering Design, 2011"

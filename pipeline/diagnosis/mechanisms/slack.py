@@ -67,6 +67,13 @@ MECHANISM = Mechanism(
         "x_0": "the displacement at which the slack ends",
         "x_geo": "the displacement of a taut string",
     },
+    meanings={
+        "sag_mm": "the whole slack, as a length",
+        "softness": "how softly it ends, as a share of the slack",
+        "stop": "1 means: a stop holds the slack, as a length, and 0: it is {motion} that does nothing",
+        "take_up_mm": "the slack, as a length",
+        "take_up_turns": "the {motion} that the slack takes up",
+    },
     source="Khalil, Nonlinear Systems, 2002 (dead zone); catenary: Irvine, Cable Structures, 1981",
     confused_with="a wrong separator, backlash",
     told_apart_by="small strokes at low twist",

@@ -96,6 +96,11 @@ MECHANISM = Mechanism(
     letters={
         "s": "where the reading sticks",
     },
+    meanings={
+        "back_share": "how much of the reach is given back at a slip, as a share of it",
+        "reach_mm": "how far the reading falls behind before it slips",
+        "usual_rate": "the usual speed, in {motion_unit}/s: far below it is slow",
+    },
     source=(
         "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, Automatica "
         "30, 1994"

@@ -12,6 +12,7 @@ TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)  # in which the string takes on heat
 LEAST_RANGE_K = 0.3  # of a logged temperature: one that moves less tells nothing
 MOVING = 0.05  # of the highest rate: faster is moving, for heat that comes whenever the motor turns
 BEHIND_S = 30.0  # of the node between what heats and the string, where there are two
+USUAL = "how much of what heats there usually is, {scale}"
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -75,6 +76,10 @@ MECHANISM = Mechanism(
         "power": "the heat of the motion, from speed and load",
     },
     strengths=("a",),
+    meanings={
+        "measured": "1 means: it follows the measured temperature, and 0: one that is calculated from the motion",
+        **{f"usual_{power}": USUAL for power in ("friction", "speed", "current", "moving", "torque")},
+    },
     source=(
         "Landau and Lifshitz, Theory of Elasticity, 1959 (thermal expansion); "
         "one heated node: Incropera and DeWitt, Fundamentals of Heat and Mass Transfer, 1996 (lumped capacitance)"

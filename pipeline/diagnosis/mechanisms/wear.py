@@ -42,6 +42,9 @@ MECHANISM = Mechanism(
         "g": "how it grows with the travel, by the words in the names",
     },
     strengths=("k",),
+    meanings={
+        "travel_turns": "the whole travel of the recording, {scale}",
+    },
     source="Archard, Contact and rubbing of flat surfaces, Journal of Applied Physics 24, 1953",
     confused_with="plastic_elongation (which is the same at every twist), count_slip",
     told_apart_by="the lowest twist, where wear shows nothing; a diameter gauge",

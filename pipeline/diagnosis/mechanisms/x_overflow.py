@@ -63,6 +63,10 @@ MECHANISM = Mechanism(
         "d'": "how fast that is forgotten",
         "rim": "rim_mm",
     },
+    meanings={
+        "forgets_s": "how long it shows afterwards",
+        "rim_mm": "the reading at which it overflows, from where the recording begins",
+    },
     source=(
         "Schoukens and Noël, Three benchmarks addressing open challenges in nonlinear system identification, "
         "IFAC-PapersOnLine 50, 2017 (cascaded tanks with overflow)"

@@ -43,6 +43,9 @@ MECHANISM = Mechanism(
         "v": "the speed",
         "v_s": "the speed above which it is gone",
     },
+    meanings={
+        "falls_turns_per_s": "the speed above which it is gone",
+    },
     source=(
         "Armstrong-Helouvry, Dupont and Canudas de Wit, A survey of models for machines with friction, "
         "Automatica 30, 1994 (Stribeck curve)"

@@ -67,6 +67,9 @@ MECHANISM = Mechanism(
         "f": "hz",
         "p": "where the wave begins",
     },
+    meanings={
+        "hz": "how often it comes in a second",
+    },
     source="Den Hartog, Mechanical Vibrations, 1956 (motion of a support)",
     confused_with="load_swing (which follows starts and stops), eccentricity",
     told_apart_by="a rest with the motor off: it goes on",

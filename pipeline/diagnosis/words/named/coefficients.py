@@ -15,7 +15,7 @@ from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from . import formulas
 from .formulas import direction, does, formula, of_strings_alone
-from .shape_numbers import LOADS, meaning_of, shape_number, unit_of_shape
+from .nonlinear_parameters import LOAD, meaning_of, on_this_rig, unit_of_parameter
 
 HEAD = (
     "What each number under simulation means, if you are curious: nobody needs them to predict. What a number does is "
@@ -96,17 +96,17 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
             )
     for nonlinear in act.nonlinear:
         for key, value in nonlinear.items():
-            if of_strings_alone(meaning_of(key), words):
+            if of_strings_alone(meaning_of(key, mechanism), words):
                 continue
             name, kept = drivers.units.name(key), ""
-            spelled = f"{number(value, 3)} {unit_of_shape(key, name)}".strip()
-            if key in LOADS:
+            spelled = f"{number(value, 3)} {unit_of_parameter(key, name)}".strip()
+            if key.endswith(LOAD):
                 spelled = f"{number(drivers.units.load_size * value, 3)} {drivers.units.load}"
                 counted = quantity(drivers.units.load_size, drivers.units.load)
                 kept = f"; run.yaml has it as {number(value, 3)}, in {counted}"
             others.setdefault(key, []).append(spelled)
             rows.append([name, spelled, "", ""])
-            described.append(f"{shape_number(key, words)}{kept}")
+            described.append(f"{on_this_rig(key, mechanism, words)}{kept}")
     shown = 3 if {row[-1] for row in rows} <= {UNKNOWN, ""} else 4  # a column that says nothing is left out
     heads = ["number", "value", "reading moved, rms", _between(whole, words)]
     head, *table = aligned([row[:shown] for row in (heads, *rows)])

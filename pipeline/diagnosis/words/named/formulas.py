@@ -12,7 +12,7 @@ from ...recording.drivers import Drivers
 from ..language.quantity import number, quantity, said_unit, size, span
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
-from .shape_numbers import MEANT, meaning_of, shape_number
+from .nonlinear_parameters import MEANT, meaning_of, on_this_rig
 
 LETTER = re.compile(r"(?<![A-Za-z0-9_])[A-Za-z]+(?:_[A-Za-z0-9]+)?[0-9]?'*(?![A-Za-z0-9_])")
 OWN = re.compile(r"(?:^|, )([A-Za-z][A-Za-z0-9_']*): ")  # in the rest of an equation, which says what its letters are
@@ -85,9 +85,9 @@ def lines(equation: str, mechanism: Mechanism, words: Vocabulary, drivers: Drive
     rows = [["letter", "value", "what it is"]]
     for letter, meaning in meanings.items():
         what, _, always = meaning.partition(ALWAYS)
-        own = what if meaning_of(what) else KEYS.get(letter, "")
+        own = what if meaning_of(what, mechanism) else KEYS.get(letter, "")
         value = always or _value(letter, own, meaning, mechanism, words, drivers, numbers)
-        rows.append([letter, value, shape_number(own, words) if own == what else what])
+        rows.append([letter, value, on_this_rig(own, mechanism, words) if own == what else what])
     used = functions(equation, mechanism)
     return [*(aligned(rows) if meanings else []), *([f"Signs: {'; '.join(used)}."] if used else [])]
 
@@ -129,7 +129,7 @@ def _value(
     """The value of a letter with its unit: of what varies its range; else where it stands, or that it is calculated."""
     if key in numbers.others:
         return numbers.others[key]
-    if meaning_of(meaning):
+    if meaning_of(meaning, mechanism):
         return UNUSED
     if letter in mechanism.strengths:
         count = len(numbers.strengths)

@@ -11,11 +11,12 @@ from pipeline.diagnosis.choice.outcome import rms
 from pipeline.diagnosis.facts.mechanism_entries import effect_of, unit_of_nonlinear
 from pipeline.diagnosis.fit.problem import Act
 from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.mechanisms.shared_meanings import MEANINGS
 from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.named import coefficients, formulas
 from pipeline.diagnosis.words.named.coefficients import factors
-from pipeline.diagnosis.words.named.shape_numbers import CHOSEN, shape_number, unit_of_shape
+from pipeline.diagnosis.words.named.nonlinear_parameters import CHOSEN, on_this_rig, unit_of_parameter
 from pipeline.ground.units import unit_of
 from pipeline.systems import systems
 
@@ -147,10 +148,20 @@ def candidates(mechanism, problem) -> list[dict[str, float]]:
 
 def test_every_number_in_a_formula_has_its_meaning(problem) -> None:
     words = Vocabulary.of(problem.system)
-    keys = {key for one in mechanisms().values() for shape in candidates(one, problem) for key in shape}
-    for key in keys | {key for one in mechanisms().values() for key in one.units}:
-        assert CHOSEN not in shape_number(key, words) and "{" not in shape_number(key, words), key
-    assert CHOSEN in shape_number("of_your_own", words)
+    for mechanism in mechanisms().values():
+        keys = {key for nonlinear in candidates(mechanism, problem) for key in nonlinear}
+        for key in keys | set(mechanism.units) | set(mechanism.optional):
+            meaning = on_this_rig(key, mechanism, words)
+            assert CHOSEN not in meaning and "{" not in meaning, (mechanism.id, key)
+        assert CHOSEN in on_this_rig("of_your_own", mechanism, words)
+
+
+def test_a_mechanism_says_in_its_own_file_what_its_nonlinear_parameters_mean(problem) -> None:
+    words = Vocabulary.of(problem.system)
+    own = replace(mechanisms()["x_wave"], id="x_mine", meanings={"edge_turns": "the {motion} at which it starts"})
+    assert on_this_rig("edge_turns", own, words) == "the twist at which it starts"
+    for mechanism in mechanisms().values():
+        assert not set(mechanism.meanings) & set(MEANINGS), f"{mechanism.id}: several have it"
 
 
 def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -> None:
@@ -159,12 +170,12 @@ def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -
     per_s = sorted(key for key in keys if key.endswith("_per_s"))
     assert "fastest_turns_per_s" in per_s
     for key in per_s:
-        assert unit_of_shape(key, key) == "turns/s", key
-    assert unit_of_shape("fastest_s", "fastest_s") == "s"
-    assert shape_number("fastest_s", words).startswith("the shortest time constant")
+        assert unit_of_parameter(key, key) == "turns/s", key
+    assert unit_of_parameter("fastest_s", "fastest_s") == "s"
+    assert on_this_rig("fastest_s", mechanisms()["creep"], words).startswith("the shortest time constant")
     drive = rigs["cable_drive"]
     own = Units.of(drive).name("slow_turns_per_s")
-    assert unit_of_shape("slow_turns_per_s", own) == "deg/s", own
+    assert unit_of_parameter("slow_turns_per_s", own) == "deg/s", own
     for key in keys:
         assert unit_of_nonlinear(key) in ("1", unit_of(key)), key
 

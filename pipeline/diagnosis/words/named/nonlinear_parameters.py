@@ -1,0 +1,58 @@
+"""What the nonlinear parameters of mechanisms mean, in the words of a rig, and the letters of their formulas."""
+
+from ....ground.units import unit_of
+from ...facts.mechanism_entries import unit_of_nonlinear
+from ...mechanisms.interface import Mechanism
+from ...mechanisms.shared_meanings import MEANINGS
+from ..language.quantity import said_unit
+from ..language.vocabulary import Vocabulary
+
+CHOSEN = "a number in the formula itself, chosen by the search or fitted"
+SCALE = "a scale only: the numbers above hold for it"
+LOAD = "_load"  # ends the name of a load, which the library counts in 10 N
+MEANT = {  # letters of formulas
+    "A": "the height of the ripple",
+    "F": "the load",
+    "F_ref": "the load at which the numbers hold",
+    "K": "the stiffness of the string",
+    "P": "how much longer the string is for good",
+    "T": "the temperature",
+    "a": "the helix angle, between a string and the axis",
+    "c": "the strokes worked so far",
+    "d": "the torsion zone",
+    "delay": "by how much the reading is late",
+    "dx": "what the effect adds to the displacement",
+    "k": "the strength, from the first rows of the table",
+    "p": "where in the turn the ripple begins",
+    "q": "the twist",
+    "r": "the radius of the string",
+    "r_e": "the radius that acts",
+    "reach": "how far the reading falls behind before it slips",
+    "t": "the time",
+    "tau": "a time constant",
+    "theta": "the twist of the motor",
+    "theta'": "the twist after the play",
+    "theta_c": "the critical twist",
+    "theta_s": "the twist that the string sees",
+    "travel": "the distance travelled so far",
+    "v": "the speed",
+    "x": "the displacement, by the dimensions alone",
+    "x_m": "the displacement that the sensor reads",
+    "y": "the displacement, by the dimensions alone",
+}
+
+
+def meaning_of(key: str, mechanism: Mechanism) -> str:
+    """What a mechanism's nonlinear parameter `key` is, with fields for the rig's words; empty where it does not say."""
+    return {**MEANINGS, **mechanism.meanings}.get(key, "")
+
+
+def on_this_rig(key: str, mechanism: Mechanism, words: Vocabulary) -> str:
+    """What a mechanism's nonlinear parameter `key` is, in the words of this rig."""
+    fields = {"scale": SCALE, "motion": words.motion, "string": words.string, "motion_unit": words.motion_unit}
+    return meaning_of(key, mechanism).format(**fields) or CHOSEN
+
+
+def unit_of_parameter(key: str, name: str) -> str:
+    """Unit of the nonlinear parameter `key`, which is called `name` on this rig; empty where it has none."""
+    return said_unit(unit_of(name)) if unit_of_nonlinear(key) != "1" else ""
