@@ -17,7 +17,7 @@ def leg(seconds, to, load, driver="motor_turns", load_name="load_n"):
 
 
 def explanation(ids, standing, left, bent=None, worse=100.0, driver="time", place=(0.0, 12.2)):
-    found = {"ids": ids, "standing": standing, "left_mm": left, "bent_mm": bent or left}
+    found = {"ids": ids, "standing": standing, "left_mm": left, "with_discrepancy_mm": bent or left}
     if standing in ("tied", "beaten"):
         box = {"motor_turns": list(place), "strokes": [2, 4], "phase": "rest", "share": 0.82}
         found |= {"worse": worse, "gap_mm": 0.07, "location": box, "driver": driver}

@@ -40,8 +40,8 @@ def named(ids: list[str], explanations: list[dict], shares: dict[str, float], re
     made["mechanisms"] = [entry for entry in made["mechanisms"] if entry["id"] in ids]
     for id_, share in shares.items():
         made["evidence"]["explanations"].append(
-            {"ids": [id_], "standing": "named" if id_ in ids else "beaten", "left_mm": 0.03, "bent_mm": 0.03,
-             "probability": share, "worse": 9.0, "gap_mm": 0.1, "driver": None,
+            {"ids": [id_], "standing": "named" if id_ in ids else "beaten", "left_mm": 0.03,
+             "with_discrepancy_mm": 0.03, "probability": share, "worse": 9.0, "gap_mm": 0.1, "driver": None,
              "location": {"motor_turns": [0, 1], "strokes": [1, 2], "phase": "all", "share": 0.8}}
         )  # fmt: skip
     return made

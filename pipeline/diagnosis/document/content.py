@@ -127,3 +127,12 @@ def mismatch_of(content: Verdict) -> Part:
     if content["mismatch"] is None:
         raise ValueError("the verdict has no mismatch")
     return content["mismatch"]
+
+
+def left_with_discrepancy(explanation: Part, ending: str) -> float:
+    """What an explanation leaves if its formulas may be a little wrong, rms in the reading's unit, `ending` of keys.
+
+    A file from before 2026-11-28 calls it `bent_…`.
+    """
+    key = f"with_discrepancy_{ending}"
+    return float(explanation[key] if key in explanation else explanation[f"bent_{ending}"])

@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from ...ground.kinematics import Array
-from ..document.content import Part, Verdict
+from ..document.content import Part, Verdict, left_with_discrepancy
 from ..recording.drivers import Drivers
 from ..words.explanations import explanation_table, probability, rivals
 from ..words.held_out.holdout import included
@@ -89,7 +89,8 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
     axes.scatter(left, range(len(shown)), c=colours, s=55, zorder=2.5)
     with_discrepancy = [
-        min(explanation[f"bent_{ending}"] / floor, rms) for explanation, rms in zip(shown, left, strict=True)
+        min(left_with_discrepancy(explanation, ending) / floor, rms)
+        for explanation, rms in zip(shown, left, strict=True)
     ]
     decide = not rivals.all_below_noise(content, ending)
     if decide:

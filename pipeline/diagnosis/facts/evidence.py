@@ -47,9 +47,10 @@ def listed(study: Study) -> list[Explanation]:
 def explanations(study: Study, ending: str, calibrated: float) -> list[Part]:
     """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
 
-    `bent_…`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first, which is minus
-    twice the logarithm of how much likelier the first makes the recording. `calibrated` is what calibration alone
-    leaves, rms: the simulator's own number; what the search took it for stands beside it as `approximated_…`.
+    `with_discrepancy_…`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first,
+    which is minus twice the logarithm of how much likelier the first makes the recording. `calibrated` is what
+    calibration alone leaves, rms: the simulator's own number; what the search took it for stands beside it as
+    `approximated_…`.
     """
     search = study.search
     decided = study.verdict in ("explained", "ambiguous")
@@ -72,7 +73,7 @@ def explanations(study: Study, ending: str, calibrated: float) -> list[Part]:
         if not explanation.ids:
             entry |= {f"approximated_{ending}": entry[f"left_{ending}"], f"left_{ending}": calibrated}
         entry["probability"] = probability(study, explanation.ids)
-        entry[f"bent_{ending}"] = float(np.sqrt(max(search.with_discrepancy(explanation).energy, 0.0)))
+        entry[f"with_discrepancy_{ending}"] = float(np.sqrt(max(search.with_discrepancy(explanation).energy, 0.0)))
         if first and explanation.ids and explanation is not first:
             entry["worse"] = price(search, explanation) - price(search, first)
             entry["because"] = because(study, explanation.ids, first.ids)

@@ -284,7 +284,7 @@ def test_each_map_has_the_scale_of_its_own_residual(drawn) -> None:
 
 @pytest.mark.parametrize("named", [True, False])
 def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best(named) -> None:
-    one = {"left_mm": 0.1, "bent_mm": 0.1, "probability": None}
+    one = {"left_mm": 0.1, "with_discrepancy_mm": 0.1, "probability": None}
     shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
     shown += [{**one, "ids": ["creep"], "standing": "named"}] if named else []
     _, axes = plt.subplots()
@@ -298,7 +298,7 @@ def test_a_larger_set_is_drawn_with_no_more_than_its_parts_leave_and_each_row_st
     """A fit that did not find its best stood there with eight times what one of its effects leaves alone."""
     sizes = {(): 1.0, ("creep",): 0.1, ("creep", "wear"): 0.8, ("slack",): 1.6}
     others = [("creep", f"x_{letter}") for letter in "abcdefgh"]
-    one = {"bent_mm": 2.0, "probability": None, "standing": "beaten"}
+    one = {"with_discrepancy_mm": 2.0, "probability": None, "standing": "beaten"}
     shown = [{**one, "ids": [*ids], "left_mm": left} for ids, left in [*sizes.items(), *((ids, 0.1) for ids in others)]]
     shown[0]["standing"], shown[1]["standing"] = "nothing", "named"
     evidence = {"explanations": shown, "floor_mm": 0.1, "calibrated_mm": 1.0}
@@ -320,7 +320,7 @@ def test_a_larger_set_is_drawn_with_no_more_than_its_parts_leave_and_each_row_st
 def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_where_no_more_effect_is_named(
     bent, below
 ) -> None:
-    one = {"left_mm": 0.1, "bent_mm": bent, "probability": None}
+    one = {"left_mm": 0.1, "with_discrepancy_mm": bent, "probability": None}
     shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
     shown += [{**one, "ids": ["creep"], "standing": "not needed"}]
     shown += [{**one, "ids": ["slack"], "standing": "not needed"}]
@@ -422,9 +422,9 @@ def test_what_comes_closest_is_drawn_hollow_and_called_no_name() -> None:
 def test_kept_explanations_stand_first_and_no_word_lies_over_its_bar() -> None:
     """A kept one stood below one that was left out; `less than 1 %` lay over the bar of one that leaves little."""
     shown = [
-        {"ids": ["wear"], "left_mm": 0.1, "bent_mm": 0.1, "probability": 0.4, "standing": "beaten"},
-        {"ids": ["creep"], "left_mm": 0.03, "bent_mm": 0.03, "probability": 0.3, "standing": "named"},
-        {"ids": ["stick_slip"], "left_mm": 0.2, "bent_mm": 0.2, "probability": None, "standing": "beaten"},
+        {"ids": ["wear"], "left_mm": 0.1, "with_discrepancy_mm": 0.1, "probability": 0.4, "standing": "beaten"},
+        {"ids": ["creep"], "left_mm": 0.03, "with_discrepancy_mm": 0.03, "probability": 0.3, "standing": "named"},
+        {"ids": ["stick_slip"], "left_mm": 0.2, "with_discrepancy_mm": 0.2, "probability": None, "standing": "beaten"},
     ]
     _, axes = plt.subplots()
     panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": []}, "mm")

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 
 from ....ground.counts import consecutive
-from ...document.content import Part, Verdict
+from ...document.content import Part, Verdict, left_with_discrepancy
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
@@ -124,9 +124,9 @@ def _adds(larger: Part, rows: Numbered, content: Verdict, words: Vocabulary) -> 
         return "takes away too little for one effect more"
     row = next((str(number) for number, each in rows.items() if each is base), rivals.called(base["ids"]))
     adds = f"adds {listing([id_ for id_ in larger['ids'] if id_ not in base['ids']])} to {row}"
-    saved, surely = (
-        math.sqrt(max(base[f"{key}_{ending}"] ** 2 - larger[f"{key}_{ending}"] ** 2, 0.0)) for key in ("left", "bent")
-    )
+    exactly = [float(each[f"left_{ending}"]) for each in (base, larger)]
+    roughly = [left_with_discrepancy(each, ending) for each in (base, larger)]
+    saved, surely = (math.sqrt(max(less**2 - more**2, 0.0)) for less, more in (exactly, roughly))
     if saved < ADDS * content["evidence"][f"floor_{ending}"]:
         return f"{adds}, which takes away nothing (less than {ADDS:g} times the noise)"
     more, sure = size(saved, words.unit), size(surely, words.unit)

@@ -1,6 +1,6 @@
 """The explanations that were weighed, in words: what ties, and why the others were beaten."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Part, Verdict, left_with_discrepancy
 from ..language.quantity import size, times
 from ..language.vocabulary import Vocabulary
 
@@ -57,13 +57,15 @@ def all_below_noise(content: Verdict, ending: str) -> bool:
     """Whether every explanation comes below the noise if its formulas may be a little wrong: that decides nothing."""
     floor = content["evidence"][f"floor_{ending}"]
     with_discrepancy = [
-        explanation[f"bent_{ending}"] for explanation in content["evidence"]["explanations"] if explanation["ids"]
+        left_with_discrepancy(explanation, ending)
+        for explanation in content["evidence"]["explanations"]
+        if explanation["ids"]
     ]
     return len(with_discrepancy) > 1 and max(with_discrepancy) < floor
 
 
 def with_discrepancy(explanation: Part, content: Verdict, words: Vocabulary) -> float | None:
     """What is left, in noise floors, if the true effects may differ a little from the formulas; None where no less."""
-    mine, with_discrepancy = explanation[f"left_{words.ending}"], explanation[f"bent_{words.ending}"]
+    mine, with_discrepancy = explanation[f"left_{words.ending}"], left_with_discrepancy(explanation, words.ending)
     floor = content["evidence"][f"floor_{words.ending}"]
     return None if with_discrepancy > WORTH_SAYING * mine or mine < NOISY * floor else float(with_discrepancy / floor)

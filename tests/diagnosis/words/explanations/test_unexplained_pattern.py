@@ -42,7 +42,7 @@ def test_a_place_that_is_nearly_the_whole_range_is_told_as_that():
 def test_what_wrong_formulas_may_take_away_is_left_out_where_it_takes_all_away(low, said):
     made = content()
     for one in made["evidence"]["explanations"]:
-        one["bent_mm"] = low if one["ids"] else 0.45
+        one["with_discrepancy_mm"] = low if one["ids"] else 0.45
     alone = copy.deepcopy(made) | {"verdict": "explained", "alternatives": [], "next_run": None}
     for each in (made, alone):
         each["evidence"]["explanations"][-1]["left_mm"] = 0.05
