@@ -12,6 +12,7 @@ from .sample_faults import Watch
 from .screen import Screen, clock
 
 PACE_AFTER_S, PACE_DIFFERS = 5.0, 0.1  # from when, and by which share, a device's clock goes at another pace
+LEAST_APART_S = 1.0  # of the two clocks, to be said
 SHOWN = {"motor_turns": "turns", "displacement_mm": "mm", "load_n": "N"}
 
 
@@ -64,7 +65,8 @@ class Progress:
         passed_s = time.monotonic() - self._began_s
         recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
         rigs_own = f"{clock(recorded_s)} by the rig's clock"
-        other_pace = passed_s > PACE_AFTER_S and abs(recorded_s - passed_s) > PACE_DIFFERS * passed_s
+        differs = abs(recorded_s - passed_s) > max(PACE_DIFFERS * passed_s, LEAST_APART_S)
+        other_pace = differs and (last or passed_s > PACE_AFTER_S)
         of = f" of {self.hello.strokes}" if self.hello.strokes else ""
         # as they come, which for a rig at another pace is not its own rate
         rate_hz = self.samples / max(passed_s, 1e-3)
@@ -75,7 +77,7 @@ class Progress:
         whole = self.left.done + is_whole
         done = "stroke done" if whole == 1 and not of else "strokes done"
         return [
-            f"{clock(passed_s)} passed" if other_pace else f"{clock(recorded_s)} recorded",
+            f"{clock(passed_s)} passed",  # one clock from start to end, whatever is learnt of the rig's pace
             f"stroke {self._stroke}{of}" if self._stroke and not is_whole else f"{whole}{of} {done}",
             *([f"about {clock(left_s)} left"] if left_s is not None and not last else []),
             *([lost, *readings] if self.lost else [*readings, lost]),  # of a narrow line the end is cut off

@@ -12,6 +12,9 @@ from .step import Place, Step
 from .tie import tie
 
 WAYS = ("ask", "auto", "page")
+YES, NO = ("y", "yes"), ("n", "no")
+QUESTION = "Make this run? The motor moves at once. Type yes or no: "
+AGAIN = "That is neither yes nor no. Make this run? Type yes, or anything else to leave it: "
 UNATTENDED = ("auto", "page")  # nobody need stand at the terminal, so nothing moves without limits
 
 
@@ -35,5 +38,13 @@ def approved(step: Step, way: str, answers: Answers) -> Step | None:
     if sys.stdin is None or not sys.stdin.isatty():
         mend = "start it in a terminal, or give --approve auto or page with --limits"
         raise BadInput("--approve", "ask", "there is no terminal in which to ask; nothing was moved", mend)
-    answer = input("Make this run? The motor moves at once. Type yes, or anything else to leave it: ")
-    return step.at("approved", approved_by="a person, asked") if answer.strip().lower() == "yes" else None
+    return step.at("approved", approved_by="a person, asked") if _yes() else None
+
+
+def _yes() -> bool:
+    """Whether the person says yes; what is neither yes nor no is asked once more, and then is no."""
+    for question in (QUESTION, AGAIN):
+        answer = input(question).strip().lower()
+        if answer in YES or answer in NO:
+            return answer in YES
+    return False

@@ -29,9 +29,12 @@ def not_compared(runs: list[Rests]) -> list[str]:
 def _sentence(before: Rests, after: Rests) -> str:
     """Which runs, why, and what to do about it."""
     twists, loads = (before.turns[-1], after.turns[0]), (before.load_n[-1], after.load_n[0])
-    why = f"their loads differ ({loads[0]:.3g} and {loads[1]:.3g} N)"
+    last, first = f"{loads[0]:.3g} N", f"{loads[1]:.3g} N"
     if alike([0.0], list(loads), 1.0):
-        why = f"they rest at other twists ({twists[0]:.3g} and {twists[1]:.3g} turns)"
+        last, first = f"{twists[0]:.3g} turns", f"{twists[1]:.3g} turns"
+    # a run without a rest after its strokes has none but the one that it begins with
+    rests = f"rests last at {last}" if before.after[-1] else f"begins at {last} and rests no more"
+    why = f"{before.run.run} {rests}, {after.run.run} begins at {first}"
     mend = f"write `tare: run` in run.yaml of {after.run.run}: its first rest is then set to the model's value"
     between = f"zero not compared between {before.run.run} and {after.run.run}"
     return f"{between}: {why}. If the sensor or a clamp was moved in between, {mend}."

@@ -104,8 +104,9 @@ def test_every_time_but_the_rigs_own_is_the_persons(monkeypatch, passed_s, other
     shown.samples = round(10 * RATE_HZ)
     shown._began_s -= passed_s
     parts = shown.parts()
-    assert parts[0] == ("0:50 passed" if other else "0:10 recorded")
+    assert parts[0] == f"0:{passed_s:02.0f} passed", "its clock changed from the rig's to the person's after 5 s"
     assert ("0:10 by the rig's clock" in parts) is other
+    assert ("0:10 by the rig's clock" in shown.parts(last=True)) is (passed_s != 10.0), "a fast rig ends sooner"
 
 
 def test_of_a_program_the_time_that_is_left_is_that_of_its_legs(monkeypatch):

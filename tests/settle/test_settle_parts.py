@@ -137,13 +137,27 @@ def test_a_run_that_is_a_little_too_fast_for_the_rig_is_made_as_fast_as_it_goes(
 
 
 @pytest.mark.parametrize(
-    ("answer", "moves"), [("yes", True), (" YES ", True), ("y", False), ("", False), ("no", False)]
+    ("answers", "moves"),
+    [
+        (["yes"], True),
+        ([" YES "], True),
+        (["y"], True),
+        (["no"], False),
+        (["N"], False),
+        (["", "yes"], True),
+        (["yess", "y"], True),
+        (["", ""], False),
+        (["ok", "make it"], False),
+    ],
 )
-def test_a_person_is_asked_and_only_yes_is_yes(answer, moves, monkeypatch, tmp_path):
+def test_a_person_is_asked_and_once_more_after_what_is_neither_yes_nor_no(answers, moves, monkeypatch, tmp_path):
+    """`y` ended the program as "not approved"."""
+    left, questions = iter(answers), []
     monkeypatch.setattr(sys.stdin, "isatty", lambda: True, raising=False)
-    monkeypatch.setattr("builtins.input", lambda _: answer)
+    monkeypatch.setattr("builtins.input", lambda question: questions.append(question) or next(left))
     step = approved(Step(1, "proposed"), "ask", Answers(tmp_path))
     assert (step is not None) == moves and (step is None or step.state == "approved")
+    assert len(questions) == len(answers) and all("neither yes nor no" in question for question in questions[1:])
 
 
 def test_a_sheet_says_each_leg_and_how_to_record_it():

@@ -309,7 +309,7 @@ def test_a_zero_that_is_not_compared_is_said_in_the_log_of_the_dataset(tmp_path:
         samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
         program("stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
     text = program("stages.dataset", *made, "--processed", processed, "--out", tmp_path / "dataset.parquet")
-    why = "their loads differ (20 and 30 N)"
+    why = "a-1 rests last at 20 N, a-2 begins at 30 N"
     assert text.count(f"Beware: zero not compared between a-1 and a-2: {why}. If the sensor or a clamp was moved") == 1
 
 
@@ -317,7 +317,7 @@ def test_a_zero_that_is_not_compared_is_said_of_runs_that_are_diagnosed_together
     made = of_other_loads(tmp_path / "raw")
     done = programs.run("pipeline.diagnose", *made, "--together", "--out", tmp_path / "out")
     assert done.returncode == 0, done.stderr
-    said = "a-1+a-2: zero not compared between a-1 and a-2: their loads differ (20 and 30 N)."
+    said = "a-1+a-2: zero not compared between a-1 and a-2: a-1 rests last at 20 N, a-2 begins at 30 N."
     assert said in done.stderr and "This verdict does not depend on it" in done.stderr
 
 
@@ -326,7 +326,11 @@ def test_why_a_zero_is_not_compared_is_told_once() -> None:
     late = two.samples[two.samples["time_s"] > CUT_S + 10.0].reset_index(drop=True)  # begins high up
     begun = Recorded(two.run, "", late, segment(late, "motor_turns", "a-2"))
     (note,) = not_compared([Rests.of(one), Rests.of(begun)])
-    assert re.search(r"between a-1 and a-2: they rest at other twists \(0 and 1\d(\.\d)? turns\)", note)
+    assert re.search(r"between a-1 and a-2: a-1 rests last at 0 turns, a-2 begins at 1\d(\.\d)? turns\.", note)
+    beginning = Rests.of(one)  # of a run that ends while it unwinds: its load changed since its only rest
+    alone = replace(beginning, after=(0,), **{name: getattr(beginning, name)[:1] for name in ("turns", "load_n")})
+    (note,) = not_compared([alone, Rests.of(begun)])
+    assert "a-1 begins at 0 turns and rests no more, a-2 begins at" in note
     assert not_compared([Rests.of(run) for run in runs(JUMP_MM)]) == []
     tared = [Rests.of(one), replace(Rests.of(begun), run=runs(JUMP_MM, tare="run")[1].run)]
     assert not_compared(tared) == [] and len(tare_notes(tared)) == 1
