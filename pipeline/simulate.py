@@ -16,7 +16,7 @@ from .diagnosis.prediction.carried_over import carried_over
 from .diagnosis.prediction.later_run import before_of, predicted_after, said_of, simulated_before
 from .diagnosis.prediction.planned_motion import Plan, recorded_beside, tied_with
 from .diagnosis.prediction.prediction_band import adopted_diagnosis
-from .diagnosis.prediction.simulation import has_zero, measured_since, of_run, read_diagnosis
+from .diagnosis.prediction.simulation import measured_since, of_run, read_diagnosis
 from .diagnosis.prediction.without_a_name import said_of_no_name, to_simulate
 from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
@@ -27,6 +27,7 @@ from .diagnosis.words.foretold import loop_table
 from .diagnosis.words.foretold.another_rig import warning as another_rig
 from .diagnosis.words.foretold.corner_table import corners
 from .diagnosis.words.foretold.home import of_carried_over, of_home
+from .diagnosis.words.foretold.planned_zero import of_zero
 from .diagnosis.words.foretold.prediction import AFTER_RECORDING, of_ties
 from .diagnosis.words.foretold.residual import RESIDUAL
 from .diagnosis.words.language.quantity import listing
@@ -82,7 +83,8 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     content = to_simulate(read_diagnosis(source), run.run) if arguments.simulation else of_run(run)
     tied = tied_with(run, content, arguments.simulation is None)
     beside = recorded_beside(arguments.run_dir, run, content, arguments.simulation is None) if recorded else []
-    before = before_of(content, run.run, beside) if arguments.after_recording else []
+    together = run.adopted[-1].runs if run.adopted and not arguments.simulation else content.get("run")
+    before = before_of({**content, "run": together or run.run}, run.run, beside)
     return Plan(run, samples, drawn, recorded, content, source, arguments.after_recording, tied, beside, before)
 
 
@@ -157,10 +159,7 @@ def main() -> None:
     begins = acting if plan and plan.recorded and not plan.after else None
     loops = loop_table.printed(table, called, problem.system.channel, begins) if plan else []
     if plan and problem.system.free_zero:
-        as_there = plan.after or has_zero(content, problem.system, run.run, problem.runs)
-        zero = f"that of the recording of {run.run}" if as_there else "the reading in the first second"
-        state = "as the recording left it" if plan.after else "as it was before its first stroke"
-        words.append(f"its zero is {zero}; the {called.string} is taken to be {state}")
+        words.append(of_zero(plan, called))
     tied = plan.tied if plan else tied_with(run, content, arguments.simulation is None)
     tied = [] if carried and not carried.effects else tied
     words += of_ties(acting, len(tied), list(columns))

@@ -50,17 +50,18 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     """The dimensions of a diagnosis for a run, by name: as run.yaml had them, and as they fit with the effects.
 
     A run that was diagnosed together with others may have a zero of the motor of its own, which is added. The zero of
-    the reading is that of one recording: it comes only with the run that was diagnosed alone.
+    the reading is that of one recording: it comes only with its own run.
     """
     known = content.get("parameters", {})
     runs = content.get("run")
-    own = f"_{runs.index(run) + 1}" if isinstance(runs, list) and run in runs[1:] else None
+    number = runs.index(run) + 1 if isinstance(runs, list) and run in runs else 0
+    own, zero = f"_{number}" if number > 1 else None, f"zero_{number}_" if number else "zero"
     fitted_values = {}
     for name, entry in known.items() if isinstance(known, dict) else []:
         nominal: Any = entry.get("nominal") if isinstance(entry, dict) else None
         value: Any = entry.get("value") if isinstance(entry, dict) else None
         if (
-            (name.startswith("zero") and runs != run)
+            (name.startswith("zero") and not (name.startswith(zero) and (number or runs == run)))
             or re.search(r"_\d+$", name)
             or not (is_number(nominal) and is_number(value))
         ):

@@ -24,8 +24,9 @@ from ..recording.recorded_run import RecordedRun
 from ..study.own_rate import at_own_rate
 from .harder import with_harder
 from .later_run import places_beside
+from .planned_zero import beginning, own_zero, set_by, set_where_it_begins
 from .prediction_band import Foretold, band, curves
-from .simulation import has_zero, simulated, tare, tared
+from .simulation import simulated, tared, value_of
 
 SHARE = 0.01  # of the reading's range: where no error is expected, a smaller difference is not worth a word
 
@@ -36,7 +37,7 @@ class Plan:
 
     `content`, from the file `source`, is the simulator. `after`: whether the recorded motion goes before the plan.
     `tied`: the explanations that are as likely as what acts, by their mechanisms. `beside`: the other recordings that
-    were diagnosed together with the run's own; `before`: those of them that go before it, and before the plan.
+    were diagnosed together with the run's own; `before`: those of them that go before it, and so before the plan.
     """
 
     run: Run
@@ -81,9 +82,37 @@ class Plan:
         return values[-len(self.samples) :]
 
     @cached_property
+    def begun(self) -> Problem | None:
+        """What sets the zero: the beginning of the recording. None where the zero is known, or nothing sets it."""
+        known = self.zero or not self.run.system.free_zero
+        return None if known else beginning(self.recorded)
+
+    @property
+    def zero(self) -> str:
+        """The name of the zero of the run's reading in what simulates; empty where it holds none."""
+        return own_zero(self.content, self.run.system, self.run.run)
+
+    def zeroed(self, content: Simulated, path: Path) -> Array:
+        """What a simulator says of the plan's rows, its zero found as that of `content` is; raises BadInput.
+
+        The zero is the recording's, where that is known or its first second sets it. Else the plan begins at 0. Shape
+        (samples,), in the channel's unit.
+        """
+        run = self.run.run
+        if self.after:
+            return self.own(tared(self.problem, content, path, run))
+        reading = self.own(simulated(self.problem, content, path, run))
+        name = own_zero(content, self.run.system, run) if self.zero else ""
+        if name:
+            return reading + value_of(content, name, path, 0.0)
+        if not self.run.system.free_zero:
+            return reading
+        return reading + set_by(self.begun, content, path, run) if self.begun else set_where_it_begins(reading)
+
+    @cached_property
     def predicted(self) -> Array:
-        """The reading, of shape (samples,) in the channel's unit; raises BadInput as `tared` does."""
-        return self.own(tared(self.problem, self.content, self.source, self.run.run))
+        """The reading, of shape (samples,) in the channel's unit; raises BadInput as `zeroed` does."""
+        return self.zeroed(self.content, self.source)
 
     @cached_property
     def without_effects(self) -> Array:
@@ -97,12 +126,11 @@ class Plan:
 
     def band(self, diagnosis: Verdict, path: Path) -> Foretold | None:
         """How well the plan is foretold by what `diagnosis` leaves open; None where it does not say."""
-        width = band(self.problem, diagnosis, path, self.run.run)
-        return width and replace(width, sigma=self.own(width.sigma))
+        return band(self.problem, diagnosis, path, self.run.run, lambda content: self.zeroed(content, path))
 
     def curves(self, diagnosis: Verdict, path: Path) -> dict[str, Array]:
         """What each explanation that ties says, by its mechanisms: of shape (samples,), in the channel's unit."""
-        return {ids: self.own(curve) for ids, curve in curves(self.problem, diagnosis, path, self.run.run).items()}
+        return curves(self.problem, diagnosis, path, self.run.run, lambda content: self.zeroed(content, path))
 
     @property
     def inputs(self) -> dict[str, Array]:
@@ -129,8 +157,6 @@ class Plan:
             gap = replace(self, after=True).predicted - self.predicted
         except BadInput:  # what cannot be simulated after the recording is no reason to refuse the plan alone
             return None
-        if not has_zero(self.content, self.run.system, self.run.run, self.problem.runs) and self.run.system.free_zero:
-            gap = gap - tare(np.zeros_like(gap), gap, self.samples["time_s"].to_numpy())
         limit = SHARE * float(np.ptp(self.predicted)) if expected is None else expected
         return gap if rms(gap) > limit else None
 

@@ -6,7 +6,7 @@ other string, and no motion beyond what was recorded.
 """
 
 import copy
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -31,6 +31,7 @@ from .simulation import measured_since, read_diagnosis, tared
 SMALL = 0.1  # of a sigma: a step so short is straight
 HELD, FAR, MOST = 0.9, 8.0, 20_000  # of the readings; sigmas that hold all; rows that tell a distance
 MEND = "give a diagnosis.json as it was made"
+Zeroed = Callable[[Simulated], Array]  # the reading that a simulator gives a motion, with its zero
 
 
 class _Doubt(Form):
@@ -102,10 +103,11 @@ def _nine_of_ten(sigma: Array, gap: Array) -> float:
     return float(brentq(lacking, 0.0, float(np.abs(gap).max() + FAR * sigma.max())))
 
 
-def band(problem: Problem, content: Verdict, path: Path, run: str) -> Foretold | None:
+def band(problem: Problem, content: Verdict, path: Path, run: str, zeroed: Zeroed | None = None) -> Foretold | None:
     """How well a diagnosis foretells the motion of a problem; None where it does not hold what that takes.
 
-    Raises BadInput for doubts that are none.
+    `zeroed` gives the reading of a simulator, where its zero is not that of `tared`. Raises BadInput for doubts that
+    are none.
     """
     formed(_Read, content, path, MEND)
     ending = problem.system.channel.rpartition("_")[2]
@@ -115,10 +117,11 @@ def band(problem: Problem, content: Verdict, path: Path, run: str) -> Foretold |
     ))  # fmt: skip
     if not content.get("uncertainty") or noise is None:
         return None
-    before = tared(problem, content, path, run)
+    simulated = zeroed or (lambda simulator: tared(problem, simulator, path, run))
+    before = simulated(content)
     variance = np.zeros(len(before))
     for direction in range(max(len(doubt["moves"]) for doubt in content["uncertainty"])):
-        moved = tared(problem, _moved(content, direction), path, run)
+        moved = simulated(_moved(content, direction))
         with np.errstate(over="ignore"):  # what is infinite is refused below
             variance += np.square((moved - before) / SMALL)
     if not np.isfinite(variance).all():
@@ -150,10 +153,10 @@ def _moved(content: Verdict, direction: int) -> Simulated:
     return {"run": content.get("run", ""), "parameters": parameters, "simulation": simulation}
 
 
-def curves(problem: Problem, content: Verdict, path: Path, run: str) -> dict[str, Array]:
+def curves(problem: Problem, content: Verdict, path: Path, run: str, zeroed: Zeroed | None = None) -> dict[str, Array]:
     """What each explanation that ties says of a motion, by its mechanisms: shape (samples,), in the channel's unit.
 
-    Raises BadInput for rivals that are none.
+    `zeroed` is as in `band`. Raises BadInput for rivals that are none.
     """
     formed(_Read, content, path, MEND)
     curve_by_ids = {}
@@ -163,7 +166,8 @@ def curves(problem: Problem, content: Verdict, path: Path, run: str) -> dict[str
             simulated: Simulated = {
                 "run": content.get("run", ""), "parameters": rival["parameters"], "simulation": rival["simulation"],
             }  # fmt: skip
-            curve_by_ids[" + ".join(rival["ids"])] = tared(problem, simulated, path, run)
+            curve = zeroed(simulated) if zeroed else tared(problem, simulated, path, run)
+            curve_by_ids[" + ".join(rival["ids"])] = curve
     return curve_by_ids
 
 

@@ -86,13 +86,18 @@ def measured_since(run: Run) -> list[str]:
 def _adopted(run: Run) -> dict[str, Fitted]:
     """The dimensions that were adopted last; nothing where run.yaml has no effects, or none that brought dimensions.
 
-    The zero of a reading stays with the recording that it was fitted to.
+    The zero of a reading stays with the recording that it was fitted to. That of a later run of several keeps its
+    number, for it is known beside what the runs before it left behind.
     """
     with_some = [adopted for adopted in run.adopted if adopted.dimensions]
     if not with_some or not run.simulation:
         return {}
-    own, held = with_some[-1].runs == [run.run], with_some[-1].dimensions or {}
-    return {name: dimension for name, dimension in held.items() if own or not name.startswith("zero")}
+    runs, held = with_some[-1].runs or [], with_some[-1].dimensions or {}
+    number = runs.index(run.run) + 1 if run.run in runs else 0
+    kept = {name: fitted for name, fitted in held.items() if not name.startswith("zero")}
+    own = "zero_" if len(runs) == number == 1 else f"zero_{number}_"
+    zeros = {name: fitted for name, fitted in held.items() if number and name.startswith(own)}
+    return kept | {name.replace("zero_1_", "zero_"): fitted for name, fitted in zeros.items()}
 
 
 def has_zero(content: Simulated, system: System, run: str, runs: int = 1) -> bool:

@@ -30,7 +30,10 @@ def joint(conceal, remembered, tmp_path_factory) -> tuple[Path, Path, Path]:
         (folder / "run.yaml").write_text((recorded / "run.yaml").read_text().replace(recorded.name, folder.name))
     content = json.loads((root / "out" / recorded.name / "diagnosis.json").read_text())
     content["run"] = [folder.name for folder in folders]
-    content["parameters"] |= {"zero_2_mm": {"value": ZERO_MM}}
+    zero = content["parameters"].pop("zero_mm")
+    content["parameters"] |= {"zero_1_mm": zero, "zero_2_mm": {"value": ZERO_MM, "nominal": 0.0}}
+    for doubt in content["uncertainty"]:
+        doubt["name"] = doubt["name"].replace("zero_mm", "zero_1_mm")
     diagnosis = root / "diagnosis.json"
     diagnosis.write_text(json.dumps(content))
     return folders[0], folders[1], diagnosis
@@ -62,9 +65,58 @@ def test_a_plan_after_its_recording_goes_after_the_run_before_too(joint, tmp_pat
     plan.write_text("time_s,motor_turns,load_n\n0,0,20\n5,3,20\n10,0,20\n")
     both, said = simulate(later, diagnosis, tmp_path / "both.csv", "--motion", plan, "--after-recording")
     assert "it is simulated after one-1" in said
-    _, said = simulate(later, diagnosis, tmp_path / "alone.csv", "--motion", plan)
-    assert f"beware: {diagnosis} was made of one-1 and one-2 together, and here one-1 does not go before" in said
     assert np.isfinite(both).all()
+
+
+PLANS = "0,0,20\n8,8,20\n16,0,20\n", "0,0,20\n3,0,20\n11,8,20\n19,0,20\n"  # at once; after a rest
+
+
+def test_a_plan_that_moves_at_once_has_the_zero_of_the_recording_of_its_run(joint, tmp_path):
+    first, later, diagnosis = joint
+    for folder, state in ((first, "as it was before its first stroke"), (later, "as one-1 left it, before its first")):
+        answers = []
+        for rows in PLANS:
+            (tmp_path / "plan.csv").write_text(f"time_s,motor_turns,load_n\n{rows}")
+            reading, said = simulate(folder, diagnosis, tmp_path / "a.csv", "--motion", tmp_path / "plan.csv")
+            assert f"its zero is that of the recording of {folder.name}; the string is taken to be {state}" in said
+            assert "beware: it" not in said and "may be far off" not in said
+            answers.append(reading[-801:])
+        at_once, rested = answers
+        assert float(np.abs(at_once - rested).max()) < 0.08, "creep in a rest moves it by 0.07 mm"
+
+
+def test_the_zero_of_a_run_of_several_is_adopted_with_it_and_its_plan_has_it(joint, tmp_path):
+    first, later, diagnosis = joint
+    (tmp_path / "plan.csv").write_text(f"time_s,motor_turns,load_n\n{PLANS[0]}")
+    for folder, name in ((first, "zero_1_mm"), (later, "zero_2_mm")):
+        adopting = Path(shutil.copytree(folder.parent, tmp_path / f"of-{folder.name}")) / folder.name
+        given, _ = simulate(adopting, diagnosis, tmp_path / "given.csv", "--motion", tmp_path / "plan.csv")
+        assert programs.run("pipeline.adopt", diagnosis, adopting).returncode == 0
+        assert f"{name}:" in (adopting / "run.yaml").read_text()
+        words = "--motion", tmp_path / "plan.csv", "--out", tmp_path / "adopted.csv"
+        done = programs.run("pipeline.simulate", adopting, *words)
+        said = " ".join(done.stdout.split())
+        assert f"its zero is that of the recording of {folder.name};" in said, done.stderr
+        adopted = pd.read_csv(tmp_path / "adopted.csv")["displacement_mm"].to_numpy()
+        assert adopted == pytest.approx(given, abs=1e-3)
+
+
+def test_a_zero_that_nothing_tells_is_where_the_plan_begins_and_the_band_holds_it(joint, tmp_path):
+    first, _, diagnosis = joint
+    (tmp_path / "plan.csv").write_text("time_s,motor_turns,load_n\n0,2,20\n8,8,20\n16,2,20\n")
+    words = "--simulation", diagnosis, "--motion", tmp_path / "plan.csv", "--out", tmp_path / "a.csv"
+    new = tmp_path / "new-1"
+    new.mkdir()
+    (new / "run.yaml").write_text((first / "run.yaml").read_text().replace(first.name, new.name))
+    done = programs.run("pipeline.simulate", new, *words)
+    assert "its zero is where the plan begins: displacement_mm is 0 in its first row" in " ".join(done.stdout.split())
+    answer = pd.read_csv(tmp_path / "a.csv")
+    assert answer["displacement_mm"][0] == 0.0 and answer["low_mm"][0] == pytest.approx(-answer["high_mm"][0])
+    other = Path(shutil.copytree(first, tmp_path / "other-1"))
+    (other / "run.yaml").write_text((first / "run.yaml").read_text().replace(first.name, other.name))
+    done = programs.run("pipeline.simulate", other, *words)
+    said = " ".join(done.stdout.split())
+    assert "its zero is that of the recording of other-1, as its first second gives it" in said, done.stderr
 
 
 def test_where_the_run_before_does_not_lie_beside_it_that_is_said(joint, tmp_path):
