@@ -136,7 +136,7 @@ def main() -> None:
         predicted = predicted_after(before, recorded, problem, content, source)
     called = Vocabulary.of(problem.system)
     columns, words = planned_columns(plan, arguments) if plan else ({}, [])
-    words += [*said_of(content, run.run, before, source), *said_of_no_name(content)]
+    words += [*said_of(content, run.run, before, source), *said_of_no_name(content, called.ending)]
     advised = contrary(cast(Verdict, content), called) if arguments.simulation and content["simulation"] else ""
     words += [f"beware: the verdict advises against what is simulated: {advised.rstrip('.')}"] if advised else []
     if arguments.residual and carried and not carried.whole:
@@ -169,7 +169,12 @@ def main() -> None:
         bare = predicted_after(before, recorded, problem, without, source) if content["simulation"] else None
         named = None if arguments.simulation else adopted_diagnosis(run)[1]
         diagnosis = cast(Verdict, content) if arguments.simulation else named
-        show(recorded_error.lines(recorded, problem, predicted, bare, content, diagnosis, acting, len(before), carried))
+        ran_before, place = len(before), arguments.run_dir
+        show(
+            recorded_error.lines(
+                recorded, problem, predicted, bare, content, diagnosis, acting, ran_before, place, carried
+            )
+        )
     if not arguments.simulation:
         warn_of_dimensions(run, arguments.run_dir)
 

@@ -1,8 +1,13 @@
 """What `simulate` prints of a recorded motion: its error, what that is to be set beside, and what it says."""
 
+import shlex
+from pathlib import Path
+
+from ..ground.command import command
 from ..ground.kinematics import Array
 from .document.content import Simulated, Verdict
 from .fit.problem import Problem
+from .prediction.another_rig import of_same_string
 from .prediction.carried_over import CarriedOver
 from .prediction.home import HOME
 from .prediction.simulation import compared, has_zero, off
@@ -14,11 +19,12 @@ from .words.language.quantity import number, size
 
 def lines(
     recorded: RecordedRun, problem: Problem, predicted: Array, bare: Array | None, content: Simulated,
-    diagnosis: Verdict | None, acting: str, before: int, carried: CarriedOver | None = None,
+    diagnosis: Verdict | None, acting: str, before: int, folder: Path, carried: CarriedOver | None = None,
 ) -> list[str]:  # fmt: skip
     """The lines, the error first; `bare` is what is predicted without the effects that are `acting`, if any is.
 
-    `diagnosis` is the one that `content` is from, None where it is gone; `before` how many runs are simulated before.
+    `diagnosis` is the one that `content` is from, None where it is gone; `before` how many runs are simulated before,
+    `folder` where the run lies.
     Both predictions have the shape (samples,), in the channel's unit.
     """
     run, system, unit = recorded.run, problem.system, problem.drivers.units.reading
@@ -33,9 +39,22 @@ def lines(
     without = None if bare is None else off(*compared(run, problem, bare))[0]
     taken = carried is None or carried.effects or carried.dimensions
     hint = HOME if system.homed and not carried else ""
+    same = of_same_string(content, run, folder)
+    folders = [shlex.quote(str(place)) for place in [*same, folder]]
+    together = f"{command('diagnose')} {' '.join(folders)} --together --out DIR" if same else ""
     return [
         computed_of(system, recorded.samples, set_at_first, carried is not None),
         f"rms error against the recording{zero}: {size(error, unit)}{of_means}",
         *beside(at_best_zero if set_at_first else None, without, acting, known, unit),
-        *means(at_best_zero if set_at_first else error, run.run, known, diagnosis, hint, unit, taken),
+        *means(
+            at_best_zero if set_at_first else error,
+            run.run,
+            known,
+            diagnosis,
+            hint,
+            unit,
+            taken,
+            set_at_first,
+            together,
+        ),
     ]

@@ -1,6 +1,7 @@
 """What `simulate` may be told on its command line."""
 
 import argparse
+import shlex
 from pathlib import Path
 
 from ..ground.command import command
@@ -54,5 +55,12 @@ def parsed(description: str) -> argparse.Namespace:
     if arguments.after_recording and not arguments.motion:
         parser.error(f"{AFTER_RECORDING} goes with --motion PLAN.csv")
     if arguments.home and arguments.motion:
-        parser.error(f"{HOME} needs the recording of the motion, and goes without --motion")
+        folder = shlex.quote(str(arguments.run_dir))
+        parser.error(
+            f"{HOME} homes the motor on a recorded motion, and goes without --motion. To predict a plan for a run that "
+            f"the diagnosis was not made of, diagnose that run: {command('diagnose')} {folder} --out DIR (of the same "
+            "string: both runs with --together). Then: "
+            f"{command('simulate')} {folder} --simulation DIR/{arguments.run_dir.name}/diagnosis.json "
+            f"--motion {shlex.quote(str(arguments.motion))} --out {shlex.quote(str(arguments.out))}"
+        )
     return arguments

@@ -28,6 +28,18 @@ def other_dimensions(content: Simulated, run: Run) -> dict[str, tuple[float, flo
     return differing
 
 
+def of_same_string(content: Simulated, run: Run, folder: Path) -> list[Path]:
+    """The folders of a diagnosis' runs that lie beside `folder`, if all are of the string that the run there names."""
+    runs, own = content.get("run"), run.string.id if run.string else None
+    names = runs if isinstance(runs, list) else [runs]
+    places = places_beside(folder, names) if own and run.run not in names else []
+    try:
+        ids = [string.id if (string := read_run(place).string) else None for place in places]
+    except BadInput:
+        return []
+    return [folder.parent / place.name for place in places] if ids == [own] * len(names) else []
+
+
 def other_names(content: Simulated, run: Run, folder: Path) -> tuple[str, str] | None:
     """The string's name in the runs of a diagnosis that lie beside `folder`, and in the run there; None where alike."""
     runs, own = content.get("run"), run.string.id if run.string else None

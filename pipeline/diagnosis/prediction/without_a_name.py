@@ -3,7 +3,9 @@
 from typing import cast
 
 from ..document.content import Simulated, Verdict
+from .to_compare import ToCompare
 
+AT_NOISE = 1.3  # times the noise on strokes that no fit had seen: no more is told to be missing
 AGAINST = "beware: run.yaml adopted this against the advice of its verdict, which says"
 
 
@@ -19,11 +21,20 @@ def to_simulate(content: Simulated, run: str) -> Simulated:
     return {**content, "parameters": parameters, "simulation": closest["simulation"]}
 
 
-def said_of_no_name(content: Simulated) -> list[str]:
-    """That what is simulated, `content`, is no name, or was adopted against advice; else nothing."""
+def said_of_no_name(content: Simulated, ending: str) -> list[str]:
+    """That what is simulated, `content`, is no name, or was adopted against advice; else nothing.
+
+    `ending` is that of the keys of errors in `content`, as `mm`.
+    """
     closest = cast(Verdict, content).get("closest")
     if not closest or list(content["simulation"]) != list(closest["simulation"]):
         return [f"{AGAINST}: {advised.rstrip('.')}" for advised in content.get("against_advice", [])]
     ids = " + ".join(closest["ids"])
     comes = "come closest and are no names" if len(closest["ids"]) > 1 else "comes closest and is no name"
+    known = ToCompare.of(cast(Verdict, content), ending)
+    if known.noise and known.unseen and known.unseen <= AT_NOISE * known.noise:
+        return [
+            f"{ids} {comes}: the verdict is unknown, and its page says why. Of strokes that no fit had seen hardly "
+            "more than the noise is left; of other motions nothing says how well it does"
+        ]
     return [f"{ids} {comes}: the verdict is unknown, and more is missing"]

@@ -80,5 +80,9 @@ def test_of_another_run_the_dimensions_alone_are_simulated():
         "ids": ["creep"], "parameters": {"radius_mm": {"value": 0.6}}, "simulation": [{"id": "creep"}]}}  # fmt: skip
     own = to_simulate(diagnosis, "a-1")
     assert own["simulation"] == [{"id": "creep"}] and own["parameters"]["radius_mm"] == {"value": 0.6}
-    assert said_of_no_name(own) and not said_of_no_name(diagnosis)
+    assert said_of_no_name(own, "mm") and not said_of_no_name(diagnosis, "mm")
+    assert said_of_no_name(own, "mm")[0].endswith("the verdict is unknown, and more is missing")
+    alike = {**own, "fit": {"noise_floor_mm": 0.017, "heldout": {"explained_mm": 0.018}}}
+    (at_noise,) = said_of_no_name(alike, "mm")
+    assert "no fit had seen hardly more than the noise is left" in at_noise and "more is missing" not in at_noise
     assert to_simulate(diagnosis, "a-2") == diagnosis

@@ -11,6 +11,8 @@ import programs
 import pytest
 
 from pipeline.diagnosis.prediction.simulation import read_diagnosis
+from pipeline.diagnosis.prediction.to_compare import ToCompare
+from pipeline.diagnosis.words.foretold import recorded_error
 from pipeline.real.about import About
 from pipeline.rig.others import cable_drive
 from pipeline.rig.others.made import write_run
@@ -42,6 +44,31 @@ def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> tuple
     return float(left.std()), " ".join(done.stdout.split())
 
 
+def test_a_plan_for_another_run_gets_the_commands_that_predict_it(runs, tmp_path):
+    _, later, diagnosis = runs
+    words = "--simulation", diagnosis, "--home", "--motion", "plan.csv", "--out", tmp_path / "a.csv"
+    done = programs.run("pipeline.simulate", later, *words)
+    assert done.returncode == 2
+    assert f"pipeline.diagnose {later} --out DIR" in done.stderr
+    assert f"pipeline.simulate {later} --simulation DIR/later/diagnosis.json --motion plan.csv --out" in done.stderr
+
+
+def test_of_the_same_string_both_runs_are_to_be_diagnosed_together_and_the_row_is_named(runs, tmp_path):
+    first, later, diagnosis = runs
+    for run in (first, later):
+        shutil.copytree(run, tmp_path / run.name)
+        text = (run / "run.yaml").read_text()
+        assert "string:" in text
+        (tmp_path / run.name / "run.yaml").write_text(re.sub(r"(?m)^string:\n", "string:\n  id: spool-1\n", text))
+    _, said = simulated(tmp_path / "later", diagnosis, tmp_path / "a.csv")
+    assert re.search(r"the error if the whole recording sets the zero, [0-9.]+ mm, is [0-9.]+ times what was to", said)
+    assert f"later is of the same string as {first.name} (string.id)" in said
+    both = f"pipeline.diagnose {tmp_path / first.name} {tmp_path / 'later'} --together --out DIR"
+    assert f"Else diagnose both together: python -m {both}" in said
+    whole = recorded_error.means(0.2, "b", ToCompare(0.01, 0.02, ("a",)), None, "", "mm")
+    assert whole[0].startswith("the error is 10 times what was to be expected (0.020 mm)")
+
+
 def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tmp_path):
     first, later, diagnosis = runs
     best, _ = simulated(first, diagnosis, tmp_path / "own.csv")
@@ -50,7 +77,9 @@ def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tm
     assert "holds poorly in later. If the motor was switched off in between, its zero is another: add --home" in said
     again, said = simulated(later, diagnosis, tmp_path / "homed.csv", "--home")
     assert again < 1.1 * best
-    assert re.search(rf"strokes of {first.name} that no fit had seen [0-9.]+ mm the error is [0-9.]+ times what", said)
+    assert re.search(
+        rf"strokes of {first.name} that no fit had seen [0-9.]+ mm the error .*? is [0-9.]+ times what", said
+    )
     assert f"the diagnosis of {first.name} holds in later too" in said
     before = json.loads(diagnosis.read_text())["parameters"]["angle_turns"]["value"]
     home = float(said.partition("first stroke of the recording, is ")[2].partition(" turns")[0])

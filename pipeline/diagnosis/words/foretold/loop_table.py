@@ -18,7 +18,7 @@ REVERSAL = 0.1  # of the plan's range: a smaller way back is no stroke
 FINEST = 3  # decimals of readings that a difference beside them may ask for
 ALIKE, AT = 1e-4, 0.01  # of the reading's range: strokes that differ by less are the same; of the motion's: one place
 DIGITS, FAR_DIGITS = 6, 4  # of a reading: within what was recorded its hundredths count, outside it is a guess
-OF_EFFECTS = "of it by effects"  # of a rig whose reading follows the acceleration, which differs on both ways
+OF_EFFECTS = "loop without the acceleration"  # of a rig whose reading follows it, which differs on both ways
 MOST = 3  # strokes that differ; the others are counted
 MOSTLY = 0.5  # of a difference between two readings: what the effects must do of it, to be its reason
 

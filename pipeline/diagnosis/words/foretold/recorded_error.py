@@ -44,27 +44,40 @@ def _of(known: ToCompare | None) -> str:
 
 
 def means(
-    error: float, run: str, known: ToCompare | None, content: Verdict | None, home: str, unit: str, taken: bool = True
-) -> list[str]:
+    error: float, run: str, known: ToCompare | None, content: Verdict | None, home: str, unit: str, taken: bool = True,
+    whole: bool = False, together: str = "",
+) -> list[str]:  # fmt: skip
     """What the error says of a diagnosis: nothing of one that was fitted to the recording; else how far it holds.
 
     `error`: rms, in the reading's `unit`, the zero at its best. `home`: the option that would find another zero of the
-    motor. `taken`: whether anything of the diagnosis is simulated.
+    motor. `taken`: whether anything of the diagnosis is simulated. `whole`: whether the whole recording set the zero.
+    `together`: the command that diagnoses `run` with recordings of the same string; empty where none is known.
     """
     if known is None:
         return []
     if not taken:
-        return [f"nothing of the diagnosis{_of(known)} is in this error. Mend: diagnose {run} itself"]
+        return _with_mend(f"nothing of the diagnosis{_of(known)} is in this error", run, known, together, "")
     whose = holdout.whose_if_known(content) if content else ""
     others = [f"the error on strokes that no fit had seen is {whose.strip(' ()')}"] if whose else []
     if run in known.runs:
         return [f"the simulator was fitted to {run}, so its error on {run} is no test of it", *others]
     if known.expected is None:
         return []
-    ratio = f"the error is {times(error / known.expected)} times what was to be expected ({size(known.expected, unit)})"
+    which = f"the error if the whole recording sets the zero, {size(error, unit)}," if whole else "the error"
+    ratio = f"{which} is {times(error / known.expected)} times what was to be expected ({size(known.expected, unit)})"
     if error <= AS_EXPECTED * known.expected:
         return [f"{ratio}: the diagnosis{_of(known)} holds in {run} too", *others]
-    mend = f"Mend: diagnose {run} itself"
-    if home:
-        mend = f"If the motor was switched off in between, its zero is another: add {home}. Else diagnose {run} itself"
-    return [f"{ratio}: the diagnosis{_of(known)} holds poorly in {run}. {mend}", *others]
+    poorly = f"{ratio}: the diagnosis{_of(known)} holds poorly in {run}"
+    return [*_with_mend(poorly, run, known, together, home), *others]
+
+
+def _with_mend(fault: str, run: str, known: ToCompare, together: str, home: str) -> list[str]:
+    """That a diagnosis holds poorly in another run, and what to do; `together` is the command for both runs, if any."""
+    switched = f"If the motor was switched off in between, its zero is another: add {home}. " if home else ""
+    if not together:
+        return [f"{fault}. {switched}{'Else' if home else 'Mend:'} diagnose {run} itself"]
+    same = (
+        f"{run} is of the same string as {listing(list(known.runs))} (string.id), and is simulated here as if nothing "
+        f"had happened to it before. {switched}{'Else' if home else 'Mend:'} diagnose both together:"
+    )
+    return [f"{fault}. {same}", f"  {together}"]
