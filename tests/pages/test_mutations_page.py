@@ -1,0 +1,22 @@
+"""docs/mutations.md names modules and tests that are there."""
+
+import re
+from itertools import product
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+ROWS = re.findall(r"^\| \w+ \| `(\S+)` \| `(\S+)` \|", (ROOT / "docs" / "mutations.md").read_text("utf-8"), re.M)
+
+
+def spelled_out(name: str) -> list[str]:
+    """Every path that a name with braces stands for."""
+    parts = [part.strip("{}").split(",") for part in re.split(r"(\{[^}]*\})", name)]
+    return ["".join(chosen) for chosen in product(*parts)]
+
+
+def test_each_module_and_test_of_the_table_is_there() -> None:
+    assert len(ROWS) == 5
+    modules = [ROOT / "pipeline" / path for row in ROWS for path in spelled_out(row[0])]
+    tests = [ROOT / path for row in ROWS for path in spelled_out(row[1])]
+    assert not [path for path in (*modules, *tests) if not path.is_file()]
+    assert spelled_out("a{,_b}/{c,d}.py") == ["a/c.py", "a/d.py", "a_b/c.py", "a_b/d.py"]
