@@ -1,14 +1,11 @@
-"""Recordings of public rigs, which are not ours to keep: where they lie, and a skip that says where to get them."""
+"""Recordings of public rigs, which are not ours to keep: where they lie, and a skip that says so."""
 
 import os
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parent.parent
-NAME = "TWISTBENCH_RECORDINGS"
-# a folder for each rig, beside the checkout unless the variable names another place
-FOLDER = Path(os.environ.get(NAME) or ROOT.parent / "shared" / "recordings")
+NAME = "TWISTBENCH_RECORDINGS"  # the environment variable that names a folder with a folder for each rig
 SOURCES = {
     "tsa_haptic": "FaragSeif/tsa_haptic, scripts/data/*.csv",
     "davinci_tool": "MRDLab/mis-tool-characterization, Tool_4_Maryland_R_5_*.TXT",
@@ -16,9 +13,17 @@ SOURCES = {
 }
 
 
+def folder() -> Path:
+    """Where the recordings lie; skips the test where nobody said it."""
+    named = os.environ.get(NAME)
+    if not named:
+        pytest.skip(f"{NAME} names no folder of public recordings: docs/real.md says what it holds")
+    return Path(named)
+
+
 def files(rig: str, pattern: str) -> list[Path]:
     """Recordings of a rig whose names match, sorted; skips the test where there are none."""
-    found = sorted((FOLDER / rig).glob(pattern))
-    if not found:
+    matching = sorted((folder() / rig).glob(pattern))
+    if not matching:
         pytest.skip(f"{NAME} has no {rig}/{pattern}: get it from github.com/{SOURCES[rig]}")
-    return found
+    return matching

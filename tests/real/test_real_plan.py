@@ -5,7 +5,7 @@ import re
 
 import pytest
 import yaml
-from downloaded import FOLDER, SOURCES, files
+from downloaded import SOURCES, files, folder
 from made_recording import content, recording
 
 from pipeline.foreign.origin import origin
@@ -166,7 +166,7 @@ def test_a_run_that_cannot_be_decided_and_runs_too_few_to_go_together_say_why(im
 
 def test_the_recordings_that_are_here_are_found_and_import(tmp_path):
     assert all(files(rig, "*") for rig in SOURCES)
-    plan = make_real_plan(FOLDER, read_rigs())
+    plan = make_real_plan(folder(), read_rigs())
     assert set(plan.rigs) == set(SOURCES)
     assert set(plan.groups("tsa_haptic")) == {"module-1", "module-2", "module-3"}
     for one in plan.recordings:

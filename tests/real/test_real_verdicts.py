@@ -66,7 +66,7 @@ def test_the_positioning_system_gets_its_authors_numbers(tmp_path):
 def test_the_cable_of_the_surgical_tool_rubs_and_stretches(tmp_path, load, most_deg):
     name = f"Tool_4_Maryland_R_5_{load}.TXT.gz"
     content = diagnosed(imported(tmp_path, "davinci_tool", name, "davinci_tool", "tool-01"))
-    assert content["verdict"] in ("explained", "ambiguous")
+    assert content["verdict"] == "ambiguous"
     assert {"friction_hysteresis", "axial_elasticity"} <= sets(content)[0]
     held = content["fit"]["heldout"]
     assert held["calibrated_deg"] > 1.2 and held["explained_deg"] < most_deg
@@ -77,9 +77,6 @@ def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_
     content = diagnosed(
         imported(tmp_path, "tsa_haptic", "z_motion_slow_motors_5kg.csv.gz", f"tsa_haptic_{module}", "z-01")
     )
-    if content["verdict"] == "unknown":  # modules that jerk: nothing that follows it is likely enough
-        assert "direction" in content["mismatch"]["driver"]
-        return
     assert content["verdict"] == "ambiguous"  # at one speed a loop, a lag and a loss are nearly one
     assert all(one & DIRECTION for one in sets(content))
     assert not any("axial_elasticity" in one for one in sets(content))
@@ -91,7 +88,7 @@ def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_
 def test_two_speeds_together_leave_no_explanation_without_a_loop(tmp_path):
     names = {"z-01": "z_motion_slow_motors_5kg.csv.gz", "x-01": "x_motion_slow_motors_5kg.csv.gz"}
     content = diagnosed(*(imported(tmp_path, "tsa_haptic", name, "tsa_haptic_1", run) for run, name in names.items()))
-    assert content["verdict"] in ("explained", "ambiguous")
+    assert content["verdict"] == "ambiguous"
     assert all("friction_hysteresis" in one for one in sets(content))
     assert "angle_turns_2" in content["parameters"]
 
@@ -99,7 +96,7 @@ def test_two_speeds_together_leave_no_explanation_without_a_loop(tmp_path):
 def test_a_short_excerpt_goes_through(tmp_path):
     folder = imported(tmp_path, "tsa_haptic", "z_motion_slow_motors_5kg.csv.gz", "tsa_haptic_1", "z-01", rows=1200)
     content = diagnosed(folder)
-    assert content["verdict"] in ("ambiguous", "explained", "unknown")
+    assert content["verdict"] == "unknown"
     assert content["mismatch"]["rms_mm"] > 0.05
 
 
@@ -108,4 +105,4 @@ def test_points_of_no_known_answer_get_no_firm_name(tmp_path):
     name = "cartesian_points_v1.csv.gz"
     for module in (1, 2, 3):
         content = diagnosed(imported(tmp_path, "tsa_haptic", name, f"tsa_haptic_{module}", f"points-{module}"))
-        assert content["verdict"] in ("ambiguous", "unknown")
+        assert content["verdict"] == "ambiguous"
