@@ -3,6 +3,8 @@
 import ast
 from pathlib import Path
 
+from .outside import is_outside
+
 MECHANISMS = (
     Path(__file__).resolve().parents[1] / "diagnosis" / "mechanisms"
 )  # read, not imported: pages need no engine
@@ -55,7 +57,7 @@ TERMS: dict[str, dict[str, str]] = {
 def _mechanisms() -> dict[str, str]:
     """What each mechanism's file says that a person would see, by id, read as text; those of the library first."""
     meanings: dict[str, str] = {}
-    for path in sorted(MECHANISMS.glob("[!_]*.py"), key=lambda path: (path.stem.startswith("x_"), path.stem)):
+    for path in sorted(MECHANISMS.glob("[!_]*.py"), key=lambda path: (is_outside(path.stem), path.stem)):
         tree = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         for value in (node.value for node in tree if isinstance(node, ast.keyword) and node.arg == "meaning"):
             meanings[path.stem] = str(ast.literal_eval(value))

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..ground.command import INSTALLED, command
+from ..ground.model_names import USUAL
 from .indicators import REFERENCE
 
-USUAL = "spline"  # the model to take where nobody says which; a test holds it to that of the models themselves
 AFTERWARDS = (
     "This program cannot know that a model was calibrated again: it compares with the first "
     f"{REFERENCE} strokes of the runs that it is given. After a calibration name only the runs recorded since."

@@ -4,6 +4,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from ..ground.outside import is_outside
 from ..rig.authors import authors
 from ..rig.authors.interface import Asked, Made, OutOfReach, Protocol
 from .plan import Planned
@@ -19,7 +20,7 @@ def asked_of(planned: Planned, known: list[str]) -> Asked:
     Effects of docs/physics.md serve all strata but `open`, for which there are the author's own under `x_`.
     """
     count = HIDES[planned.stratum]
-    pool = sorted(name for name in known if name.startswith("x_") == (planned.stratum == "open"))
+    pool = sorted(name for name in known if is_outside(name) == (planned.stratum == "open"))
     drawn = np.random.default_rng([planned.seed, count]).permutation(np.array(pool, object)).tolist()
     names = [*planned.effects, *[name for name in drawn if name not in planned.effects]][:count]
     kappas = [*planned.kappas, *[planned.kappas[-1] if planned.kappas else 1.0] * count][:count]

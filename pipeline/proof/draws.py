@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ..ground.outside import is_outside
 from ..rig import effects
 from ..rig.concealed import Parameters, Scene
 from .bench import Bench
@@ -12,8 +13,8 @@ from .wander import wander
 
 Strength = Callable[[float], Parameters]  # at 1 the effect is of a size that is often met
 
-OPEN_SET = tuple(name for name in effects.names() if name.startswith("x_"))
-NAMED = tuple(name for name in effects.names() if not name.startswith("x_"))
+OPEN_SET = tuple(name for name in effects.names() if is_outside(name))
+NAMED = tuple(name for name in effects.names() if not is_outside(name))
 EITHER_SIGN = tuple(name for name in effects.names() if effects.concealed(name).either_sign)
 # Once, these were drawn all together and one of them taken. Cases that are published came of it, so that the same seed
 # must go on to draw all of them. An effect that is added draws alone, and stands in no list.

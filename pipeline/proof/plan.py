@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
+from ..ground.outside import is_outside
 
 RIG = Path(__file__).parent.parent / "rig"  # effects and authors by their files' names: the DAG's plan imports no rig
 EFFECTS, AUTHORS = RIG / "effects", RIG / "authors"
@@ -33,7 +34,7 @@ class Planned:
 def effect_names(open_set: bool) -> list[str]:
     """Effects that the rig has: with `open_set` those whose names begin with `x_`, else those of docs/physics.md."""
     names = sorted(path.stem for path in EFFECTS.glob("[!_]*.py"))
-    return [name for name in names if name.startswith("x_") == open_set]
+    return [name for name in names if is_outside(name) == open_set]
 
 
 def _check_hand(mix: Mapping[str, Any]) -> None:

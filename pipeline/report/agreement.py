@@ -2,9 +2,9 @@
 
 import pandas as pd
 
+from ..ground.model_names import NOMINAL
 from . import paper
 
-MODEL = "traditional"
 WORST = 0.10  # relative difference from the paper's number up to which an error agrees
 GOLDEN = (
     "Whether every row of these tables is the published one is said by `python tests/golden/check_metrics.py reports`; "
@@ -18,11 +18,11 @@ def differences(whole: pd.DataFrame) -> dict[tuple[int, str], list[float]]:
 
     `whole` holds the metrics over the whole range of twist.
     """
-    chosen = whole[(whole["model"] == MODEL) & (whole["split"] == "within") & (whole["phase"] == "winding")]
+    chosen = whole[(whole["model"] == NOMINAL) & (whole["split"] == "within") & (whole["phase"] == "winding")]
     medians = chosen.groupby(["map", "metric", "stroke"])["value"].median()
     off_by_cell: dict[tuple[int, str], list[float]] = {}
     for number, direction in paper.MAPS.items():
-        for stroke, printed in paper.TABLES[number][MODEL].items():
+        for stroke, printed in paper.TABLES[number][NOMINAL].items():
             for metric, theirs in zip(paper.METRICS, printed, strict=True):
                 place = (direction, metric, str(stroke))
                 if place in medians:

@@ -7,6 +7,7 @@ import pandas as pd
 
 from ..ground import schemas
 from ..ground.errors import program
+from ..ground.model_names import PAPER
 from ..ground.names import SYNTHETIC
 from . import paper
 from .agreement import agreement
@@ -51,12 +52,12 @@ def why_apart(whole: pd.DataFrame, material: str) -> str:
     """
     chosen = whole[(whole["map"] == "forward") & (whole["split"] == "within") & (whole["phase"] == "winding")]
     values = chosen[chosen["metric"] == "rmse"].groupby(["model", "stroke"])["value"].median()
-    printed = {stroke: by_metric[paper.METRICS.index("rmse")] for stroke, by_metric in paper.TABLES[1]["inn"].items()}
-    both = [n for n in printed if ("inn", str(n)) in values and ("floor_blind", str(n)) in values]
+    printed = {stroke: by_metric[paper.METRICS.index("rmse")] for stroke, by_metric in paper.TABLES[1][PAPER].items()}
+    both = [n for n in printed if (PAPER, str(n)) in values and ("floor_blind", str(n)) in values]
     if not both:
         return ""
     stroke = 5 if 5 in both else both[0]
-    ours, floor = (values[model, str(stroke)] for model in ("inn", "floor_blind"))
+    ours, floor = (values[model, str(stroke)] for model in (PAPER, "floor_blind"))
     reason = "This rig is not the paper's"
     if material == SYNTHETIC:
         reason = "The synthetic rig was fitted to the errors of the paper's traditional model, not to those of its INN"

@@ -8,6 +8,7 @@ import pandas as pd
 
 from ..ground import schemas
 from ..ground.errors import program
+from ..ground.model_names import NOMINAL, PAPER
 from .drawing import STYLE, save
 from .figure_4 import figure_4
 from .figure_5 import figure_5
@@ -16,15 +17,13 @@ from .titles import titles_of
 from .usual_model import chosen_of, errors_of
 from .winding import with_median, with_nominal
 
-INN, TRADITIONAL = "inn", "traditional"
-
 
 def best_other(metrics: pd.DataFrame, titles: dict[str, str]) -> str | None:
     """The model, neither the INN nor the traditional one, of the least forward RMSE on all points held out within."""
     whole = (metrics[["stroke", "phase", "angle_band"]] == "all").all(axis=1)
     is_forward_rmse = (metrics["metric"] == "rmse") & (metrics["map"] == "forward") & (metrics["split"] == "within")
     middle = metrics[whole & is_forward_rmse].groupby("model")["value"].median()
-    others = [model for model in titles if model not in (INN, TRADITIONAL) and model in middle.index]
+    others = [model for model in titles if model not in (PAPER, NOMINAL) and model in middle.index]
     return min(others, key=lambda model: middle[model], default=None)
 
 
@@ -47,8 +46,8 @@ def main() -> None:
     by_model: dict[str, list[Path]] = {}
     for path in arguments.predictions:
         by_model.setdefault(path.parent.name, []).append(path)
-    best, taken = best_other(metrics, titles), chosen_of(set(by_model) - {INN, TRADITIONAL}, errors_of(metrics))
-    wanted = dict.fromkeys((INN, best, taken))
+    best, taken = best_other(metrics, titles), chosen_of(set(by_model) - {PAPER, NOMINAL}, errors_of(metrics))
+    wanted = dict.fromkeys((PAPER, best, taken))
     shown = [model for model in wanted if model and model in by_model]
     learned = {titles[model]: with_median(dataset, by_model[model]) for model in shown}
     with plt.rc_context(STYLE):

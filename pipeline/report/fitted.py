@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pandas as pd
 
+from ..ground.model_names import WHOLE_MOTION
 from .comparison import line
-from .usual_model import ALONE, chosen_of, errors_in, errors_of, uses, why
+from .usual_model import chosen_of, errors_in, errors_of, uses, why
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 SPLITS = {"within": "within strokes", "later": "later strokes"}
@@ -30,7 +31,7 @@ def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
         "## Where the fitted models lie",
         "",
         "`within-0` was fitted to three of four blocks of every stroke, `later-0` without the last quarter of the",
-        f"strokes; a larger number is another seed. To use a model take `within-0`. `{ALONE}` needs the whole",
+        f"strokes; a larger number is another seed. To use a model take `within-0`. `{WHOLE_MOTION}` needs the whole",
         "motion: it is neither exported nor asked.",
         "",
         f"- On a controller (or `--format onnx`): `{export}`",
@@ -49,7 +50,7 @@ def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[
     if not chosen:
         return []
     export, ask = uses(material, chosen)
-    others = ", ".join(sorted({path.parent.name for path in files} - {chosen, ALONE}))
+    others = ", ".join(sorted({path.parent.name for path in files} - {chosen, WHOLE_MOTION}))
     more = [f"fitted too: {others}"] if others else []
     reason = why(chosen, saved, errors_mm)
     return [*([reason] if reason else []), f"to a controller: {export}", f"to ask it: {ask}", QUESTIONS, *more]

@@ -4,11 +4,11 @@ from collections.abc import Iterable
 
 import pandas as pd
 
+from ..ground.model_names import PAPER
 from .fitted import FLOORS, SPLITS
 from .plain_markdown import plain
 
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
-PAPER = "inn"  # the model that is held against each of the others
 
 
 def _shown(row: pd.Series) -> str:

@@ -7,9 +7,10 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
+from ..ground.model_names import WHOLE_MOTION
 from .fitted import FLOORS, times_floor
 from .stroke_conditions import APART
-from .usual_model import ALONE, RULE, chosen_of, uses, weighed
+from .usual_model import RULE, chosen_of, uses, weighed
 from .web.page import Text, paragraph, together
 from .web.table import table
 
@@ -65,7 +66,7 @@ class Models(NamedTuple):
         """Title of the model to take, its errors both ways on both splits, and the diagnosed simulator's forward."""
         chosen = self.chosen()
         keys = [(chosen, split, way) for way in WAYS for split in SPLITS]
-        keys += [(ALONE, split, WAYS[0]) for split in SPLITS]
+        keys += [(WHOLE_MOTION, split, WAYS[0]) for split in SPLITS]
         return [self.titles.get(chosen, ""), *(self.cell(key) for key in keys)]
 
     def cell(self, key: tuple[str, str, str]) -> Text:
@@ -102,7 +103,9 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
         own = [models.weighed(), later_apart(reports / material / "models.md")]
         if any(own):
             lines.append(Markup("<b>{}</b>: {}").format(material, " ".join(filter(None, own))))
-    if named := next((models.titles[ALONE] for models in materials.values() if ALONE in models.titles), ""):
+    if named := next(
+        (models.titles[WHOLE_MOTION] for models in materials.values() if WHOLE_MOTION in models.titles), ""
+    ):
         lines.append(
             f"The {named[:1].lower()}{named[1:]} is no model to take away: it needs the whole motion, so it can be "
             "neither exported nor asked. Its error is that of a simulator with the effects that the diagnosis names. "

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pandas as pd
 
-USUAL = "spline"  # the one to take where errors are much alike: the page on models says why
+from ..ground.model_names import USUAL, WHOLE_MOTION
+
 LESS = 1.1  # times as large: from there on an error is told to be larger
-ALONE = "diagnosed"  # needs the whole motion: it is neither exported nor asked
 RULE = (
     "The model to take is, of those that can be exported, the one of the least forward error on later strokes (on "
     f"held-out points where no later stroke is left out); the spline is taken where its error is at most {LESS:g} "
@@ -39,7 +39,7 @@ def errors_in(path: Path) -> dict[tuple[str, str], float]:
 
 def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
     """Which of some models to take by `RULE`; empty where there is none. Without errors it is the spline, if there."""
-    known = sorted(set(models) - {ALONE})
+    known = sorted(set(models) - {WHOLE_MOTION})
     for split in ("later", "within"):
         errors = {model: errors_mm[model, split] for model in known if (model, split) in errors_mm}
         if errors:
@@ -51,7 +51,7 @@ def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
 def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
     """Which model of those to take away errs less than the chosen one on held-out points; empty where none does."""
     chosen, split = chosen_of(titles, errors_mm), "within"
-    others = [model for model in titles if model not in (ALONE, chosen) and (model, split) in errors_mm]
+    others = [model for model in titles if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_mm]
     best = min(others, key=lambda model: errors_mm[model, split], default="")
     if not best or (chosen, split) not in errors_mm or errors_mm[best, split] * LESS > errors_mm[chosen, split]:
         return ""
@@ -68,7 +68,7 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
 
     Where another model errs less on the points that the tables show, the line says so.
     """
-    known = sorted(set(models) - {ALONE})
+    known = sorted(set(models) - {WHOLE_MOTION})
     split = next((split for split in ("later", "within") if (chosen, split) in errors_mm), "")
     if not split:
         return ""

@@ -1,3 +1,5 @@
+from pipeline.ground.model_names import PAPER
+
 LEAKING = {
     "random_forward": {"composite": "random", "loss": "forward"},
     "random_both": {"composite": "random", "loss": "both"},
@@ -13,7 +15,7 @@ LEAK_FIGURES = expand(
 
 def settings_of_leaking(wildcards):
     own = {**LEAKING[wildcards.variant], "permutation_seed": int(wildcards.seed)}
-    return json.dumps({**config["models"]["inn"]["settings"], **config["leak"]["settings"], **own}, sort_keys=True)
+    return json.dumps({**config["models"][PAPER]["settings"], **config["leak"]["settings"], **own}, sort_keys=True)
 
 
 rule train_leak:
@@ -30,12 +32,13 @@ rule train_leak:
     resources:
         **NEEDS["train_leak"],
     params:
+        model=PAPER,
         settings=settings_of_leaking,
-        code=fingerprint("pipeline.stages.train", "pipeline.models.inn"),
+        code=fingerprint("pipeline.stages.train", f"pipeline.models.{PAPER}"),
     message:
         "train the INN on {wildcards.material} as {wildcards.variant}, permutation {wildcards.seed}"
     shell:
-        "exec python -m pipeline.stages.train {input:q} --model inn --split within --seed {wildcards.seed:q}"
+        "exec python -m pipeline.stages.train {input:q} --model {params.model:q} --split within --seed {wildcards.seed:q}"
         " --settings {params.settings:q} --out-model {output.model:q} --out-predictions {output.predictions:q}"
         " > {log:q} 2>&1"
 
@@ -45,7 +48,9 @@ rule leak:
         dataset="processed/{material}/dataset.parquet",
         variants=expand("processed/{{material}}/leak/{variant}/within-{seed}.model", variant=LEAKING, seed=LEAK_SEEDS),
         tabled=expand(
-            "processed/{{material}}/inn/within-{seed}.model", seed=range(config["models"]["inn"]["seeds"]["within"])
+            "processed/{{material}}/{model}/within-{seed}.model",
+            model=PAPER,
+            seed=range(config["models"][PAPER]["seeds"]["within"]),
         ),
     output:
         "processed/{material}/leak/leak.parquet",

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..ground.configuration import ModelPlan
 from ..ground.errors import BadInput
+from ..ground.model_names import NOMINAL, PAPER
 from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, checked, run_name
 from ..ground.regular_file import read_regular
 from ..ground.strict_yaml import LARGEST, read_yaml
@@ -153,7 +154,7 @@ def table_order(models: Iterable[str], default: Iterable[str]) -> list[str]:
 
     Snakemake puts what a configuration on top of the default one names before all else.
     """
-    names, first, last = list(models), "inn", "traditional"
+    names, first, last = list(models), PAPER, NOMINAL
     known = [model for model in default if model in names]
     middle = [model for model in dict.fromkeys([*known, *names]) if model not in (first, last)]
     return [first, *middle, last]

@@ -3,6 +3,7 @@
 Source: Cox, Tests of separate families of hypotheses, 4th Berkeley Symposium, 1961.
 """
 
+from ...ground.outside import is_outside
 from .search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender
@@ -82,7 +83,7 @@ def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Expl
 
     Whether a formula is wrong or a weak mechanism is missing, the recording cannot tell.
     """
-    if any(id_.startswith("x_") for id_ in chosen.ids):
+    if any(map(is_outside, chosen.ids)):
         return []  # what has no physics may leave something
     left = chosen.energy - floor**2
     least = max(LEAST_EFFECT * floor, INEXACT * search.mismatch(floor)) ** 2

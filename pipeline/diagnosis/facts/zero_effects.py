@@ -1,5 +1,6 @@
 """A diagnosis without the mechanisms that came out with no strength: what does nothing explains nothing."""
 
+from ...ground.outside import is_outside
 from ..document.content import Part
 from ..mechanisms.library import mechanisms
 
@@ -15,7 +16,7 @@ def without_zero_effects(content: Part, ending: str) -> Part:
     idle = [entry["id"] for entry in content["mechanisms"] if not entry[f"rms_{ending}"]["value"]]
     kept = [entry for entry in content["mechanisms"] if entry["id"] not in idle]
     content = content | {"simulation": [entry for entry in content["simulation"] if entry["id"] not in idle]}
-    if not idle or all(entry["id"].startswith("x_") for entry in kept):
+    if not idle or all(is_outside(entry["id"]) for entry in kept):
         return content
     ids = {entry["id"] for entry in kept}
     others = [other for other in content["alternatives"] if set(other) != ids]

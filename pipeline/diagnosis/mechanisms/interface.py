@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from ...ground.kinematics import Array
+from ...ground.outside import is_outside
 from ..recording.drivers import Drivers
 
 Port = Literal["twist", "radius", "length", "resistance", "sensor"]
@@ -131,4 +132,4 @@ class Mechanism:
 
 def physics(ids: tuple[str, ...]) -> bool:
     """Whether a set of mechanisms names any physics of the library."""
-    return not all(id_.startswith("x_") for id_ in ids)
+    return not all(map(is_outside, ids))

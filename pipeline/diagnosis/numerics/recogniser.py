@@ -12,6 +12,7 @@ from typing import TypedDict
 import numpy as np
 
 from ...ground.kinematics import Array
+from ...ground.outside import is_outside
 
 OUTSIDE = "outside"  # the class of effects that no mechanism of the library has
 DOUBT = 0.01  # of the probability: nothing is less like a signature than that
@@ -61,7 +62,7 @@ def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str
     outside = {OF_ALL: float(np.log(likeness_by_class.get(OUTSIDE, 0.0) + DOUBT))}
     if len(ids) != 1:
         return dict.fromkeys(OF_EXPLANATION, 0.0) | outside
-    name = OUTSIDE if ids[0].startswith("x_") else ids[0]
+    name = OUTSIDE if is_outside(ids[0]) else ids[0]
     others = [share for other, share in likeness_by_class.items() if other not in (name, OUTSIDE)]
     named, other = likeness_by_class.get(name, 0.0), max(others, default=0.0)
     return {"alike": float(np.log(named + DOUBT)), "alike_else": float(np.log(other + DOUBT))} | outside

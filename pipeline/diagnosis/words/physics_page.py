@@ -7,6 +7,7 @@ import argparse
 
 from ...ground.errors import program
 from ...ground.glossary import MEANING
+from ...ground.outside import is_outside
 from ..mechanisms.interface import Mechanism
 from ..mechanisms.library import mechanisms
 
@@ -44,8 +45,8 @@ OWN = (
 
 def page() -> str:
     """The whole page, in Markdown."""
-    named = [mechanism for id_, mechanism in mechanisms().items() if not id_.startswith("x_")]
-    others = [mechanism for id_, mechanism in mechanisms().items() if id_.startswith("x_")]
+    named = [mechanism for id_, mechanism in mechanisms().items() if not is_outside(id_)]
+    others = [mechanism for id_, mechanism in mechanisms().items() if is_outside(id_)]
     parts = [HEAD, *map(entry, named), f"## Beside the strings\n\n{OWN}\n", *map(entry, others)]
     return "\n".join(parts)
 

@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
+from ...ground.outside import is_outside
+
 QUIET = ("consistent", "parameters")
 RIGHT = ("exact", "tie with the truth", "quiet", "unknown as it should")
 OUTCOMES = (*RIGHT, "extra", "part", "wrong", "tie without the truth", "missed", "unknown", "false alarm", "refused")
@@ -18,7 +20,7 @@ def sets_of(verdict: Verdict) -> list[frozenset[str]]:
 def said(verdict: Verdict) -> str:
     """The verdict's word; one that names only what the library does not hold counts as `unknown`."""
     sets = sets_of(verdict)
-    only_own = bool(sets) and all(name.startswith("x_") for ids in sets for name in ids)
+    only_own = bool(sets) and all(is_outside(name) for ids in sets for name in ids)
     return "unknown" if only_own else str(verdict["verdict"])
 
 

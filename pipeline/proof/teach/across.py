@@ -7,6 +7,7 @@ import numpy as np
 
 from ...diagnosis.choice.judged import UNKNOWN, held, helpers_share
 from ...diagnosis.numerics.judge import Judge
+from ...ground.outside import is_outside
 from .fit import explanations
 from .lesson import Lesson
 
@@ -24,7 +25,7 @@ class Judged:
     @property
     def stratum(self) -> str:
         """What was hidden: a single effect, a pair, or one that no library has."""
-        return "open" if self.lesson.effects[0].startswith("x_") else STRATA[len(self.lesson.effects)]
+        return "open" if is_outside(self.lesson.effects[0]) else STRATA[len(self.lesson.effects)]
 
     @property
     def outcome(self) -> str:

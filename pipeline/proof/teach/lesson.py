@@ -16,6 +16,7 @@ from ...diagnosis.numerics.judge import Weighed
 from ...diagnosis.recording.recorded_run import RecordedRun
 from ...diagnosis.signature.signature import signature_of
 from ...diagnosis.study.engine import make_problem, study
+from ...ground.outside import is_outside
 from ...rig.authors import authors
 from ...rig.authors.interface import Asked, OutOfReach, Protocol
 from ...run.description import parse_run
@@ -58,8 +59,8 @@ def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
     for author in who:
         draw = random.Random(f"{author} {seed}")
         known = sorted(authors()[author].laws)
-        inside = [name for name in known if not name.startswith("x_")]
-        outside = [name for name in known if name.startswith("x_")]
+        inside = [name for name in known if not is_outside(name)]
+        outside = [name for name in known if is_outside(name)]
         wanted: list[tuple[tuple[str, ...], tuple[float, float]]] = []
         for _ in range(rounds):
             wanted += [((name,), SINGLES) for name in inside]
@@ -123,7 +124,7 @@ def rounded(number_by_name: dict[str, float]) -> dict[str, float]:
 
 def of(lesson: Lesson, weighed_sets: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
     """A lesson with explanations; what jerks at random is named beside each of them."""
-    truth = {name for name in lesson.effects if not name.startswith("x_")}
+    truth = {name for name in lesson.effects if not is_outside(name)}
     right = tuple({*explanation.ids, *jerks} == truth for explanation in weighed_sets)
     signs = tuple(rounded(explanation.signs) for explanation in weighed_sets)
     content = {"ids": tuple(explanation.ids for explanation in weighed_sets), "signs": signs, "right": right}

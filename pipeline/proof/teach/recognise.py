@@ -7,6 +7,7 @@ from sklearn.exceptions import ConvergenceWarning
 from sklearn.neural_network import MLPClassifier
 
 from ...diagnosis.numerics.recogniser import OUTSIDE, Recogniser
+from ...ground.outside import is_outside
 from .lesson import Lesson
 
 UNITS, DECAY, PASSES = 48, 3.0, 200  # of the network: rectified units, weight decay, passes over all lessons
@@ -14,7 +15,7 @@ UNITS, DECAY, PASSES = 48, 3.0, 200  # of the network: rectified units, weight d
 
 def classes(lesson: Lesson) -> list[str]:
     """What a lesson's signature is of: each hidden effect, or `outside`."""
-    return [OUTSIDE if name.startswith("x_") else name for name in lesson.effects]
+    return [OUTSIDE if is_outside(name) else name for name in lesson.effects]
 
 
 def taught(lessons: list[Lesson]) -> Recogniser | None:

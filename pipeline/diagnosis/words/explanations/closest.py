@@ -1,6 +1,7 @@
 """What comes closest where nothing explains a recording, what each takes away and leaves, and why it does not do."""
 
 from ....ground.glossary import MEANING
+from ....ground.outside import is_outside
 from ...choice.judged import UNKNOWN
 from ...choice.search import EXPLAINED
 from ...document.content import Part, Verdict
@@ -46,9 +47,7 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
 def stand_ins(sets: list[list[str]]) -> list[str]:
     """What each stand-in of some explanations does, in one line; nothing where none is among them."""
     library = mechanisms()
-    ids = dict.fromkeys(
-        id_ for ids in sets for id_ in ids if id_.startswith("x_") and id_ in MEANING and id_ in library
-    )
+    ids = dict.fromkeys(id_ for ids in sets for id_ in ids if is_outside(id_) and id_ in MEANING and id_ in library)
     does = [f"{id_}: {MEANING[id_].partition(';')[0].rstrip('.')}" for id_ in ids]
     return [STAND_INS.format("; ".join(does))] if does else []
 

@@ -1,5 +1,6 @@
 """What is left without a name, in words: how large the pattern is, where it lies and what it follows."""
 
+from ....ground.outside import is_outside
 from ...document.content import Verdict, mismatch_of
 from ..held_out import holdout, unseen
 from ..language.places import EVERYWHERE, place
@@ -80,4 +81,4 @@ def nearest(content: Verdict, words: Vocabulary) -> list[str]:
 
 def stand_in(ids: list[str]) -> str:
     """What a name that begins with x_ means, where one does."""
-    return STAND_IN if any(id_.startswith("x_") for id_ in ids) else ""
+    return STAND_IN if any(map(is_outside, ids)) else ""

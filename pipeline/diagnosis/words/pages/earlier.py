@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import cast
 
 from ....ground.errors import BadInput
+from ....ground.outside import is_outside
 from ...document.bounds import of_later_run
 from ...document.content import Part, Verdict
 from ...prediction.simulation import read_diagnosis
@@ -55,7 +56,7 @@ def _replaced(before: Verdict, content: Verdict) -> str:
     alone = before.get("verdict") == "explained"
     if alone and content["verdict"] == "unknown":
         return f"Alone it was explained, together the runs are not: {OF_ONE}"
-    stand_ins = [id_ for id_ in _names(content) if id_.startswith("x_") and id_ not in _names(before)]
+    stand_ins = [id_ for id_ in _names(content) if is_outside(id_) and id_ not in _names(before)]
     if alone and stand_ins:
         return f"Alone it was explained without {listing(stand_ins)}, which is no physics of the library: {OF_ONE}"
     return "This one rests on more data and replaces it."

@@ -1,0 +1,6 @@
+"""The models that pages and programs treat in a way of their own, by the names of their modules."""
+
+PAPER = "inn"  # the paper's own, held against each of the others
+NOMINAL = "traditional"  # the paper's equations, which learn nothing: last in every table
+USUAL = "spline"  # the one to take where nobody says which and errors are much alike
+WHOLE_MOTION = "diagnosed"  # answers along a whole motion alone: it is neither exported nor asked for single points
