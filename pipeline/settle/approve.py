@@ -3,11 +3,10 @@
 import sys
 
 from ..ground.command import command
-from ..ground.counts import counted
 from ..ground.errors import BadInput
 from .answers import Answers
 from .choose import apart
-from .motion_table import begins, lines
+from .motion_table import begins, lines, size
 from .step import Place, Step
 from .tie import tie
 
@@ -22,10 +21,9 @@ def told(step: Step, place: Place) -> str:
     """A proposed run: what it is for, what moves in it, and where it is drawn."""
     if not step.legs:
         return f"step {step.number}: proposed: {step.proposal['title']}"
-    size = f"{step.seconds:.0f} s, {counted(step.strokes, 'stroke')}"
     drawn = f"drawn before it is made: {place.folder(step.number) / 'proposed.png'}"
     below = [*tie(step, place), *filter(None, [apart(step.proposal)]), begins(step), *lines(step), drawn]
-    return "\n  ".join([f"step {step.number}: proposed: {step.proposal['title']} ({size})", *below])
+    return "\n  ".join([f"step {step.number}: proposed: {step.proposal['title']} ({size(step)})", *below])
 
 
 def approved(step: Step, way: str, answers: Answers) -> Step | None:

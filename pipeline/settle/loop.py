@@ -7,7 +7,6 @@ from pathlib import Path
 from ..capture.motion import as_legs
 from ..diagnose import Options, diagnose
 from ..ground.errors import BadInput
-from ..ground.files import write_text
 from ..run.folder import read_run
 from ..string.from_raw import read
 from ..string.jumps_beside import Reader
@@ -21,11 +20,11 @@ from .foretold_figure import draw
 from .limits import beyond
 from .motor import Motor
 from .proposed import ProposedRun, retimed, without_curves
-from .sheet import hung_before, sheet
+from .sheet import MAKES, hand_out, hung_before
 from .step import Place, Step
 from .tie import so_far
 
-DONE, FAULT, STOPPED, MAKES = 0, 1, 130, "the person who makes it"
+DONE, FAULT, STOPPED = 0, 1, 130
 
 
 @dataclass(frozen=True)
@@ -54,6 +53,8 @@ class Loop:
         if before != [str(run) for run in self.runs]:
             mend = "name another --out, or the runs with which it was begun"
             raise BadInput(self.place.out, "step-0", f"is of {' and '.join(before or [])}", mend)
+        if move.waits_for_a_person(steps[-1], MAKES):  # who may have other limits now, or a rig at a port
+            steps[-1] = self.place.write(steps[-1].at("proposed", approved_by=None))
         while not self.answers.stopped():
             step = steps[-1]
             if step.state == "recorded":
@@ -149,7 +150,7 @@ class Loop:
             print(f"step {step.number}: is to confirm what is explained, but not surely")
         if why:
             print(f"step {step.number}: passed over: {why}")
-        step = step.at("proposed", run_dir=str(move.free_dir(self.runs[0])))
+        step = step.at("proposed", run_dir=str(move.free_dir(self.runs[0], self.runs[-1])))
         option = next(option for option in options if option["title"] == step.proposal["title"])
         return self._written(step, retimed(option, step.legs))
 
@@ -181,14 +182,12 @@ class Loop:
                 mend = "remove that empty file and start again"
                 raise BadInput(folder, "recording.frames", "is empty: nothing was recorded", mend)
             # it was approved, and nothing moved
-            return self.place.write(step.at("approved", run_dir=str(move.free_dir(self.runs[0])))), DONE
+            return self.place.write(step.at("approved", run_dir=str(move.free_dir(self.runs[0], self.runs[-1])))), DONE
         if self.motor.takes() is not None:
             self.motor.follow(step, self.place, self.answers.stopped)
         else:
             why = "the rig's HELLO declares no limits of a program" if self.motor.port else "no --port was given"
-            text = sheet(step, self.runs[-1], why)
-            write_text(self.place.folder(step.number) / "sheet.txt", text)
-            print(text, flush=True)
+            print(hand_out(step, self.place, self.runs[-1], why), flush=True)
             if not move.wait_for(folder, self.answers.stopped):
                 return step, DONE
         recorded_step, by_person = move.came(step)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..capture.motion import as_legs, strokes_of
+from ..ground.counts import counted
 from ..wire.motion import cruise
 from .step import STANDS, Step
 
@@ -29,8 +30,17 @@ def begins(step: Step) -> str:
     stands = f"Before it the motor stands at {step.proposal.get('from', 0.0):.2f} turns{load}."
     if not step.number or len(step.legs) < 2:
         return stands
-    rest_s = step.seconds - step.legs[0]["seconds"]
-    return f"{stands} Leg 1 leads to where the run begins; the legs after it take {rest_s:.0f} s, as the verdict says."
+    moves = abs(step.legs[0]["motor_turns"] - step.proposal.get("from", 0.0)) > STANDS
+    return f"{stands} Leg 1 {'leads to where the run begins' if moves else 'is the rest before the run'}."
+
+
+def size(step: Step) -> str:
+    """How long a run takes, as the verdict that proposes it says, with its strokes; and the way to where it begins."""
+    strokes = counted(step.strokes, "stroke")
+    if not step.number or len(step.legs) < 2:
+        return f"{step.seconds:.0f} s, {strokes}"
+    first_s = step.legs[0]["seconds"]
+    return f"{step.seconds - first_s:.0f} s, {strokes}; before it leg 1, {first_s:.0f} s"
 
 
 def table(step: Step) -> list[Row]:

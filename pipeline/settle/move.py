@@ -2,26 +2,54 @@
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 from ..capture.commit import recover
 from ..capture.log import NAME, in_use
 from ..capture.stream import PERSON
+from ..ground.errors import BadInput
+from ..ground.strict_yaml import read_yaml
 from ..new_run import make_run
 from ..run.copied_run import as_in, with_given
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
 from .step import Step
 
+DESCRIBED = "run.yaml"
 LEAST_SAMPLES = 200  # of a recording that was cut short, to be of use
 LOOKS_S = 0.5
 
 
-def free_dir(first: Path) -> Path:
-    """A run folder beside the first one that is not there yet."""
+def free_dir(first: Path, like: Path) -> Path:
+    """A run folder beside the first one that is not there yet; one that an earlier proposal left empty is removed."""
     number = 1
-    while (first.parent / f"{first.name}-s{number}").exists():
+    while (folder := first.parent / f"{first.name}-s{number}").exists():
+        if _is_left_empty(folder, like):
+            (folder / DESCRIBED).unlink()
+            folder.rmdir()
+            break
         number += 1
-    return first.parent / f"{first.name}-s{number}"
+    return folder
+
+
+def _is_left_empty(folder: Path, like: Path) -> bool:
+    """Whether a folder holds a run.yaml as this program writes it, whatever the load, and nothing else."""
+    if not folder.is_dir() or [path.name for path in folder.iterdir()] != [DESCRIBED]:
+        return False
+    with suppress(BadInput):
+        would_be = with_given(as_in(like), {"run": folder.name}, like)
+        return _but_load(read_yaml(folder / DESCRIBED)) == _but_load(would_be)
+    return False
+
+
+def _but_load(content: dict[str, Any]) -> dict[str, Any]:
+    return {**content, "rig": {key: value for key, value in (content.get("rig") or {}).items() if key != "load_n"}}
+
+
+def waits_for_a_person(step: Step, makes: str) -> bool:
+    """Whether a run that was left to a person, who `makes` it, is not begun yet."""
+    return step.state == "approved" and step.approved_by == makes and not begun(Path(step.run_dir or ""))
 
 
 def describe(folder: Path, first: Path, step: Step) -> None:
@@ -29,7 +57,7 @@ def describe(folder: Path, first: Path, step: Step) -> None:
 
     A load that run.yaml gives, since nothing measures it, is that of the step's motion where it moves under one load.
     """
-    if (folder / "run.yaml").exists():
+    if (folder / DESCRIBED).exists():
         return
     like = as_in(first)
     hangs = {"rig": {"load_n": step.loads_n[0]}} if "load_n" in like.get("rig", {}) and len(step.loads_n) == 1 else {}

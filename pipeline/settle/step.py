@@ -11,6 +11,7 @@ from .proposed import LegJson, ProposedRun, StepVerdict
 
 STATES = ("proposed", "approved", "recorded", "diagnosed")
 STANDS = 5e-3  # turns: a leg that goes less far stands
+STILL = 5e-3  # of the run's range: a way so short is no stroke, and nobody sees it
 NAME, PROPOSED = "state.json", "proposed.json"
 
 
@@ -46,17 +47,25 @@ class Step:
         return float(sum(leg["seconds"] for leg in self.legs))
 
     @property
+    def still_turns(self) -> float:
+        """In a way that is no longer the motor as good as stands."""
+        places = [self.proposal.get("from", 0.0), *(leg["motor_turns"] for leg in self.legs)]
+        return max(STANDS, STILL * (max(places) - min(places)))
+
+    @property
     def strokes(self) -> int:
         """How often its motion winds."""
         ways = [leg["motor_turns"] for leg in self.legs]
         before = [self.proposal.get("from", 0.0), *ways]
-        return sum(to > at for at, to in zip(before, ways, strict=False))
+        return sum(to - at > self.still_turns for at, to in zip(before, ways, strict=False))
 
     @property
     def loads_n(self) -> list[float]:
         """The loads under which it moves, in N, each once and in their order; none where it says nothing of a load."""
         before = [self.proposal.get("from", 0.0), *(leg["motor_turns"] for leg in self.legs)]
-        moves = [leg for at, leg in zip(before, self.legs, strict=False) if abs(leg["motor_turns"] - at) > STANDS]
+        moves = [
+            leg for at, leg in zip(before, self.legs, strict=False) if abs(leg["motor_turns"] - at) > self.still_turns
+        ]
         loads = [leg.get("load_n") for leg in moves]
         return list(dict.fromkeys(float(load) for load in loads if load is not None))
 

@@ -9,7 +9,7 @@ from ..settle.answers import Answers
 from ..settle.choose import apart
 from ..settle.ending import NAME as SETTLED
 from ..settle.loop_lock import at_work
-from ..settle.motion_table import HEAD, begins, table, winds
+from ..settle.motion_table import HEAD, begins, size, table, winds
 from ..settle.step import Place, Step
 
 SHOWN = ("proposed", "approved", "recorded")  # while what is foretold is of interest
@@ -68,8 +68,7 @@ class Settling:
             "step": step.number,
             "state": step.state,
             "title": str(step.proposal.get("title", "")),
-            "seconds": step.seconds,
-            "strokes": step.strokes,
+            "size": size(step) if step.legs else "",
             "moves": moves(step),
             "verdict": step.verdict,
             "approved_by": step.approved_by,

@@ -149,7 +149,7 @@ def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_fo
     assert one.returncode == 0, said
     table = said[said.index("Before it the motor stands") : said.index("Run poor-1-s1:")]
     assert "under 40 N" in table and " 20\n" not in table, "the sheet hangs the load before the run, and the table too"
-    assert "stand at 0.00 turns for 2.0 s" in sheet
+    assert "stand at 0.00 turns for 2.5 s" in sheet and "The loop to expect" in sheet
     assert settled(place)["mechanisms"] == ["friction_hysteresis"] and set(old.heard) == {Kind.GREET}
 
 
@@ -164,6 +164,20 @@ def test_a_rig_that_is_moved_by_hand_under_one_load_is_asked_for_no_other(place)
     assert "passed over: leg 2 asks for 40 N, and the rig hangs 20 N (" in said and "hang 40 N" not in said, said
     proposed = json.loads((place / "out" / "step-1" / "state.json").read_text())["proposal"]
     assert all(leg.get("load_n") is None for leg in proposed["legs"]) and "load" not in proposed["title"]
+
+
+def test_a_run_that_was_left_to_a_person_is_asked_about_anew_where_a_rig_or_other_limits_are_there(place):
+    """A start with a port moved at once what nobody had approved, and other limits left the old run waiting."""
+    path = place / "out" / "step-1" / "state.json"
+    path.write_text(json.dumps(state(place) | {"state": "approved", "approved_by": "the person who makes it"}))
+    with rig(place, "--pace", "inf"):
+        done = ended(place, "settle", "raw/poor-1", "--port", "port", "--out", "out")
+        assert done.returncode == 2 and "nothing was moved" in done.stdout, done.stdout
+        assert state(place)["state"] == "proposed" and not (place / "raw" / "poor-1-s1").exists()
+        path.write_text(json.dumps(state(place) | {"state": "approved", "approved_by": "the person who makes it"}))
+        narrow = LIMITS.replace("load_n: [8, 45]", "load_n: [8, 30]")
+        done = ended(place, "settle", "raw/poor-1", "--port", "port", "--out", "out", "--limits", narrow)
+    assert "step 1: what was proposed is proposed anew: --limits are others now" in done.stdout
 
 
 def test_another_run_is_not_settled_in_the_same_place(place):

@@ -29,8 +29,8 @@ def proposed(**more) -> Step:
 def test_before_a_person_says_yes_each_leg_is_said_in_numbers(tmp_path):
     text = told(proposed(), Place(tmp_path))
     assert "Before it the motor stands at 0.00 turns, under 20 N." in text
-    assert "Leg 1 leads to where the run begins; the legs after it take 10 s, as the verdict says." in text
-    assert "under twice the load (12 s, 2 strokes)" in text or "under twice the load (12 s, 1 stroke)" in text
+    assert "Before it the motor stands at 0.00 turns, under 20 N. Leg 1 is the rest before the run." in text
+    assert "under twice the load (10 s, 1 stroke; before it leg 1, 2 s)" in text, "10 s stand in the verdict"
     rows = [line.split() for line in text.splitlines()]
     assert ["leg", "s", "turns", "turns/s", "load", "(N)"] in rows
     assert ["1", "2.0", "stands", "at", "0.00", "0", "20"] in rows

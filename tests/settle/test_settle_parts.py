@@ -15,11 +15,12 @@ from pipeline.settle.answers import Answers
 from pipeline.settle.approve import approved
 from pipeline.settle.beyond import simulated_mm, zero_mm
 from pipeline.settle.choose import Budget, chosen, firm, reachable
+from pipeline.settle.expected_loop import expected_loops
 from pipeline.settle.limits import Allowed, beyond
 from pipeline.settle.motor import Motor
-from pipeline.settle.move import describe
+from pipeline.settle.move import describe, free_dir
 from pipeline.settle.proposed import retimed
-from pipeline.settle.sheet import sheet
+from pipeline.settle.sheet import hand_out, hung_before, sheet
 from pipeline.settle.step import Place, Step
 from pipeline.wire.motion import Limits
 
@@ -164,6 +165,7 @@ def test_a_sheet_says_each_leg_and_how_to_record_it():
     step = chosen([entry("one", load_n=40.0)], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
     text = sheet(step, Path("raw/a"), "no --port was given")
     assert "Before it, hang 40 N, and leave it there." in text and "under" not in text
+    assert "its run.yaml is there, and says the string of raw/a and load_n: 40, where no channel records it." in text
     assert (
         "1. stand at 0.00 turns for 2.0 s\n" in text
         and "2. go from 0.00 to 20.00 turns in 5.0 s, at 4.00 turns/s\n" in text
@@ -173,9 +175,89 @@ def test_a_sheet_says_each_leg_and_how_to_record_it():
     changes["legs"][2]["load_n"] = 10.0
     step = chosen([changes], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
     text = sheet(step, Path("raw/a"), "no --port was given")
-    assert "2. go from 0.00 to 20.00 turns in 5.0 s, at 4.00 turns/s, under 40 N" in text
-    assert "turns/s, under 10 N" in text
+    lines = [line.strip() for line in text.splitlines()]
+    assert "Before it, hang 20 N." in lines
+    for line in (
+        "1. stand at 0.00 turns for 2.0 s",
+        "2. hang 40 N in place of 20 N at 0.00 turns, in your own time",
+        "3. go from 0.00 to 20.00 turns in 5.0 s, at 4.00 turns/s",
+        "4. hang 10 N in place of 40 N at 20.00 turns, in your own time",
+        "5. go from 20.00 to 0.00 turns in 5.0 s, at 4.00 turns/s",
+    ):
+        assert line in lines
     assert "record it as load_n too" in text and "leave it there" not in text
+
+
+def as_recorded() -> tuple[Step, dict]:
+    """A stroke as a poor recording led to it: the motor stood a hair below where it begins; and what is foretold."""
+    legs = [
+        {"seconds": seconds, "motor_turns": turns, "load_n": load_n}
+        for seconds, turns, load_n in ((2, 0.953, 18.7), (0.5, 0.953, 37.4), (13, 25.7, 37.4), (20, 25.7, 37.4))
+    ]
+    legs.append({"seconds": 13, "motor_turns": 0.953, "load_n": 37.4})
+    proposal = {"title": "one stroke", "legs": legs, "from": 0.94, "load": 18.7}
+    time_s = np.linspace(0.0, 48.5, 400)
+    turns = np.interp(time_s, [0, 2.5, 15.5, 35.5, 48.5], [0.953, 0.953, 25.7, 25.7, 0.953])
+    down = time_s > 35.5
+    rivals = {name: (0.1 * turns**2 + down * width * (turns > 1.0)).tolist() for name, width in WIDTHS.items()}
+    curves = {"time_s": time_s.tolist(), "motor_turns": turns.tolist(), "load": [37.4] * 400, "calibrated": [0.0] * 400}
+    return Step(1, "proposed", "raw/a-s1", proposal), curves | {"rivals": rivals}
+
+
+WIDTHS = {"backlash": 0.2, "friction_hysteresis": 0.41}
+
+
+def test_the_sheet_of_a_person_asks_for_nothing_that_nobody_can_see_or_do_in_time(tmp_path):
+    """It said "go from 0.94 to 0.95 turns in 2.0 s" and "for 0.5 s, under 37.4 N", and not which loop to expect.
+
+    The way of a hair made a second stroke of it, and its load one that changes; the page of details asked for one load.
+    """
+    step, curves = as_recorded()
+    assert (step.strokes, step.loads_n) == (1, [37.4])
+    place = Place(tmp_path)
+    place.write_run(1, step.proposal | {"curves": curves})
+    text = hand_out(hung_before(step), place, Path("raw/a"), "no --port was given")
+    assert text == (tmp_path / "step-1" / "sheet.txt").read_text()
+    motion = text[text.index("Before it") : text.index("Record all")].splitlines()
+    assert motion == [
+        "Before it, hang 37.4 N, and leave it there.",
+        "What the motor does:",
+        "  1. stand at 0.95 turns for 2.5 s",
+        "  2. go from 0.95 to 25.70 turns in 13.0 s, at 1.90 turns/s",
+        "  3. stand at 25.70 turns for 20.0 s",
+        "  4. go from 25.70 to 0.95 turns in 13.0 s, at 1.90 turns/s",
+        "The loop to expect, by how much winding and unwinding differ at most at one twist:",
+        "  0.20 mm if backlash is right, 0.41 mm if friction_hysteresis is right",
+        "",
+    ]
+
+
+def test_a_loop_that_tells_nothing_is_not_said_and_strokes_are_told_apart():
+    step, curves = as_recorded()
+    same = curves | {"rivals": {name: curves["rivals"]["backlash"] for name in WIDTHS}}
+    assert expected_loops(step, same) == []
+    twice = [*step.legs, {"seconds": 13, "motor_turns": 25.7}, {"seconds": 13, "motor_turns": 0.953}]
+    longer = curves | {"time_s": [*curves["time_s"], 61.5, 74.5], "motor_turns": [*curves["motor_turns"], 25.7, 0.953]}
+    longer["rivals"] = {name: [*curve, 66.0, 0.1] for name, curve in curves["rivals"].items()}
+    lines = expected_loops(step.at("proposed", proposal=step.proposal | {"legs": twice}), longer)
+    assert [line[:12] for line in lines[1:]] == ["  stroke 1: "], "in the second one they foretell the same"
+
+
+def test_a_folder_that_a_proposal_left_empty_is_used_again(make_run, tmp_path):
+    """Each start without a port could leave one more `raw/poor-1-sN` with nothing in it."""
+    first = make_run("a", recording(4), rig={"torsion_zone_mm": 150, "separator_mm": 8, "load_n": 20.0})
+    step = chosen([entry("one", load_n=40.0)], 1, None, Budget(1, 10.0, 10))[0].at("proposed", run_dir="raw/a-s1")
+    waits = free_dir(first, first)
+    assert waits.name == "a-s1"
+    describe(waits, first, step)
+    assert free_dir(first, first) == waits and not waits.exists(), "with a load of its own, of another proposal"
+    describe(waits, first, step)
+    text = (waits / "run.yaml").read_text()
+    (waits / "run.yaml").write_text(text + "tolerance: {length_mm: 0.5}\n")
+    assert free_dir(first, first).name == "a-s2" and waits.exists(), "somebody wrote into it"
+    (waits / "run.yaml").write_text(text)
+    (waits / "notes.txt").write_text("hung at noon")
+    assert free_dir(first, first).name == "a-s2" and waits.exists()
 
 
 @pytest.mark.parametrize(("rig", "hangs"), [({"load_n": 20.0}, 40.0), ({}, None)])

@@ -8,8 +8,7 @@ function loop(d) {
   at("loop-part").hidden = !l;
   if (!l) return;
   if (l.question !== asked) { asked = l.question; at("clear").checked = false; show("said", ""); }
-  const size = l.seconds ? ` (${Math.round(l.seconds)} s, ${l.strokes} stroke${l.strokes === 1 ? "" : "s"})` : "";
-  show("step", `Step ${l.step}: ${l.title || "the runs that were there"}${size}`);
+  show("step", `Step ${l.step}: ${l.title || "the runs that were there"}${l.size && ` (${l.size})`}`);
   moves(l.moves);
   const what = l.stopping ? "stopping" : l.question ? "waits for approval" : STATES[l.state];
   show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
