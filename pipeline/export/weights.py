@@ -11,7 +11,7 @@ Weights = NDArray[np.float32]
 
 @dataclass(frozen=True)
 class Layer:
-    """One fully connected layer: `weight` of shape (inputs, outputs), `bias` of shape (outputs,)."""
+    """One fully connected layer: `weight` of shape (inputs, outputs), `bias` of shape (outputs,), without units."""
 
     weight: Weights
     bias: Weights

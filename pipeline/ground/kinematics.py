@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Places = NDArray[np.intp]  # of samples or rows, counted from 0
 Values = Any  # a float or an array that broadcasts with the others
 
 # One sigma of how well each dimension was measured, unless run.yaml says otherwise; the radius relative.

@@ -11,7 +11,8 @@ from sklearn.exceptions import ConvergenceWarning
 from sklearn.gaussian_process import GaussianProcessRegressor
 from sklearn.gaussian_process.kernels import RBF, ConstantKernel, WhiteKernel
 
-Array = NDArray[np.float64]
+from .kinematics import Array
+
 STEPS, RESTARTS = 25, 1
 
 

@@ -9,12 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from . import quantiles, schemas
-from .kinematics import Array
-
-Places = NDArray[np.intp]
+from .kinematics import Array, Places
 
 
 class Rows(ABC):

@@ -5,9 +5,8 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from .kinematics import Array
+from .kinematics import Array, Places
 
-Places = NDArray[np.intp]
 Spans = NDArray[np.intp]  # shape (spans, 2), rising, none of them empty
 Read = Callable[[int, int], Array]  # values of a series from a first place until one that is left out
 
@@ -24,7 +23,7 @@ def of_mask(mask: NDArray[np.bool_], first: int = 0) -> Spans:
 
 
 def joined(parts: Iterable[Spans]) -> Spans:
-    """Spans of all parts in order, those that touch as one; shape (spans, 2)."""
+    """Spans of all parts in order, those that touch as one; shape (spans, 2), as places."""
     every = np.concatenate([np.zeros((0, 2), np.intp), *parts])
     every = every[np.argsort(every[:, 0], kind="stable")]
     apart = np.flatnonzero(every[1:, 0] > every[:-1, 1])
@@ -34,13 +33,13 @@ def joined(parts: Iterable[Spans]) -> Spans:
 
 
 def between(spans: Spans, length: int) -> Spans:
-    """What of a series of a length lies in none of the spans; shape (spans, 2)."""
+    """What of a series of a length lies in none of the spans; shape (spans, 2), as places."""
     edges = np.concatenate([[0], spans.ravel(), [length]]).reshape(-1, 2)
     return edges[edges[:, 1] > edges[:, 0]]
 
 
 def cut(spans: Spans, places: Places) -> Spans:
-    """The spans, cut at those places that lie inside one; shape (spans, 2)."""
+    """The spans, cut at those places that lie inside one; shape (spans, 2), as places."""
     at = np.searchsorted(spans[:, 0], places, side="right") - 1
     inside = places[(at >= 0) & (places > spans[at, 0]) & (places < spans[at, 1])] if len(spans) else places[:0]
     return np.column_stack([np.sort(np.concatenate([spans[:, end], inside])) for end in (0, 1)])

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 from scipy.signal import butter, sosfiltfilt
 
-Array = NDArray[np.float64]
+from ..ground.kinematics import Array
+
 ORDER, RATE_HZ = 4, 20.0  # low-pass, forward and backward, before an encoder's steps are differentiated
 MEMORIES = (0.02, 0.1)  # of the range of motion, over which a reversal is felt
 DELAYS_S = (0.02, 0.1)

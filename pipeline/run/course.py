@@ -9,7 +9,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ..ground import spans
-from ..ground.kinematics import Array
+from ..ground.kinematics import Array, Mask
 from .strokes import of_samples
 from .turning import turning_points
 
@@ -18,7 +18,6 @@ WINDOW_S = 0.2  # over which a speed is taken: less is encoder noise
 TURNS = 0.02  # of the recorded range: a smaller way back is no reversal
 ALIKE = 1.2  # times the slowest stroke's speed: a fastest one below that is no other speed
 
-Mask = NDArray[np.bool_]
 Turns = dict[bool, Array]  # motion at which it turned, in the driver's unit, by whether that was at a top
 
 

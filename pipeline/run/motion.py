@@ -7,9 +7,8 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from ..ground import quantiles
-from ..ground.kinematics import Array
+from ..ground.kinematics import Array, Places
 from ..ground.rows import Rows
-from ..ground.spans import Places
 from .spikes import spikes, without_spikes
 
 OUTLIER_SAMPLES = 5  # width of the median that keeps outliers of the motor channel out

@@ -13,9 +13,8 @@ from ..ground.command import command
 from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.files import whole
-from ..ground.kinematics import Geometry
+from ..ground.kinematics import Geometry, Places
 from ..ground.rows import Rows, Stored, rows_of
-from ..ground.spans import Places
 from .clock import Clock
 from .description import STRING_ACTUATORS, Run
 from .file_lines import FileLines, Where, by_row

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
 from ..ground import quantiles
-from ..ground.kinematics import Array
+from ..ground.kinematics import Array, Places
 from ..ground.rows import Rows, rows_of
-from ..ground.spans import Places, blocks
+from ..ground.spans import blocks
 
 SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
 MEDIAN_SAMPLES = 5  # width of that filter
@@ -53,7 +53,7 @@ def medians(rows: Rows, name: str, first: int, stop: int) -> Array:
 
 
 def spikes(rows: Rows, name: str) -> Places:
-    """Samples of a channel that are spikes, rising; indices of shape (spikes,). Read piece by piece."""
+    """Samples of a channel that are spikes, rising, as indices of shape (spikes,). Read piece by piece."""
 
     def off(first: int, stop: int) -> Array:
         return np.abs(rows.read(name, first, stop) - medians(rows, name, first, stop))

@@ -7,8 +7,8 @@ from itertools import pairwise
 import numpy as np
 
 from ..ground import quantiles, schemas, spans
-from ..ground.kinematics import Array
-from ..ground.spans import Places, Spans
+from ..ground.kinematics import Array, Places
+from ..ground.spans import Spans
 from ..ground.unwound import PHASE_REVERSAL
 from .motion import Motion
 
@@ -51,7 +51,7 @@ def _jitter(motion: Motion, slow: Spans, legs: Places, span: float) -> Spans:
 
 
 def stands(motion: Motion, legs: Places, span: float) -> Spans:
-    """Spans of samples in which the motor stands; shape (spans, 2).
+    """Spans of samples in which the motor stands; shape (spans, 2), as places.
 
     `legs` are the samples at which the motion turns, the first and the last too; `span` is its range.
     """

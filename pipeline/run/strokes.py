@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from ..ground import quantiles, schemas, spans
 from ..ground.errors import BadInput
-from ..ground.kinematics import Array
+from ..ground.kinematics import Array, Places
 from ..ground.rows import Rows, rows_of
-from ..ground.spans import Places, Spans
+from ..ground.spans import Spans
 from ..ground.units import unit_of
 from ..ground.unwound import PHASE_REVERSAL
 from .motion import Motion
@@ -80,7 +80,10 @@ def label(time_s: Array, motion: Array) -> tuple[Places, Phases]:
 
 
 def of_samples(strokes: pd.DataFrame) -> tuple[Places, Phases]:
-    """What `label` says of every sample, by the strokes that `segment` cut them into; both of shape (samples,)."""
+    """What `label` says of every sample, by the strokes that `segment` cut them into.
+
+    The number of its stroke is a count, its phase a word; both of shape (samples,).
+    """
     times = (strokes["last_sample"] - strokes["first_sample"] + 1).to_numpy()
     return np.repeat(strokes["stroke"].to_numpy(np.intp), times), np.repeat(strokes["phase"].to_numpy(), times)
 

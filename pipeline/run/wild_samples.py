@@ -9,9 +9,8 @@ from scipy.ndimage import median_filter
 from ..ground import quantiles
 from ..ground.counts import are, counted
 from ..ground.errors import BadInput
-from ..ground.kinematics import Array
+from ..ground.kinematics import Array, Places
 from ..ground.rows import Rows
-from ..ground.spans import Places
 from .description import Run
 from .file_lines import Where, by_row
 
@@ -50,6 +49,8 @@ def _wild(samples: Rows, name: str, is_load: bool) -> Places:
 
 def wild_samples(run: Run, samples: Rows, path: Path, where: Where = by_row) -> tuple[Places, list[str]]:
     """Rows of finite samples that motion, reading or load make impossible, rising; and a sentence a channel.
+
+    The rows are given as places, shape (rows,).
 
     An ordinary outlier stays: a sample goes only where its value is further from its neighbours' median than three
     times the channel's whole range (of a load: or its size). `where` a row stands in `path` is said. Raises BadInput

@@ -33,7 +33,7 @@ class Piece:
 
     @property
     def block(self) -> Numbers:
-        """Block of each sample, counted from the top of its winding or unwinding; shape (samples,)."""
+        """Block of each sample, counted from the top of its winding or unwinding; shape (samples,), a count."""
         place = np.arange(self.before, self.before + self.stop - self.first)
         return block_of(self.samples - 1 - place if self.phase == "winding" else place, self.samples)
 

@@ -5,6 +5,8 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from ..ground.kinematics import Mask
+
 TRAINING_POINTS = 5000  # as in the paper
 HELD_OUT_POINTS = 20000  # more tell no more, and cost the learned models minutes
 MOST_BLOCKS = 80  # into which a stroke's winding, or unwinding, is cut
@@ -13,25 +15,25 @@ HOLD_OUT = 4  # one block in so many
 WHICH_OF_FOUR = np.array([0, 2, 1, 3])  # in the first group of four blocks, the second, …
 
 Numbers = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 
 def block_of(from_top: Numbers, samples: int) -> Numbers:
     """Block, counted from the top, of the samples of one winding at some places from its top.
 
-    `from_top` counts from 0; the winding has so many samples.
+    `from_top` counts from 0, and so does the answer; both of shape (samples,), as counts. The winding has so many
+    samples.
     """
     count = min(max(samples // BLOCK_LEAST_SAMPLES, 1), MOST_BLOCKS)
     return from_top * count // max(samples, 1)
 
 
 def blocks_from_top(samples: int) -> Numbers:
-    """Block of each sample of one winding, counted from its top and given in order of rising twist."""
+    """Block of each sample of one winding, from its top, in order of rising twist; shape (samples,), a count."""
     return block_of(np.arange(samples)[::-1], samples)
 
 
 def held_out(block: Numbers, stroke: Numbers) -> Mask:
-    """Whether a block of a stroke is held out in the split `within`.
+    """Whether a block of a stroke is held out in the split `within`; shape (points,), as masks.
 
     One block of every four, another one from group to group so that no part of the range is favoured, and shifted from
     stroke to stroke so that over four strokes every twist is held out once. Strokes 1, 5 and 9, which the tables show,
@@ -50,7 +52,7 @@ class Thinned:
         self._before = 0
 
     def chosen(self, may: Mask) -> Mask:
-        """Which points of the next piece are chosen; shape (points,)."""
+        """Which points of the next piece are chosen; shape (points,), as masks."""
         rows = np.flatnonzero(may)
         if self._places is not None:
             in_piece = self._places - self._before

@@ -26,7 +26,9 @@ _TABLE_32 = ~np.array([zlib.crc32(bytes([byte]), 0xFFFFFFFF) for byte in range(2
 class Batch:
     """Good frames in the order of the log, and where bad ones begin.
 
-    kind, seq, start, end: shape (frames,); `start` and `end` are positions in the log, `end` after the zero byte.
+    kind, seq, start, end: shape (frames,), as counts and places.
+
+    `start` and `end` are positions in the log, `end` after the zero byte.
     `payloads` has each frame's payload by its position in these arrays, short ones of one length as a matrix.
     """
 

@@ -13,6 +13,8 @@ Part = tuple[Whole, NDArray[np.void]]  # numbers of frames, rising, and what the
 def in_order(parts: Iterable[Part], firsts: Whole, sent: int) -> Iterator[Part]:
     """Samples with numbers below `sent`, rising from part to part; `firsts` has the first number of each given part.
 
+    `firsts` has the shape (parts,), as counts.
+
     A sample is held until no part is to come that has one before it: memory goes by how late a sample came.
     """
     least = np.minimum.accumulate(np.append(firsts, sent)[::-1])[::-1][1:]  # after each part

@@ -26,7 +26,7 @@ class Recording:
     hello: Hello | None
     time_s: Array  # since the first sample, by stamps that are mended where a few of them cannot be, (samples,)
     channels: dict[str, Array]  # by the HELLO's names, in its units, each (samples,)
-    seq: Whole  # of every sample's frame
+    seq: Whole  # of every sample's frame, a count, (samples,)
     account: Account
     mended: dict[str, int] = field(default_factory=dict)  # how often each rule of Mending was needed
 

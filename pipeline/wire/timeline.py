@@ -13,7 +13,10 @@ FIRST, SAMPLES, FIRST_US, LAST_US, SPAN_US = range(5)
 
 @dataclass(frozen=True)
 class Timeline:
-    """Runs that hold samples, in order, with their times since the first sample: each array (runs,)."""
+    """Runs that hold samples, in order, with their times since the first sample, in us: each array (runs,).
+
+    `first` and `samples` are counts.
+    """
 
     first: Whole
     begin_us: Whole
@@ -24,7 +27,7 @@ class Timeline:
 
     @staticmethod
     def of(runs: Whole) -> "Timeline":
-        """Unwrap the clock from run to run."""
+        """Unwrap the clock from run to run; `runs` are rows of counts and of times in us, shape (runs, columns)."""
         between = np.zeros(len(runs), np.int64)
         between[1:] = (runs[1:, FIRST_US] - runs[:-1, LAST_US] + 2**31) % 2**32 - 2**31
         end_us = np.cumsum(between + runs[:, SPAN_US])

@@ -9,7 +9,8 @@ from pipeline.ground.units import unit_of
 
 PIPELINE = Path(__file__).parents[2] / "pipeline"
 STRANGERS = PIPELINE / "rig" / "authors"  # by other hands, each in words of its own; never installed
-ARRAY = re.compile(r"\b(Array|ndarray|NDArray|Values|Tensor)\b")
+ARRAYS = {"Array", "ndarray", "NDArray", "Values", "Tensor"}
+ALIAS = re.compile(r"^(\w+) = NDArray\[", re.MULTILINE)
 SHAPE = re.compile(
     r"\bshapes? \(|\b(any|its|their) shape\b|\bshapes broadcast|\bone value a sample\b"
     r"|\(\w+(, \w+)*,?\) to \(|\(\w+,\)",
@@ -54,10 +55,28 @@ def functions(path: Path) -> list[tuple[ast.FunctionDef, str]]:
     return [(node, own) for node, own in listed if not node.name.startswith("_")]
 
 
-def of_arrays(node: ast.FunctionDef) -> bool:
+@cache
+def aliases() -> dict[str, set[str]]:
+    """Names that modules give to arrays of a kind, as `Mask`, by the names of those modules without their packages."""
+    named = {path.stem: set(ALIAS.findall(path.read_text(encoding="utf-8"))) for path in sources()}
+    return {stem: names for stem, names in named.items() if names}
+
+
+@cache
+def arrays_of(path: Path) -> re.Pattern[str]:
+    """What an annotation of this module calls an array: the usual names, and aliases that it makes or imports."""
+    text = path.read_text(encoding="utf-8")
+    own = set(ALIAS.findall(text))
+    for node in (each for each in ast.walk(ast.parse(text)) if isinstance(each, ast.ImportFrom)):
+        given = aliases().get((node.module or "").rpartition(".")[2], set())
+        own |= {each.asname or each.name for each in node.names if each.name in given}
+    return re.compile(rf"\b({'|'.join(sorted(ARRAYS | own))})\b")
+
+
+def of_arrays(node: ast.FunctionDef, array: re.Pattern[str]) -> bool:
     """Whether a function takes or gives arrays."""
     arguments = [each.annotation for each in (*node.args.args, *node.args.kwonlyargs)]
-    return any(ARRAY.search(ast.unparse(each)) for each in (*arguments, node.returns) if each)
+    return any(array.search(ast.unparse(each)) for each in (*arguments, node.returns) if each)
 
 
 def inherited(path: Path) -> dict[str, str]:
@@ -72,7 +91,7 @@ def unsaid(path: Path) -> list[str]:
     """The functions of arrays of a module whose shape or unit nobody says."""
     base, lacking = inherited(path), []
     for node, own in functions(path):
-        if of_arrays(node):
+        if of_arrays(node, arrays_of(path)):
             said = f"{ast.get_docstring(node) or ''} {own} {base.get(node.name, '')}"
             if not SHAPE.search(" ".join(said.split())):
                 lacking.append(f"{node.name}: shape")
@@ -90,7 +109,7 @@ def unsaid_fields(path: Path) -> list[str]:
             continue
         for each in (field for field in node.body if isinstance(field, ast.AnnAssign)):
             name, kind = ast.unparse(each.target), ast.unparse(each.annotation)
-            if name.startswith("_") or not ARRAY.search(kind) or "Callable" in kind:
+            if name.startswith("_") or not arrays_of(path).search(kind) or "Callable" in kind:
                 continue
             beside = text.splitlines()[(each.end_lineno or each.lineno) - 1].partition("#")[2]
             said = " ".join(f"{ast.get_docstring(node)} {beside}".split())
@@ -138,3 +157,17 @@ def test_what_says_neither_is_found(tmp_path: Path) -> None:
     ):
         module.write_text(f'def load(x: int) -> Array:\n    """{docstring}"""\n')
         assert unsaid(module) == lacks
+
+
+def test_an_array_has_one_definition_and_an_alias_of_one_is_seen(tmp_path: Path) -> None:
+    usual = {"Array": "ground/kinematics.py", "Mask": "ground/kinematics.py", "Places": "ground/kinematics.py"}
+    for path in sources():
+        inside = str(path.relative_to(PIPELINE))
+        if inside != "wire/stamps.py":  # the wire stands on no room
+            assert not [name for name in ALIAS.findall(path.read_text("utf-8")) if usual.get(name, inside) != inside]
+    module = tmp_path / "module.py"
+    module.write_text('Row = NDArray[np.intp]\ndef load(x: Row) -> int:\n    """The load."""\n')
+    assert unsaid(module) == ["load: shape", "load: unit"]
+    module = tmp_path / "another.py"
+    module.write_text('from .kinematics import Mask\ndef load(x: Mask) -> int:\n    """The load."""\n')
+    assert unsaid(module) == ["load: shape", "load: unit"]

@@ -11,10 +11,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ...ground.kinematics import Array
+from ...ground.kinematics import Array, Mask
 from ..choice.outcome import rms
 from ..document.content import Simulated, Verdict
 from ..fit.flexible import SEED, inputs
@@ -27,7 +26,6 @@ from ..study.own_rate import to_score
 from . import without_last
 from .simulation import has_zero, tared
 
-Mask = NDArray[np.bool_]
 ROOM, NEAR = 0.05, 0.2  # of a driver's recorded range: so far beyond it is inside; so near, in all, a row was recorded
 NINE_OF_TEN = 0.9
 
@@ -52,7 +50,10 @@ class BlackBox:
 
     @classmethod
     def fitted(cls, lessons: Sequence[Lesson], seen: Sequence[Mask], names: Sequence[str]) -> "BlackBox":
-        """Fitted to the rows of some lessons that may be seen, over the drivers of these names."""
+        """Fitted to the rows of some lessons that may be seen, over the drivers of these names.
+
+        `seen` are masks, each of shape (samples,) of its lesson.
+        """
         motion = np.concatenate([lesson.problem.drivers.motion for lesson in lessons])
         span = float(np.subtract(*np.percentile(motion, [99.9, 0.1])))
         rows = [mask & ~wild(lesson.left)[0] for lesson, mask in zip(lessons, seen, strict=True)]

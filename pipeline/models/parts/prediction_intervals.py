@@ -19,9 +19,8 @@ from collections.abc import Callable
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
-from ...ground.kinematics import Array
+from ...ground.kinematics import Array, Mask
 from ...ground.progress import steps
 from ..interface import Model
 from .between import Between
@@ -32,8 +31,6 @@ from .recorded_pairs import pairs_of, turns_at
 from .recorded_strokes import Under
 from .rolling_origin import FOLDS, last_seen, last_strokes, parts_of
 from .scatter import Scatter, quantile
-
-Mask = NDArray[np.bool_]
 
 
 class TooFew(ValueError):
