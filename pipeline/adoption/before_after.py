@@ -64,8 +64,11 @@ def dimensions(content: Verdict) -> list[str]:
             changes.append(f"{name_of(name)} {first} → {number(parameter['fitted'], 4)} {unit}".rstrip())
     if not changes:
         return []
-    lines = [f"{program_name('simulate')} takes the dimensions that fit with these effects: {'; '.join(changes)}."]
-    lines.append("The values that you gave in run.yaml stay. Change one of them, and the fitted ones count no more.")
+    lines = [f"Adopted with the effects, as they were fitted together: {'; '.join(changes)}."]
+    lines.append(
+        f"{program_name('simulate')} takes these dimensions. The values that you gave in run.yaml stay. Change one of "
+        "them, and the fitted ones count no more."
+    )
     far = [f"the {name_of(name)}" for name in known if moved.get(name, 0.0) >= BESIDE]
     if far and any(sigma > LEAVES for sigma in moved.values()):
         lines.append(

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..diagnosis.choice.outcome import rms
 from ..diagnosis.fit.problem import Act, Problem, State
-from ..diagnosis.words.named.coefficients import Size
+from ..diagnosis.words.measured.moved_reading import Size
 from ..ground.kinematics import Array
 
 NEAR = 0.02  # of the motion's range: what is nearer to its highest or lowest value is at it

@@ -166,7 +166,7 @@ def test_what_was_adopted_simulates_with_the_dimensions_that_fit_until_one_is_me
     other.write_text(json.dumps(bare_effects))
     effects_alone = simulated(folder, "--simulation", other)
     done = programs.run("pipeline.adopt", diagnosis, folder)
-    assert "takes the dimensions that fit with these effects" not in flat(done), "it did not say how far it moved"
+    assert "Adopted with the effects, as they were fitted together" not in flat(done), "it did not say how far it moved"
     held = yaml.safe_load((folder / "run.yaml").read_text())["adopted"][0]["dimensions"]
     assert held["radius_mm"] == {"nominal": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}
     assert held["zero_mm"] == {"nominal": 0.0, "fitted": 0.3} and len(held) == 2
@@ -279,7 +279,7 @@ def test_adopting_names_the_dimensions_that_fit_and_those_to_measure_again(folde
         f"separator {separator:g} → {separator + 1.4:.4g} mm; radius {radius:g} → {radius + 0.011:.4g} mm; "
         "gain of the displacement sensor 1 (assumed) → 1.001."
     )
-    assert f"takes the dimensions that fit with these effects: {dimensions}" in said
+    assert f"Adopted with the effects, as they were fitted together: {dimensions}" in said
     assert "The values that you gave in run.yaml stay. Change one of them, and the fitted ones count no more." in said
     assert "Measure the separator again: calibration moved it by more than 2 tolerances." in said
 

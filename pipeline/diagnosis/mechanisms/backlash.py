@@ -42,7 +42,7 @@ MECHANISM = Mechanism(
     strengths=("a_i",),
     meanings={
         "half_width_turns": (
-            "the widest part of the play; half the play is a share of it, which the verdict gives in turns"
+            "the widest part of the play; half the play, which can be measured at the rig, is a share of it"
         ),
     },
     source="Nordin and Gutman, Controlling mechanical systems with backlash: a survey, Automatica 38, 2002",

@@ -1,21 +1,20 @@
 """What the numbers of adopted effects mean, a row each: what it is, its unit, what it does to the reading."""
 
-import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 
 from ...fit.problem import Act
 from ...mechanisms.interface import Mechanism
 from ...mechanisms.library import mechanisms
 from ...recording.drivers import Drivers
 from ..language.explained_words import meaning, on_rig
-from ..language.quantity import at, listing, number, percent, quantity, said_unit, size, to_the_band
+from ..language.quantity import listing, number, quantity, said_unit
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
+from ..measured.moved_reading import Size, cells, change, moves, not_added_up
 from . import formulas
 from .formulas import direction, does, formula, of_strings_alone
-from .nonlinear_parameters import LOAD, meaning_of, on_this_rig, unit_of_parameter
+from .nonlinear_parameters import LOAD, meaning_of, measurable, on_this_rig, unit_of_parameter
 
 HEAD = (
     "What each number under simulation means, if you are curious: nobody needs them to predict. What a number does is "
@@ -23,7 +22,6 @@ HEAD = (
     "Sources of the formulas: docs/physics.md."
 )
 NO_SENTENCES: Mapping[str, str] = {}
-UNSEEN = 0.01  # of the rms of an effect: a difference between two motions that is less is none
 OF_NAME = "that share"  # a factor that is said once, above the table: the share is in the name
 BRANCH = re.compile(r"(?:^|_)([0-9.]+)_s_")
 DOES = {
@@ -33,15 +31,6 @@ DOES = {
     "resistance": "is lost where motion is resisted",
     "sensor": "adds to the reading",
 }  # what a coefficient does, by the port that it acts at
-
-
-@dataclass(frozen=True)
-class Size:
-    """What something does to the reading: rms; at the highest motion less at the lowest one; and these two `ends`."""
-
-    rms: float
-    at_top: float
-    ends: tuple[float, float]
 
 
 def factors(words: dict[str, str], name: str) -> dict[str, str]:
@@ -88,9 +77,9 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
                 continue
             name, unit = drivers.units.name(term.name), said_unit(drivers.units.unit(term.unit))
             names.append(name)
-            shares += [] if unit else [percent(value)]
+            shares += [] if unit else [number(value, 3)]
             strengths.append(f"{number(value, 3)} {unit}".strip())
-            rows.append([name, strengths[-1], *_cells(next(moved), words, whole.rms)])
+            rows.append([name, strengths[-1], *cells(next(moved), words, whole.rms)])
             described.append(
                 _what(mechanism, name, does(term.port, DOES[term.port], words), not unit and term.port == "twist")
             )
@@ -108,32 +97,20 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
             rows.append([name, spelled, "", ""])
             described.append(f"{on_this_rig(key, mechanism, words)}{kept}")
     shown = 3 if {row[-1] for row in rows} <= {UNKNOWN, ""} else 4  # a column that says nothing is left out
-    heads = ["number", "value", "reading moved, rms", _between(whole, words)]
+    heads = ["number", "value", "reading moved, rms", change(whole, words)]
     head, *table = aligned([row[:shown] for row in (heads, *rows)])
-    made = f" {listing(shares)} are weights, which need not add up to 100 %." * (len(shares) == len(names))
+    made = f" {listing(shares)} are weights, which need not add up to 1." * (len(shares) == len(names))
     several = [f"    It is made of {len(names)} elements: the first {len(names)} rows.{made}"] * (len(names) > 1)
-    written = [f"  {act.id}: {does_here} In all it {_moves(whole, words)}.", *several, *_shares(mechanism, names)]
-    written += _adding_up(whole, each, words)
+    written = [f"  {act.id}: {does_here} In all it {moves(whole, words)}.", *several, *_shares(mechanism, names)]
+    written += not_added_up(whole, each, words)
     written.append(f"    {head}")
     for row, what in zip(table, described, strict=True):
         written += [f"    {row}", f"      {what}"]
+    written += measurable(act, drivers, words)
     equation = formula(mechanism, words, [key for nonlinear in act.nonlinear for key in nonlinear])
     above = formulas.Numbers(tuple(strengths), {key: listing(values) for key, values in others.items()}, whole.rms)
     in_equation = formulas.lines(equation, mechanism, words, drivers, above)
     return [*written, f"    Its formula: {formulas.split(equation)[0]}", *(f"    {line}" for line in in_equation)]
-
-
-def _adding_up(whole: Size, each: Sequence[Size], words: Vocabulary) -> list[str]:
-    """By how much the rows of the last column do not add up to what the whole effect does there, and why."""
-    least = UNSEEN * whole.rms
-    shown = [moved.at_top for moved in each if abs(moved.at_top) > least]
-    ways = [_cells(replace(whole, at_top=total), words, whole.rms)[1] for total in (sum(shown), whole.at_top)]
-    if ways[0] == ways[1] or not shown or UNKNOWN in ways:
-        return []
-    small = abs(sum(moved.at_top for moved in each) - whole.at_top) < least
-    left_out = f"where – stands it is less than {size(least, words.unit)} each"
-    why = left_out if small else "what each number does depends on the others"
-    return [f"    The rows of the last column add up to {ways[0]}, not to {ways[1]}: {why}."]
 
 
 def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
@@ -171,28 +148,3 @@ def _multiplied(name: str, word: str, factor: str) -> str:
     if own_share is None:
         return direction(factor)
     return f"{own_share[0] if '*' in word else f'the {word} {own_share[1]}'} (above)"
-
-
-def _between(moved: Size, words: Vocabulary) -> str:
-    """Between which motions the reading is compared."""
-    low, high = moved.ends
-    top, bottom = at(high, "", high - low), at(low, words.motion_unit, high - low)
-    return f"at {top} against {bottom}"
-
-
-def _cells(moved: Size, words: Vocabulary, whole_rms: float) -> list[str]:
-    """What something does to the reading in cells; a difference that nobody would see beside all of it is left out."""
-    least = 10.0 ** math.floor(math.log10(whole_rms)) if whole_rms > 0.0 else 0.0
-    way = f"{'+' if moved.at_top > 0.0 else '-'}{_in_unit(abs(moved.at_top), least, words.unit)}"
-    return [_in_unit(moved.rms, least, words.unit), way if abs(moved.at_top) > UNSEEN * whole_rms else UNKNOWN]
-
-
-def _in_unit(value: float, least: float, unit: str) -> str:
-    """A size in the unit that all of its column have, to a hundredth of `least`: 0.0003 mm beside 0.0268 mm."""
-    return f"{to_the_band(value, 0.1 * least, 3)} {said_unit(unit)}".rstrip()
-
-
-def _moves(moved: Size, words: Vocabulary) -> str:
-    """What something does to the reading, without a full stop."""
-    typical, way = size(moved.rms, words.unit), _cells(moved, words, moved.rms)[1]
-    return f"moves the reading by {typical} rms{f', and by {way} {_between(moved, words)}' if way != UNKNOWN else ''}"

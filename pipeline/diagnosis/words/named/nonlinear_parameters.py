@@ -2,9 +2,12 @@
 
 from ....ground.units import unit_of
 from ...facts.mechanism_entries import unit_of_nonlinear
+from ...fit.problem import Act
 from ...mechanisms.interface import Mechanism
+from ...mechanisms.library import mechanisms
 from ...mechanisms.shared_meanings import MEANINGS
-from ..language.quantity import said_unit
+from ...recording.drivers import Drivers
+from ..language.quantity import number, quantity, said_unit
 from ..language.vocabulary import Vocabulary
 
 CHOSEN = "a number in the formula itself, chosen by the search or fitted"
@@ -56,3 +59,23 @@ def on_this_rig(key: str, mechanism: Mechanism, words: Vocabulary) -> str:
 def unit_of_parameter(key: str, name: str) -> str:
     """Unit of the nonlinear parameter `key`, which is called `name` on this rig; empty where it has none."""
     return said_unit(unit_of(name)) if unit_of_nonlinear(key) != "1" else ""
+
+
+def measurable(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
+    """What of an effect a person can measure at the rig, as half of a play, a line each; nothing where nothing is."""
+    mechanism, coefficients, lines = mechanisms()[act.id], iter(act.coefficients), list[str]()
+    for nonlinear in act.nonlinear:
+        terms = mechanism.terms(drivers, nonlinear)
+        values = {term.name: next(coefficients) for term in terms} | nonlinear
+        for name, derive in mechanism.derived.items():
+            meant = next((detail for detail in mechanism.details if f"{{{name}}}" in detail), "")
+            value = derive(values)
+            if not meant or not value:
+                continue
+            loads = [nonlinear[key] for key in nonlinear if key.endswith(LOAD) and f"{{{key}_n}}" in meant]
+            number_of = meant.partition("{")[0].removesuffix("is ").rstrip()
+            under = f" under {quantity(drivers.units.load_size * loads[0], drivers.units.load)}" if loads else ""
+            lines.append(
+                f"    To measure at the rig: {number_of} is {number(value, 3)} {said_unit(words.motion_unit)}{under}."
+            )
+    return lines

@@ -14,9 +14,10 @@ from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.mechanisms.shared_meanings import MEANINGS
 from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.measured import moved_reading
 from pipeline.diagnosis.words.named import coefficients, formulas
 from pipeline.diagnosis.words.named.coefficients import factors
-from pipeline.diagnosis.words.named.nonlinear_parameters import CHOSEN, on_this_rig, unit_of_parameter
+from pipeline.diagnosis.words.named.nonlinear_parameters import CHOSEN, measurable, on_this_rig, unit_of_parameter
 from pipeline.ground.units import unit_of
 from pipeline.systems import systems
 
@@ -48,7 +49,7 @@ def test_each_number_has_a_sentence_with_its_unit_and_what_it_does_at_full_twist
         state.acts, problem.drivers, words, own
     )
     assert first.startswith("  jam: ") and "In all it moves the reading by " in first and " rms, and by -" in first
-    assert head.startswith("    number ") and "reading moved, rms   at " in head and " against " in head
+    assert head.startswith("    number ") and "reading moved, rms   change from " in head and " to " in head
     assert number.split()[:2] == ["share", "0.4"] and does == "      how strong it is; acts on the twist"
     moved, way = (float(number.split()[at]) for at in (2, 4))
     assert moved == pytest.approx(whole.rms, rel=0.05) and way == pytest.approx(whole.at_top, rel=0.05)
@@ -72,11 +73,12 @@ def test_what_an_effect_does_in_the_recording_stands_first(problem) -> None:
     said = coefficients.lines(state.acts, problem.drivers, words, own, does)
     assert said[1].startswith("  friction_hysteresis: Half the width of the loop is 0.026 turns. In all it moves ")
     assert said[2] == (
-        "    It is made of 2 elements: the first 2 rows. 42 % and 65 % are weights, which need not add up to 100 %."
+        "    It is made of 2 elements: the first 2 rows. 0.42 and 0.65 are weights, which need not add up to 1."
     )
     said = [line for line in said if not line.startswith("    The rows of the last column add up to ")]
     first_letter = next(at for at, line in enumerate(said) if line.startswith("    Its formula: "))
-    rows = said[4:first_letter]
+    assert said[first_letter - 1].startswith("    To measure at the rig: half the width of the loop is ")
+    rows = said[4 : first_letter - 1]
     assert len(rows) % 2 == 0 and all(row.startswith("      ") for row in rows[1::2]), "each row has its meaning"
     assert rows[-2].split()[:3] == ["usual_load", f"{10.0 * shape['usual_load']:.3g}", "N"]
     assert f"run.yaml has it as {shape['usual_load']:.3g}, in 10 N" in rows[-1] and "where – stands" in said[0]
@@ -86,7 +88,7 @@ def test_what_an_effect_does_in_the_recording_stands_first(problem) -> None:
 
 
 def test_a_column_that_says_nothing_is_left_out(problem) -> None:
-    """`at 19.2 against 0.2 turns` stood over a column of nothing but –."""
+    """`change from 0.2 to 19.2 turns` stood over a column of nothing but –."""
     words, act = (
         Vocabulary.of(problem.system),
         Act("jam", ({"critical_turns": 1.0, "softness_turns": 0.1},), (0.4, 0.0)),
@@ -96,7 +98,7 @@ def test_a_column_that_says_nothing_is_left_out(problem) -> None:
     assert said[2].split() == ["number", "value", "reading", "moved,", "rms"]
     moving = coefficients.Size(0.1, 0.1, (0.0, 20.0))
     said = coefficients.lines([act], problem.drivers, words, [[moving, moving]])
-    assert said[2].endswith(" at 20 against 0 turns")
+    assert said[2].endswith(" change from 0 to 20 turns")
 
 
 def test_the_rest_of_an_equation_says_what_its_letters_are(problem) -> None:
@@ -110,8 +112,38 @@ def test_the_rest_of_an_equation_says_what_its_letters_are(problem) -> None:
 def test_sizes_of_one_table_have_one_unit(problem) -> None:
     """0.30 µm stood in a column of mm."""
     words = Vocabulary.of(problem.system)
-    cells = coefficients._cells(coefficients.Size(0.0003, -0.0002, (0.0, 20.0)), words, 0.0268)
+    cells = moved_reading.cells(coefficients.Size(0.0003, -0.0002, (0.0, 20.0)), words, 0.0268)
     assert cells[0] == "0.0003 mm"
+    assert moved_reading.cells(coefficients.Size(0.0002, 0.0, (0.0, 20.0)), words, 0.11)[0] == "less than 0.001 mm"
+
+
+def test_numbers_that_cancel_are_said_to_and_what_rounding_leaves_is_not(problem) -> None:
+    """Rows of 0.67 and 0.31 mm stood under an effect of 0.11 mm, and a sentence excused 0.001 mm of rounding."""
+    words, ends = Vocabulary.of(problem.system), (0.0, 20.0)
+    whole = moved_reading.Size(0.11, 0.003, ends)
+    parts = [moved_reading.Size(0.668, 0.135, ends), moved_reading.Size(0.305, -0.1324, ends)]
+    (said,) = moved_reading.not_added_up(whole, parts, words)
+    assert said == (
+        "    The numbers cancel each other in part: up to 0.67 mm rms each, where the whole effect is 0.11 mm."
+    )
+    alike = [moved_reading.Size(0.06, 0.002, ends), moved_reading.Size(0.05, 0.0004, ends)]
+    assert moved_reading.not_added_up(whole, alike, words) == []
+    (said,) = moved_reading.not_added_up(whole, [moved_reading.Size(0.1, 0.05, ends)], words)
+    assert said.endswith("+0.050 mm, not to +0.003 mm: what each number does depends on the others.")
+
+
+def test_half_a_play_is_said_as_what_a_person_measures_at_the_rig(problem) -> None:
+    """A row sent the reader to another page for the one number that he can measure."""
+    words = Vocabulary.of(problem.system)
+    act = Act("backlash", ({"half_width_turns": 0.0256},), (0.487, 0.673))
+    said = measurable(act, problem.drivers, words)
+    assert said == ["    To measure at the rig: half the play is 0.0211 turns."]
+    shape = {"play_turns": 0.0504, "usual_load": 2.0}
+    act = Act("friction_hysteresis", (shape,), (0.0, 1.047))
+    (said,) = measurable(act, problem.drivers, words)
+    assert said.startswith("    To measure at the rig: half the width of the loop is ") and said.endswith(
+        " under 20 N."
+    )
 
 
 @pytest.mark.parametrize("id_", list(mechanisms()))
