@@ -66,8 +66,8 @@ def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
 
 def sentences(content: Verdict) -> list[str]:
     """What each effect does, in the words of the verdict that named it, a line each."""
-    named = content.get("mechanisms")
-    entries = [entry for entry in named if isinstance(entry, dict)] if isinstance(named, list) else []
+    parts = [content.get("mechanisms"), content.get("beside")]
+    entries = [entry for part in parts if isinstance(part, list) for entry in part if isinstance(entry, dict)]
     return [f"  {entry['id']}: {entry['sentence']}" for entry in entries if isinstance(entry.get("sentence"), str)]
 
 

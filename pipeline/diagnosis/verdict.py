@@ -16,6 +16,7 @@ from .facts.beyond_seen import beyond_seen
 from .facts.detectable import detectable
 from .facts.evidence import evidence
 from .facts.mechanism_entries import as_entry, listed
+from .facts.stand_ins import stand_ins
 from .facts.told_floor import told_fine_floor
 from .facts.zero_effects import without_zero_effects
 from .fit import generic, locate
@@ -170,7 +171,7 @@ def diagnosis(
         }
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
-        "simulation": entries(study.state.acts, problem.drivers),
+        "simulation": entries(tuple(sorted(study.state.acts, key=problem.beside.count)), problem.drivers),
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
     }
     content["evidence"] = evidence(study) | ({"pattern": pattern} if pattern else {})
@@ -183,6 +184,8 @@ def diagnosis(
         content["evidence"]["left_of_unseen"] = heldout["left"]
     for name, which in at_bound(content["evidence"]["moved_sigma"]).items():
         content["parameters"][name]["at_bound"] = which
+    if problem.beside:
+        content["beside"] = stand_ins(study, unit)
     if without:
         content["without"] = sorted(without)
     if study.verdict == "unknown" and own_alone(study):

@@ -122,7 +122,7 @@ def decide(
         verdict = "unknown"
     else:
         verdict = "explained" if len(sets) == 1 else "ambiguous"
-    explained = (1.0 - EXPLAINED) * bare(problem, noise) ** 2 if problem.included and verdict == "unknown" else 0.0
+    explained = (1.0 - EXPLAINED) * bare(problem, noise) ** 2 if problem.adopted and verdict == "unknown" else 0.0
     # noise, or what an adopted explanation may leave, is nothing unknown
     if verdict == "unknown" and mismatch**2 <= max((UNKNOWN_FROM * floor) ** 2, explained):
         verdict = "parameters" if better > (PARAMETERS_FROM * floor) ** 2 else "consistent"
@@ -150,7 +150,7 @@ def _likely_beside(likely: dict[tuple[str, ...], float], random: Iterable[str]) 
 
 def bare(problem: Problem, noise: Noise) -> float:
     """What calibration would leave of a recording without what its `run.yaml` adopted, rms, noise taken off."""
-    without = replace(problem, included=())
+    without = replace(problem, included=problem.beside)
     left = rms((problem.measured - without.simulate(calibrate(without, noise)))[: problem.rows])
     return float(np.sqrt(max(left**2 - noise.floor**2, 0.0)))
 

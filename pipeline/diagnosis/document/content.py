@@ -110,6 +110,7 @@ class Verdict(Simulated, total=False):
     code: str
     without: list[str]
     closest: Rival  # of an unknown verdict: what predicts better by far than dimensions alone, though it is no name
+    beside: list[Part]  # what the simulator has beside what is named: stand-ins, no names
     of_your_own: Part
     adopted: list[Adoption]
     zero_jumps: list[Part]  # of the runs of one string

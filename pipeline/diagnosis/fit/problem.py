@@ -48,11 +48,12 @@ class Problem:
     parameters: tuple[Parameter, ...]
     measured: Array  # (samples,), in the channel's unit
     rows: int
-    included: tuple[Act, ...] = ()  # what the simulator has from run.yaml
+    included: tuple[Act, ...] = ()  # what the simulator has from run.yaml, and `beside`
     homed: int = 0  # of the parameters, the last: what shifts the motion of each run after the first
     without: frozenset[str] = frozenset()  # ids that no explanation may name
     judge: Judge = field(default_factory=judge)  # who says how likely each explanation is
     stays: bool = False  # whether all runs name one string
+    beside: tuple[Act, ...] = ()  # of what is included: stand-ins that take what named effects leave
     _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
 
     def until(self, rows: int) -> "Problem":
@@ -63,6 +64,11 @@ class Problem:
     def library(self) -> dict[str, Mechanism]:
         """The mechanisms that an explanation may name, by id."""
         return {id_: mechanism for id_, mechanism in mechanisms().items() if id_ not in self.without}
+
+    @property
+    def adopted(self) -> tuple[Act, ...]:
+        """What the simulator has from run.yaml."""
+        return tuple(act for act in self.included if act not in self.beside)
 
     @property
     def runs(self) -> int:

@@ -18,12 +18,22 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     return []
 
 
+def geared(drivers: Drivers) -> bool:
+    """Whether a motor drives through a gear, and what it moves is read."""
+    return not drivers.levered and drivers.velocity is None and drivers.turn is not None and drivers.free_zero
+
+
+def beside(drivers: Drivers) -> list[Nonlinear]:
+    """The whole travel of a geared drive: as far as an error by place goes, which named effects leave."""
+    return [travelled(drivers)] if geared(drivers) else []
+
+
 def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     """A curve over the travel, where a motor drives through a gear and much of the residual follows the place alone.
 
     It has the shape (samples,), in the reading's unit.
     """
-    if drivers.levered or drivers.velocity is not None or drivers.turn is None or not drivers.free_zero:
+    if not geared(drivers):
         return []
     travel, known = travelled(drivers), plain(drivers)
     without, beside = leaves(residual, known), leaves(residual, [*known, *curve(drivers, travel)])
@@ -70,10 +80,11 @@ MECHANISM = Mechanism(
     confused_with="eccentricity, end_stop, slack (which act at one end, or once a turn)",
     told_apart_by="one slow stroke to and fro over all of the travel: the error is the same at one place both ways",
     meaning="an error that follows the place, the same both ways; a stand-in, no physics of the library.",
-    sentence="The transmission errs by the place, the same on the way {up} and {down}: {span} in all ({size}).",
+    sentence="The transmission errs by the place, the same both ways: {span} in all ({size}).",
     candidates=candidates,
     helper=True,
     units={"from_turns": "turns", "span_turns": "turns"},
     terms=terms,
     suggest=suggest,
+    beside=beside,
 )

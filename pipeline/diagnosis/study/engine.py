@@ -26,6 +26,7 @@ from ..recording.drivers import Drivers, drivers_of
 from ..recording.recorded_run import RecordedRun
 from ..recording.working_samples import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 from . import homes
+from .beside import clearer, with_stand_ins
 from .tempered import tempered
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
@@ -111,7 +112,18 @@ def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, t
 
 
 def study(problem: Problem, say: Progress = lambda _: None) -> Study:
-    """The whole procedure on the rows that the problem lets it see; twice where a break between runs may mislead it."""
+    """The whole procedure on the rows that the problem lets it see; again where a stand-in takes what is left by names.
+
+    What is named then counts if it is clearer.
+    """
+    first = with_homes(problem, say)
+    taken = with_stand_ins(first)
+    again = with_homes(taken, say) if taken else first
+    return replace(again, nominal=first.nominal) if clearer(again, first) else first
+
+
+def with_homes(problem: Problem, say: Progress) -> Study:
+    """The procedure with one simulator; twice where a break between runs may mislead it."""
     if not (problem.homed and problem.stays):
         return studied_once(problem, say)
     held = studied_once(homes.held(problem), say)
@@ -132,7 +144,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
     catalogue = candidates.catalogue(problem, more)
     random = chance.seen(problem, base)
     least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
-    if problem.included:  # what was adopted is as inexact as any formula
+    if problem.adopted:  # what was adopted is as inexact as any formula
         least = max(least, ADOPTED * bare(problem, noise))
     say("searching explanations")
     search = Search(Linear(problem, base, noise, catalogue), least)
@@ -167,7 +179,8 @@ def too_loud(noise: Noise, chosen: Explanation) -> bool:
 
 def polished(studied: Study, fine: Problem) -> Study:
     """The study with its simulator refitted to what `to_polish` gives, and trusted as far as it may be."""
-    fine = replace(fine, parameters=studied.problem.parameters)  # a zero of the motor that the study held stays
+    own = studied.problem  # a zero of the motor that the study held stays, and so does a stand-in
+    fine = replace(fine, parameters=own.parameters, included=own.included, beside=own.beside)
     return tempered(_refitted(studied, fine), fine)
 
 

@@ -95,7 +95,7 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
         "nominal": error(studied.nominal),
         "calibrated": error(studied.base),
         "explained": error(studied.simulator),
-        "chosen": [act.id for act in studied.state.acts if act not in fine.included],
+        "chosen": [act.id for act in studied.state.acts if act not in studied.problem.included],
         "closest": list(studied.best_ids) if studied.closest else [],
         "state": studied.simulator,
         "until_s": float(problem.record.time_s[row]),

@@ -9,7 +9,7 @@ UNSEEN, SEEN, PERHAPS = "unseen", "seen", "perhaps"
 
 def included(content: Verdict) -> list[str]:
     """Ids that the simulator had from run.yaml before it was asked, those that it names once more among them."""
-    new = {entry["id"] for entry in content["mechanisms"]}
+    new = {entry["id"] for entry in [*content["mechanisms"], *content.get("beside", [])]}
     new -= {id_ for adoption in content.get("adopted", []) for id_ in adoption["effects"]}
     return [id_ for id_ in dict.fromkeys(entry["id"] for entry in content.get("simulation", [])) if id_ not in new]
 

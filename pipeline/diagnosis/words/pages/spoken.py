@@ -28,6 +28,9 @@ def spoken(content: Verdict, system: System) -> Verdict:
             whole(evidence, words),
             content["parameters"].get("mass_kg", {}).get("value"),
         )
+    for entry in content.get("beside", []):
+        span = entry[f"span_{words.ending}"]
+        entry["sentence"] = effects.sentence(mechanisms()[entry["id"]], entry, span, words, units)
     if content["mismatch"]:
         driver = followed(content["mismatch"]["driver"], words, evidence["loaded"])
         if any(effects.calculated(mechanisms()[entry["id"]], entry) for entry in content["mechanisms"]):
