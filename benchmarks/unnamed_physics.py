@@ -21,7 +21,7 @@ from pipeline.diagnosis.fit.flexible import foretold
 from pipeline.diagnosis.fit.problem import State
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.recording.working_samples import wild
-from pipeline.diagnosis.study import engine, own_rate
+from pipeline.diagnosis.study import engine, own_rate, polish
 from pipeline.diagnosis.study.heldout import first_held_out
 from pipeline.ground.kinematics import Array
 from pipeline.run.samples import read_strokes
@@ -31,13 +31,13 @@ def line(folder: Path) -> str:
     """The line of one run."""
     recorded = [RecordedRun(*read_strokes(folder))]
     problem, fine = engine.make_problem(recorded), own_rate.to_score(recorded)
-    polish, row = own_rate.to_polish(recorded, fine), first_held_out(problem)
+    finer, row = own_rate.to_polish(recorded, fine), first_held_out(problem)
     if row is None:
         return f"{folder.name}: too few strokes"
     begins_s = problem.record.time_s[row]
     unseen = fine.record.time_s >= begins_s
-    seen_rows = int(np.argmax(polish.record.time_s >= begins_s))
-    studied = engine.polished(engine.study(problem.until(row)), polish.until(seen_rows))
+    seen_rows = int(np.argmax(finer.record.time_s >= begins_s))
+    studied = polish.polished(engine.study(problem.until(row)), finer.until(seen_rows))
 
     def error(state: State, added: Array | float = 0.0) -> float:
         left = fine.measured - fine.simulate(state) - added

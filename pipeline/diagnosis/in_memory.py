@@ -24,7 +24,7 @@ from .proposal import apart, expected
 from .recording.covered import paces, pauses, reversals
 from .recording.recorded_run import RecordedRun
 from .recording.spikes_found import spikes_found
-from .study import engine, heldout, own_rate
+from .study import engine, heldout, own_rate, polish
 from .study.single_floor import single_floor
 
 Result = TypeVar("Result")
@@ -51,7 +51,7 @@ def diagnosed(
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine, to_polish)[0])
     study = engine.study(problem, say)
     faint.refuse_faint(study, recorded[0].place)
-    study = engine.polished(study, to_polish)
+    study = polish.polished(study, to_polish)
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(study, runs[0]))
     content = verdict.diagnosis(study, fine, held, runs, experiment, without)

@@ -184,10 +184,8 @@ def diagnosis(
         content["evidence"]["left_of_unseen"] = heldout["left"]
     for name, which in at_bound(content["evidence"]["moved_sigma"]).items():
         content["parameters"][name]["at_bound"] = which
-    if problem.beside:
-        content["beside"] = stand_ins(study, unit)
-    if without:
-        content["without"] = sorted(without)
+    content |= {"beside": stand_ins(study, unit)} if problem.beside else {}
+    content |= {"without": sorted(without)} if without else {}
     if study.verdict == "unknown" and own_alone(study):
         own = {"mechanisms": listed(study, fine, intervals(problem, study.best, study.noise), unit)}
         content["of_your_own"] = own | {"simulation": entries(study.best.acts, problem.drivers)}

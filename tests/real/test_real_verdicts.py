@@ -7,7 +7,7 @@ import downloaded
 import pytest
 
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
-from pipeline.diagnosis.study import engine, heldout, own_rate
+from pipeline.diagnosis.study import engine, heldout, own_rate, polish
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
@@ -34,7 +34,7 @@ def diagnosed(*folders):
     runs = [each.run for each in recorded]
     problem = engine.make_problem(recorded)
     fine = own_rate.at_own_rate(recorded)
-    found = engine.polished(engine.study(problem), fine)
+    found = polish.polished(engine.study(problem), fine)
     return diagnosis(found, fine, heldout.held_out(problem, fine, fine)[0], runs, None, frozenset())
 
 

@@ -27,7 +27,6 @@ from ..recording.recorded_run import RecordedRun
 from ..recording.working_samples import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 from . import homes
 from .beside import clearer, with_stand_ins
-from .tempered import tempered
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
@@ -175,26 +174,6 @@ def studied_once(problem: Problem, say: Progress) -> Study:
 def too_loud(noise: Noise, chosen: Explanation) -> bool:
     """Whether a noise is larger than what an explanation leaves: it was told beside a state that fits worse."""
     return noise.floor > TOO_LOUD * float(np.sqrt(chosen.energy))
-
-
-def polished(studied: Study, fine: Problem) -> Study:
-    """The study with its simulator refitted to what `to_polish` gives, and trusted as far as it may be."""
-    own = studied.problem  # a zero of the motor that the study held stays, and so does a stand-in
-    fine = replace(fine, parameters=own.parameters, included=own.included, beside=own.beside)
-    return tempered(_refitted(studied, fine), fine)
-
-
-def _refitted(studied: Study, fine: Problem) -> Study:
-    """The study with its explanation refitted to what `to_polish` gives: averaging flattens ripples."""
-    acts = tuple(act for act in studied.best.acts if act not in fine.included and act.id not in studied.random)
-    if not acts or len(fine.record) == len(studied.problem.record):
-        return studied
-    fine, _ = calibrate.without_outliers(fine, studied.best)
-    noise = noise_of(fine, studied.best)
-    best = calibrate.calibrate(fine, noise, studied.best, acts)
-    best = replace(best, acts=(*best.acts, *(act for act in studied.best.acts if act.id in studied.random)))
-    closest = best if studied.closest is studied.best else studied.closest
-    return replace(studied, best=best, state=best if studied.state is studied.best else studied.state, closest=closest)
 
 
 def bic(problem: Problem, noise: Noise, state: State) -> float:

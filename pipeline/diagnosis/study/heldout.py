@@ -10,7 +10,8 @@ from ..choice.outcome import Study, rms
 from ..fit.flexible import foretold
 from ..fit.problem import Problem, State
 from ..recording.working_samples import wild
-from .engine import fine_floor, polished, study
+from .engine import fine_floor, study
+from .polish import polished
 
 WORSE = 1.02  # times the other error: less may be chance
 LAST = 0.3  # of the strokes, held out at the end

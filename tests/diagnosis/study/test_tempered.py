@@ -9,7 +9,7 @@ from pipeline.diagnosis.choice.judged import NOTHING
 from pipeline.diagnosis.choice.outcome import Study, rms
 from pipeline.diagnosis.fit import calibrate, intervals
 from pipeline.diagnosis.numerics.noise import white
-from pipeline.diagnosis.study import engine, tempered
+from pipeline.diagnosis.study import polish, tempered
 
 NOISE_MM = 0.005
 
@@ -99,6 +99,6 @@ def test_what_the_study_held_is_held_in_the_last_fit_too(one_load):
     free = recorded(one_load[0], structure_mm=0.1)
     first, *others = free.parameters
     study = unknown(replace(free, parameters=(replace(first, sigma=0.0), *others)))
-    after = engine.polished(study, free)
+    after = polish.polished(study, free)
     assert after is not study and after.state.values[0] == first.nominal
     assert tempered.tempered(study, free).state.values[0] != first.nominal, "which it would not be otherwise"
