@@ -376,7 +376,8 @@ def test_how_well_one_measured_is_said_on_the_command_line_or_asked_for(new, tmp
 def test_a_tolerance_is_read_back_in_the_unit_of_what_it_belongs_to(new):
     _, said, _ = new("a-01", "--tolerance", "{radius: 0.02, length_mm: 0.5}", samples=GOOD)
     assert "\n  radius 0.4 mm ± 0.008 mm (a share: 2 %)\n  separator 8 mm ± 0.5 mm (default)\n" in said
-    assert "\n  length 400 mm ± 0.5 mm\n  scale 1 ± 0.005 (a share: 0.5 %, default)\n" in said
+    assert "\n  length 400 mm ± 0.5 mm\n  scale (gain of the sensor) 1 ± 0.005 (a share: 0.5 %, default)\n" in said
+    assert "\n  angle (zero of the motor) 0 turns ± 0.05 turns (default)\n" in said, "an angle of what?"
 
 
 @pytest.mark.parametrize(

@@ -93,7 +93,7 @@ def main() -> int:
         ends = f"Ctrl-C ends it, in the background kill {os.getpid()}"
         print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; {ends}")
         first = free_name(RAW)
-        print(f"rig: before recording 1 describe its string by: {command(setup, first)}")
+        print(f"rig: before recording 1 describe its string by: {command(setup, first, arguments.setup)}")
         print(STAYS if standing else ANEW)
         if standing:
             print(ZEROED if zeroed else KEPT)

@@ -1,6 +1,7 @@
 """A set-up's string and rig as a command line of `pipeline.new_run`, for a person who records it as one of his own."""
 
 import os
+import re
 from itertools import count
 from pathlib import Path
 
@@ -8,6 +9,7 @@ from ..ground import command as called
 from .setup import SetUp
 
 MATERIAL = "example"  # its own, `synthetic`, is kept for the runs that the pipeline records itself
+USUAL = "paper"  # the set-up whose string has that name alone
 STRING = ("radius_mm", "length_mm", "stiffness_n_per_mm")
 RIG = ("torsion_zone_mm", "separator_mm", "load_n")
 
@@ -23,11 +25,20 @@ def option(name: str) -> str:
     return "--" + name.replace("_", "-")
 
 
-def command(setup: SetUp, run: str) -> str:
-    """The command that makes a run folder of that name, with a string of its own; a dimension without value is left."""
+def material_of(which: str) -> str:
+    """A material for the string of a set-up's name or file: what acts in one set-up does not act in another."""
+    own = re.sub(r"[^A-Za-z0-9_-]+", "-", Path(which).stem).strip("-")
+    return MATERIAL if own in ("", USUAL) else f"{MATERIAL}-{own}"
+
+
+def command(setup: SetUp, run: str, which: str = USUAL) -> str:
+    """The command that makes a run folder of that name, with a string of its own; a dimension without value is left.
+
+    `which` is the set-up's name or file.
+    """
     content = {**setup.run.get("string", {}), **setup.run.get("rig", {})}
     sizes = [f"{option(name)} {content[name]:g}" for name in (*STRING, *RIG) if content.get(name) is not None]
-    words = [called.command("new_run"), run, option("material"), MATERIAL, *sizes, option("string_id"), run]
+    words = [called.command("new_run"), run, option("material"), material_of(which), *sizes, option("string_id"), run]
     return " ".join(words)
 
 

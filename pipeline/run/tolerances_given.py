@@ -9,6 +9,7 @@ from ..ground.units import unit_of
 from .description import Run
 
 MOST = 0.3  # of a dimension: who measured it knows it better
+MEANING = {"scale": "gain of the sensor", "angle_turns": "zero of the motor"}  # of names that do not say it
 FINEST_MM = 0.002  # what a micrometer tells of a soft string's radius
 
 
@@ -47,6 +48,7 @@ def read_back(run: Run) -> str:
         notes = [f"a share: {100.0 * tolerance.part:.3g} %"] if tolerance.share else []
         notes += [] if tolerance.given else ["default"]
         note = f" ({', '.join(notes)})" if notes else ""
+        name += f" ({MEANING[tolerance.key]})" if tolerance.key in MEANING else ""
         parts.append(f"{name} {tolerance.value:.4g}{unit} ± {tolerance.sigma:.3g}{unit}{note}")
     return "\n  ".join(["Tolerances, one sigma each:", *parts]) if parts else ""
 

@@ -37,20 +37,28 @@ def next_name(folder: Path) -> str:
 def tares(run: Run, others: list[Path]) -> str:
     """What a new run and the others of its string say of their zero, and what to do if that is not so."""
     by_tare: dict[str, list[str]] = {}
+    anew: list[str] = []
     for other in others:
         try:
-            by_tare.setdefault(read_run(other).tare, []).append(other.name)
+            beside = read_run(other)
         except BadInput:
             continue  # ingest says what is wrong with it
-    each = "; ".join(f"`tare: {tare}` in {_listed(names)}" for tare, names in sorted(by_tare.items(), reverse=True))
+        by_tare.setdefault(_tare(beside), []).append(other.name)
+        anew += [other.name] if beside.tare == "run" else []
+    each = "; ".join(f"{tare} in {_listed(names)}" for tare, names in sorted(by_tare.items(), reverse=True))
     if run.tare == "run":
         own = f"{run.run} has `tare: run`: its sensor was set to zero since the run before"
         return f"The zero, by run.yaml: {each}; {own}."
-    likely = f", as that of {by_tare['run'][-1]} was" if "run" in by_tare else ""
-    own = f"{run.run} has `tare: string`: its sensor still has the zero of the run before"
+    likely = f", as that of {anew[-1]} was" if anew else ""
+    own = f"{run.run} has {_tare(run)}: its sensor still has the zero of the run before"
     return (
         f"The zero, by run.yaml: {each}; {own}. If it was set to zero since{likely}, add `tare: run` to its run.yaml."
     )
+
+
+def _tare(run: Run) -> str:
+    """What a run says of its zero, and whether its run.yaml writes nothing of it."""
+    return f"`tare: {run.tare}`" + ("" if "tare" in run.model_fields_set else " (the default)")
 
 
 def _listed(names: list[str]) -> str:

@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 import ready
 
+from pipeline.ground.names import own_material
 from pipeline.new_run import main as new_run
-from pipeline.rig.options import command, free_name
+from pipeline.rig.options import command, free_name, material_of
 from pipeline.rig.setup import described as described_as
 from pipeline.rig.setup import dimensions, read_setup
 from pipeline.run.folder import read_run
@@ -68,11 +69,11 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
     try:
         first, described, strings, strokes = (rig.stdout.readline() for _ in range(4))
         assert "without any waiting" in first
-        assert command(read_setup("small"), free_name(ROOT / "raw")) in described
+        assert command(read_setup("small"), free_name(ROOT / "raw"), "small") in described
         assert "every recording is of a new string" in strings and "--string-id of its own" in strings
         assert "every recording has 5 strokes; --strokes N is for another number" in strokes
         for name in ("example-1", "example-2"):
-            run(*shlex.split(command(read_setup("small"), name))[2:], "--out", tmp_path)
+            run(*shlex.split(command(read_setup("small"), name, "small"))[2:], "--out", tmp_path)
             said = run("pipeline.capture", "--", tmp_path / "port", tmp_path / name)
             assert "Next: this rig's next recording is of another string" in said and "--like" not in said
             assert json.loads((tmp_path / name / "capture.json").read_text())["hello"]["strokes"] == 5
@@ -160,7 +161,7 @@ def test_at_a_pace_the_rig_says_how_many_samples_a_second_come(tmp_path):
 @pytest.mark.parametrize("which", ["paper", "small"])
 def test_the_command_that_the_rig_says_describes_its_very_string(tmp_path, monkeypatch, which):
     setup = read_setup(which)
-    words = shlex.split(command(setup, "example-1"))
+    words = shlex.split(command(setup, "example-1", which))
     assert words[:3] == ["python", "-m", "pipeline.new_run"]
     monkeypatch.setattr(sys, "argv", [*words[2:], "--out", str(tmp_path)])
     with pytest.raises(SystemExit) as ended:
@@ -183,13 +184,22 @@ def test_the_line_that_the_rig_says_names_a_run_that_is_not_there_yet_and_works_
     finally:
         rig.kill()
         rig.communicate()
-    assert said == f"rig: before recording 1 describe its string by: {command(read_setup('small'), 'example-2')}"
+    assert (
+        said == f"rig: before recording 1 describe its string by: {command(read_setup('small'), 'example-2', 'small')}"
+    )
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", shlex.split(said.partition("by: ")[2])[2:])
     with pytest.raises(SystemExit) as ended:
         new_run()
     assert not ended.value.code and read_run(tmp_path / "raw" / "example-2").string_id == "example-2"
     assert free_name(tmp_path / "raw") == "example-4" and free_name(tmp_path / "nowhere") == "example-1"
+
+
+def test_each_set_up_has_a_material_of_its_own():
+    """The page of `example` mixed the string of `paper` with one in which another effect was concealed."""
+    names = [material_of(which) for which in ("paper", "small", "/tmp/my rig.yaml", "concealed.yaml", ".yaml", "/")]
+    assert names == ["example", "example-small", "example-my-rig", "example-concealed", "example-yaml", "example"]
+    assert all(own_material(name) for name in names)
 
 
 def test_the_page_of_the_protocol_has_the_command_that_the_rig_says():

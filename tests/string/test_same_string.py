@@ -89,9 +89,9 @@ def test_the_next_run_has_the_next_free_number(tmp_path: Path, name: str, follow
 def test_what_the_runs_say_of_their_zero_is_told(runs: list[Path]) -> None:
     two, ten, one = runs
     said = tares(read_run(two), [one, ten])
-    assert "`tare: string` in a-1; `tare: run` in a-10; a-2 has `tare: string`" in said
+    assert "`tare: string` (the default) in a-1; `tare: run` in a-10; a-2 has `tare: string` (the default): its" in said
     assert "If it was set to zero since, as that of a-10 was, add `tare: run` to its run.yaml." in said
     assert tares(read_run(two), [one]).endswith("If it was set to zero since, add `tare: run` to its run.yaml.")
     assert "a-10 has `tare: run`: its sensor was set to zero since the run before." in tares(read_run(ten), [one, two])
     many = [made(two.parent / "more", f"m-{number}") for number in range(1, 8)]
-    assert "`tare: string` in m-4, m-5, m-6, m-7 and 3 more;" in tares(read_run(two), many)
+    assert "`tare: string` (the default) in m-4, m-5, m-6, m-7 and 3 more;" in tares(read_run(two), many)
