@@ -18,6 +18,7 @@ from ..fit.problem import Problem
 from ..recording.covered import covered
 from . import aspects, extents, mechanism_entries
 from .look_alikes import look_alikes
+from .recognised import recognised
 from .told_floor import told_floor
 
 LISTED = 11  # explanations
@@ -178,6 +179,7 @@ def evidence(study: Study) -> Part:
         "explanations": explanations(study, ending, alone[f"calibrated_{ending}"]),
         "probability_of_none": study.judged.none if study.judged.likely and drivers.levered else None,
         "left_out": left_out(study),
+        **recognised(study),
         **look_alikes(study, ending),
         f"spans_{ending}": extents.spans(effects),
         f"trends_{ending}": extents.trends(effects),

@@ -11,12 +11,13 @@ from ..language.quantity import listing, percent, size, times
 from ..language.table import UNKNOWN as NOT_KNOWN
 from ..language.table import within
 from ..language.vocabulary import Vocabulary
-from . import left_out, probability
+from . import left_out, probability, though_it_fits
 from .rivals import called, entries
 
 CLOSEST = 4  # explanations that are shown
 HEAD = ["tried instead", "takes away", "leaves (× noise)", "probability", "why it is no name"]
 STAND_IN = "no physics of the library"
+UNLIKELY, LARGER = "not likely enough", "adds too little"
 STAND_INS = "x_ marks a stand-in, which fits the data and is no physics of the library. {}."
 ENOUGH = "To be named, an explanation must take away {} of what is missing (of its energy, the mean of its square)"
 
@@ -41,7 +42,9 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
     rows.append([called([]), "0 %", f"{size(alone, words.unit)} ({times(alone / floor)})", NOT_KNOWN, ""])
     if all(row[3] == NOT_KNOWN for row in rows[1:]):
         rows = [[*row[:3], row[4]] for row in rows]
-    return [*within(rows, 0), *reasons, *stand_ins([explanation["ids"] for explanation in shown]), _rule(content)]
+    sets = [explanation["ids"] for explanation in shown]
+    why = though_it_fits.lines(content, words) if rows[1][-1] == UNLIKELY else []
+    return [*within(rows, 0), *why, *reasons, *stand_ins(sets), _rule(content)]
 
 
 def stand_ins(sets: list[list[str]]) -> list[str]:
@@ -73,4 +76,4 @@ def _why_not(explanation: Part, taken: float) -> str:
     helpers = [id_ for id_ in explanation["ids"] if id_ in mechanisms() and mechanisms()[id_].helper]
     if helpers:
         return f"{listing(helpers)} fits nearly anything"
-    return "not likely enough"
+    return LARGER if explanation["standing"] == "not needed" else UNLIKELY

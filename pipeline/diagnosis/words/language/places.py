@@ -8,6 +8,12 @@ EVERYWHERE = "over the whole range"
 NEARLY_ALL = 0.75  # of the range of motion, and of the strokes
 
 
+def lying(location: Part, evidence: Part, words: Vocabulary) -> str:
+    """The same as what is missing lies: `mostly at 0 to 12 turns`, or spread."""
+    where = place(location, evidence, words)
+    return "spread over the whole range" if where == EVERYWHERE else f"mostly {where}"
+
+
 def place(location: Part, evidence: Part, words: Vocabulary) -> str:
     """A box as `at 0 to 12 turns, in strokes 2 to 9, while winding`."""
     low, high = evidence[words.driver]

@@ -27,6 +27,11 @@ def far_moved(content: Verdict) -> dict[str, float]:
     return {name: sigma for name, sigma in moved.items() if abs(sigma) > LEAVES and not of_later_run(name)}
 
 
+def has_table(content: Verdict) -> bool:
+    """Whether the details have the table of how far each dimension moved."""
+    return content["verdict"] not in ("consistent",) or bool(far_moved(content))
+
+
 def adopted_fit(content: Verdict) -> bool:
     """Whether effects were adopted with dimensions that all lie within their tolerances."""
     known = content["evidence"].get("tolerance", {})

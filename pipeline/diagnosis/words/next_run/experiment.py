@@ -3,7 +3,7 @@
 from ...document.content import NextRun, Verdict, proposal
 from ..language.quantity import number
 from ..language.vocabulary import Vocabulary
-from . import tells, worth
+from . import care, tells, worth
 from .technician import Part, lasting, parts
 
 
@@ -69,5 +69,5 @@ def in_one_line(content: Verdict, words: Vocabulary, whole: float) -> str:
     """All of it as one string, as `next_experiment` holds it."""
     run = proposal(content)
     sentences = [f"{title(run, words)}: {lasting(run)} in all.", *steps(run, words, whole)]
-    sentences += [worth.care(content, words), worth.purpose(content, words), together(run, words)]
+    sentences += [care.care(content, words), worth.purpose(content, words), together(run, words)]
     return " ".join(line for line in sentences if line)

@@ -8,12 +8,13 @@ from ...document.content import NextRun, Verdict
 from ..language.quantity import listing, quantity
 from ..language.vocabulary import Vocabulary
 from ..named import effect_table
-from . import experiment, parting, worth
+from . import care, experiment, parting, worth
 from .make_sure import DETAILS, RUN
 from .technician import every_load, lasting
 from .tells import SETTLED
 
 LONG = 80  # letters: a title that is told in the details alone
+ALONG = "what went along with it"  # in the recording: another speed and load part them
 SETTLE = "To have it proposed, recorded and weighed for you:"
 
 
@@ -55,7 +56,8 @@ def to_see_more(content: Verdict, words: Vocabulary, short: bool) -> list[list[s
         return []
     title = experiment.title(run, words)
     which = f"{lasting(run)} in all" if len(title) > LONG else f"{title}, {lasting(run)} in all"
-    follows = f": whether that follows {words.follows(run['follows'])}" if "follows" in run else ""
+    driver = words.follows(run["follows"]) if "follows" in run else ""
+    follows = f": it follows {driver} here, so the question is whether that does it or {ALONG}" if driver else ""
     where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}"
     return [[f"Make the run that shows more of what is missing{follows}. {which}. {where}."]]
 
@@ -80,5 +82,5 @@ def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     usual = quantity(run["load"], words.load_unit) if run.get("load") else ""
     hung = [load for load in every_load(run, words) if load != usual]
     loads = f"{'other loads' if len(hung) > 1 else 'another load'} ({listing(hung)})" if hung else "another load"
-    demands = ["another speed"] * worth.asks_speed(content, words) + [loads] * ("load" in title)
+    demands = ["another speed"] * care.asks_speed(content, words) + [loads] * ("load" in title)
     return f"; it asks for {listing(demands)}" if demands else ""

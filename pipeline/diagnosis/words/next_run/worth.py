@@ -1,8 +1,5 @@
 """What a proposed run is expected to tell, and whether it is worth making, in words."""
 
-import itertools
-
-from ....ground.command import command
 from ...document.content import NextRun, Verdict, proposal
 from ...fit.adopt import NO_USE
 from ...proposal import design
@@ -13,17 +10,12 @@ from ..language.quantity import number, place_near, size, times, to_tell
 from ..language.vocabulary import Vocabulary
 from . import parting
 
-NEW = 0.1  # of a speed: one that leaves what was recorded by less is none
 COMPARED = 4  # explanations that a proposed run is to part
-CARE = {
-    "twice the speed": "Only if the motor can go so fast.",
-    "twice the load": "Only if the rig bears so much.",
-    "another load": "Only if the rig bears so much.",
-}  # by what a title says
 MEANT = (
     "Standard deviations say how far apart the two predictions of the run are, in the noise of the recording. They "
     "promise too much: in tests such runs settled 33 of 50 ties rightly, 2 wrongly."
 )
+FOLLOWS = "It shows whether what is missing follows {}, as here, or what went along with it."
 WRONG = "Against the noise alone they are far apart, but a formula that is wrong by 10 % could make the same difference"
 
 
@@ -36,7 +28,7 @@ def purpose(content: Verdict, words: Vocabulary) -> str:
     """Whether the run is worth making, which two explanations it parts, how probable each is, and how far."""
     run = proposal(content)
     if "parts" not in run:
-        return f"It shows whether what is missing follows {words.follows(run['follows'])}." if "follows" in run else ""
+        return FOLLOWS.format(words.follows(run["follows"])) if "follows" in run else ""
     worth = "Worth making" if decides(run) else "Worth a try"
     advice = f"{worth} if you need to know {question(content)}; otherwise {otherwise(content, words)}."
     value = advice if raises(run) else first(run)[0]
@@ -93,18 +85,6 @@ def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     )
 
 
-def asks_speed(content: Verdict, words: Vocabulary) -> bool:
-    """Whether the run moves at a speed that was not recorded; by its title where an older file does not say."""
-    run, known = proposal(content), content["evidence"].get("covered")
-    if known is None or "speed" not in run["title"]:
-        return "speed" in run["title"]
-    slow, fast = known["speed_per_s"]
-    places = [leg[words.driver] for leg in run["legs"]]
-    ways = zip(itertools.pairwise(places), run["legs"][1:], strict=True)
-    speeds = [abs(to - at) / leg["seconds"] for (at, to), leg in ways if to != at]
-    return not all((1.0 - NEW) * slow <= speed <= (1.0 + NEW) * fast for speed in speeds)
-
-
 def probable(ids: list[str], content: Verdict) -> str:
     """An explanation by its name with its probability, if it has one."""
     likely = probability.said({"probability": share(ids, content)})
@@ -157,36 +137,3 @@ def decides(run: NextRun) -> bool:
 def raises(run: NextRun) -> bool:
     """Whether a run is expected to part two explanations further, so far that it can be seen at all."""
     return design.raises(run["gap_now"], run["gap_then"])
-
-
-def under_this_load(run: NextRun, words: Vocabulary) -> str:
-    """The command that looks for a run without another load; nothing where no run of such a rig is looked for."""
-    load = run.get("load")
-    if words.driver != "motor_turns" or not run.get("fixed_load") or not load:
-        return ""
-    hangs = f"{load:.4g}"
-    look = f"{command('settle')} RUN --limits '{{load_n: [{hangs}, {hangs}]}}'"
-    return f" `{look}` looks for one under this load; it says where none does."
-
-
-def care(content: Verdict, words: Vocabulary) -> str:
-    """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
-    run = proposal(content)
-    changes = {change: text for change, text in CARE.items() if "speed" not in change or asks_speed(content, words)}
-    caution = next((text for change, text in changes.items() if change in run["title"]), "")
-    if "load" in run["title"] and words.load:
-        cannot = "If your rig cannot change its load, "
-    elif caution:
-        cannot = "If your rig cannot go so fast, "
-    else:
-        return ""
-    if "parts" in run:
-        lost = "the likelier explanations stay tied" if decides(run) else "less is learnt"
-        cannot += f"leave this run out: {lost}."
-        if "load" in run["title"] and words.load:
-            cannot += under_this_load(run, words)
-    else:
-        cannot += (
-            "make the run at the other speed alone: it shows less." if "speed" in run["title"] else "leave it out."
-        )
-    return " ".join(part for part in (caution, cannot) if part)

@@ -12,6 +12,7 @@ from ..explanations import (
     explanation_table,
     other_effects,
     probability,
+    though_it_fits,
     unexplained_pattern,
 )
 from ..held_out import holdout, in_vain, level, unseen
@@ -21,9 +22,9 @@ from ..language.quantity import size, times
 from ..language.sections import Sections, text
 from ..language.vocabulary import Vocabulary
 from ..measured import in_run_yaml, to_measure, tolerances
-from ..measured.dimensions import cautions, far_moved, suspicious, table
+from ..measured.dimensions import cautions, has_table, suspicious, table
 from ..named import adopted_table, certainty, effect_table, logged, slow_look_alikes
-from ..next_run import commands, deciding_run, experiment, make_sure, signs, tells, worth
+from ..next_run import care, commands, deciding_run, experiment, make_sure, signs, tells, worth
 from ..next_run.run_asked import no_run
 from . import adoption, error_table, report, spikes, to_do, verdict
 from .headline import headline
@@ -117,6 +118,7 @@ def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
     more = f"{most}: where more are at work, the verdict is unknown too."
     return [
         *closest.insufficient(content, words),
+        *though_it_fits.constants(content),
         more,
         *level.to_reach(content, words),
     ]
@@ -124,13 +126,13 @@ def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
 
 def moved(content: Verdict, words: Vocabulary) -> list[str]:
     """The dimensions that calibration moved, how to measure them again, and how run.yaml says it."""
-    named, far = content["verdict"] in to_do.NAMED, far_moved(content)
+    named = content["verdict"] in to_do.NAMED
     in_step = to_do.asks_to_measure(content, words)
     return [
-        *(table(content, words) if named or far or content["verdict"] == "parameters" else []),
+        *(table(content, words) if has_table(content) else []),
         *cautions(content, words, holdout.included(content), unseen.inexact(content, words), in_step),
         *(in_run_yaml.lines(content, to_measure.to_measure(content)) if named else []),
-        *(tolerances.in_force(content, words) if named or far or content["verdict"] != "unknown" else []),
+        *tolerances.in_force(content, words),
     ]
 
 
@@ -150,6 +152,6 @@ def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Pat
         f"{called}; {experiment.lasting(run)} in all." if len(called) <= LONG else f"{experiment.lasting(run)} in all:"
     ]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    lines += [worth.care(content, words), *tells.lines(content, words)]
+    lines += [care.care(content, words), *tells.lines(content, words)]
     to_type = commands.lines(folders, out, experiment.loads(run, words))
     return [line for line in (*lines, *commands.block(to_type, folders[-1], words)) if line]

@@ -10,7 +10,7 @@ from ..held_out.without_name import kept_times
 from ..language.quantity import size
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from ..measured.dimensions import far_moved
+from ..measured.dimensions import far_moved, has_table
 
 HEADING = "How far the simulator is off, rms"
 HALVED = 2.0  # times less: from there on dimensions took most of the error away
@@ -55,7 +55,8 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
         closest = holdout.closest(content) if held else ""
         name = f"closest, no name: {closest}"
         if closest:
-            rows[-1] = [name if len(name) <= NARROW else CLOSEST, UNKNOWN, rows[-1][-1]]
+            of_whole = _cell(_left_with(closest, content, words), columns[0][2], words)
+            rows[-1] = [name if len(name) <= NARROW else CLOSEST, of_whole, rows[-1][-1]]
         elif rows[-1][1:] == rows[-2][1:]:
             rows.pop()
     adopted = content["evidence"].get(f"adopted_{words.ending}")
@@ -75,6 +76,13 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
         ]
     )
     return rows
+
+
+def _left_with(closest: str, content: Verdict, words: Vocabulary) -> float | None:
+    """What comes closest leaves of the whole recording; None where nobody weighed it there."""
+    shown = content["evidence"]["explanations"]
+    weighed = [each for each in shown if set(each["ids"]) == set(closest.split(" + "))]
+    return float(weighed[0][f"left_{words.ending}"]) if weighed else None
 
 
 def _row_of(other: str) -> str:
@@ -125,7 +133,8 @@ def _moved_most(content: Verdict, words: Vocabulary) -> str:
         return ""
     if nominal is None or calibrated is None or nominal < HALVED * calibrated or far_moved(content):
         return ""
-    return "Moving dimensions alone takes most of the nominal error away (how far each moved: Dimensions)."
+    where = " (how far each moved: Dimensions)" * has_table(content)
+    return f"Moving dimensions alone takes most of the nominal error away{where}."
 
 
 def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
@@ -140,10 +149,13 @@ def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
         return ""
     single = math.sqrt(max(error**2 - floor**2, 0.0) + noise**2)
     least, about = size(error, words.unit), size(single, words.unit)
+    counts = [f"the noise is {size(noise, words.unit)}"] * bool(scored)
+    counts += [f"{least} would be about {about}"] * (least != about)
+    who = f"as {program_name('simulate')} and {program_name('adopt')} count"
+    averages = f"{'Both columns are' if scored else 'The left column is'} of averages"
     return (
-        f"{'Both columns are' if scored else 'The left column is'} of averages: their noise is `the noise` elsewhere "
-        f"on this page. Of single samples, as {program_name('simulate')} and {program_name('adopt')} count, "
-        f"{f'the noise is {size(noise, words.unit)}, and ' * bool(scored)}{least} would be about {about}."
+        f"{averages}: their noise is `the noise` elsewhere on this page."
+        + f" Of single samples, {who}, {', and '.join(counts)}." * bool(counts)
     )
 
 

@@ -3,10 +3,12 @@
 from ...document.content import Part, Verdict
 from ..explanations import chances, left_out, probability, rivals
 from ..held_out import holdout, in_vain, unseen
+from ..language.places import lying
 from ..language.quantity import listing, percent, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
 from ..named import certainty, effects, own_size, slow_look_alikes
+from . import of_adopted
 
 HEADING = "To report it"
 TO_REPORT = "TO REPORT"  # as bold as a plain page can be: the size to quote stands once
@@ -21,12 +23,6 @@ NO_EFFECT = "Do not report an effect: none is named, however close one comes."
 ONLY_PART = "Of {} only that share, not what {} in all nor {} constants (loop, times): dimensions could make the rest."
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
-ADOPTED = "of {}: what the verdict lets report that was adopted (its details.txt, To report it)"
-HELD = (
-    "Do not report that this recording shows no effect: {} {} in the simulator. Nor report a size under What was "
-    "adopted as measured here: the adopted numbers were held."
-)
-
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
@@ -36,10 +32,10 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     missing = f"{left} rms is missing after calibration, noise taken off"
     if not content["mismatch"][f"rms_{words.ending}"]:
         missing = "after calibration nothing is missing beyond the noise"
-    missing += _beside(content) + _unseen(content, words)
+    missing += _where(content, words) + _beside(content) + _unseen(content, words)
     statements = [
         missing,
-        *_of_adopted(content),
+        *of_adopted.reportable(content),
         *_sure(content, words),
         *_own(content, words),
         *_open(content, words),
@@ -51,27 +47,23 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *(f"- {statement};" for statement in statements[:-1]),
         f"- {statements[-1]}.",
         *_not_yet(content, words),
-        *_held(content),
+        *of_adopted.not_reportable(content),
         *([NO_EFFECT] if content["verdict"] == "unknown" else []),
     ]
+
+
+def _where(content: Verdict, words: Vocabulary) -> str:
+    """Where what has no name lies, and what it follows; ends a statement. Nothing where something is named."""
+    mismatch = content["mismatch"]
+    if content["verdict"] != "unknown" or not mismatch or not mismatch[f"rms_{words.ending}"]:
+        return ""
+    return f", {lying(mismatch['location'], content['evidence'], words)}, following {mismatch['driver']}"
 
 
 def _beside(content: Verdict) -> str:
     """With which adopted effects in the simulator that is so, where there are some; ends a statement."""
     ids = holdout.included(content)
     return f", with {listing(ids)} adopted (in run.yaml)" if ids else ""
-
-
-def _of_adopted(content: Verdict) -> list[str]:
-    """Where it stands what can be reported of adopted effects."""
-    ids = holdout.included(content)
-    return [ADOPTED.format(listing(ids))] if ids else []
-
-
-def _held(content: Verdict) -> list[str]:
-    """What is no result where effects are adopted: their sizes here, and a rig without them."""
-    ids = holdout.included(content)
-    return [HELD.format(listing(ids), "are" if len(ids) > 1 else "is")] if ids else []
 
 
 def _unseen(content: Verdict, words: Vocabulary) -> str:

@@ -9,7 +9,7 @@ from ...mechanisms.interface import physics
 from ..explanations import chances, closest, rivals, unexplained_pattern
 from ..held_out import holdout, level, unseen, unseen_doubts
 from ..held_out.without_name import UNNAMED, kept_times
-from ..language.places import EVERYWHERE, place
+from ..language.places import lying
 from ..language.quantity import listing, size, times
 from ..language.sections import Sections, shortened, text
 from ..language.vocabulary import Vocabulary
@@ -127,11 +127,9 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
     if not mismatch or content["verdict"] != "unknown":
         return []
     rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
-    where = place(mismatch["location"], content["evidence"], words)
-    lies = "spread over the whole range" if where == EVERYWHERE else f"mostly {where}"
-    missing = (
-        f"{size(rms, words.unit)} rms is missing after calibration, noise taken off ({times(rms / floor)} times it)"
-    )
+    lies = lying(mismatch["location"], content["evidence"], words)
+    beyond = f"{size(rms, words.unit)} rms is missing after calibration"
+    missing = f"{beyond}, noise taken off ({times(rms / floor)} times the noise)"
     return [
         f"{missing}, {lies}. It follows {mismatch['driver']}.",
         "What comes closest, and does not do:",

@@ -41,7 +41,7 @@ def test_another_load_where_the_load_is_not_recorded_is_a_run_of_its_own():
     assert "Run 1: change the load from 20 to 30 N, and say so in run.yaml (`load_n: 30`)" in both
     assert "Run 2, under 20 N as recorded:" in both
     assert "raw/nylon-3 raw/nylon-3-next-1 raw/nylon-3-next-2 --together" in both
-    assert "It shows whether what is missing follows the twist." in both
+    assert "It shows whether what is missing follows the twist, as here, or what went along with it." in both
     assert "  python -m pipeline.new_run nylon-3-next-1 --like raw/nylon-3 --load-n 30\n" in both
     assert "  python -m pipeline.new_run nylon-3-next-2 --like raw/nylon-3\n" in both
     assert "  python -m pipeline.capture PORT raw/nylon-3-next-2\n" in both

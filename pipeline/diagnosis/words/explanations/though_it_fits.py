@@ -1,0 +1,65 @@
+"""What comes closest and fits, and is no name all the same: what it would be on this rig, and why it is none."""
+
+import re
+
+from ....ground.units import unit_of
+from ...document.content import Included, Verdict
+from ...mechanisms.library import mechanisms
+from ..language.explained_words import meaning, on_rig
+from ..language.quantity import number, percent, quantity, said_unit
+from ..language.vocabulary import Vocabulary
+from .probability import likeliest
+from .rivals import called, entries
+
+WHY = (
+    "{} fits and is no name: a formula with free numbers can copy other physics. Of simulated recordings like this one "
+    "about {} were physics that the library lacks, {} were {}."
+)
+LOOKS = (
+    "By its pattern, which a network compares with simulated ones, what is missing looks like {} by {} and like "
+    "physics that the library lacks by {}."
+)
+
+
+def lines(content: Verdict, words: Vocabulary) -> list[str]:
+    """Why the likeliest explanation is no name though it fits, then what it would be; nothing where none is weighed."""
+    first = next(iter(likeliest(entries(content, "not enough"))), None)
+    none = content["evidence"].get("probability_of_none")
+    if first is None or none is None or first.get("probability") is None:
+        return []
+    name, looks = called(first["ids"]), content["evidence"].get("looks_like", {})
+    why = WHY.format(name, percent(none), percent(first["probability"]), name)
+    if set(first["ids"]) < set(looks) and len(first["ids"]) == 1 and looks[name] < looks["outside"]:
+        why += f" {LOOKS.format(name, percent(looks[name]), percent(looks['outside']))}"
+    return [why, *would_be(content, words)]
+
+
+def would_be(content: Verdict, words: Vocabulary) -> list[str]:
+    """What each effect that comes closest does, with what its fit says of it, a line each; nothing where none does."""
+    acts = content["closest"]["simulation"] if "closest" in content else []
+    return [f"{act['id']}: {_does(act, words)}." for act in acts if act["id"] in mechanisms()]
+
+
+def constants(content: Verdict) -> list[str]:
+    """The fitted numbers of what comes closest, in a line; nothing where nothing does."""
+    acts = content["closest"]["simulation"] if "closest" in content else []
+    each = [f"{act['id']} {', '.join(_constant(*known) for known in act['parameters'].items())}" for act in acts]
+    head = "Fitted constants of what comes closest, which are no result (docs/physics.md has each formula)"
+    return [f"{head}: {'; '.join(each)}."] if each else []
+
+
+def _does(act: Included, words: Vocabulary) -> str:
+    """What an effect does, without a full stop; the first detail of it whose numbers were all fitted stands behind."""
+    does = on_rig(meaning(act["id"]), words).rstrip(".")
+    fitted = {name: value for name, value in act["parameters"].items() if value}
+    for template in mechanisms()[act["id"]].details:
+        names = re.findall(r"{(\w+)}", template)
+        if all(name in fitted for name in names):
+            spelled = {name: quantity(fitted[name], unit_of(name), 3) for name in names}
+            return f"{does}; as fitted, {template.format(**spelled)}"
+    return does
+
+
+def _constant(name: str, value: float) -> str:
+    unit = said_unit(unit_of(name))
+    return f"{name} {number(value, 3)}{f' {unit}' if unit and unit not in name else ''}"
