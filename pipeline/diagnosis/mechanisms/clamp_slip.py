@@ -37,7 +37,7 @@ MECHANISM = Mechanism(
         "a step at an unknown time: Basseville and Nikiforov, Detection of Abrupt Changes, 1993"
     ),
     confused_with="count_slip (which grows with twist), plastic_elongation",
-    told_apart_by="a mark on the string at the clamp",
+    told_apart_by="a mark on the string at the clamp: it moves when the clamp slips",
     meaning="the clamp gives way suddenly and for good.",
     sentence="The {string} slipped in its clamp and stayed so, worth {size}.",
     details=("by {mm} after {at_s}",),

@@ -12,7 +12,8 @@ def apart(study: Study, run: Run, proposal: Proposal) -> dict[str, float]:
     """The largest difference in the run between the two explanations that it parts, and the motion where it is.
 
     `by_…`, and the two readings there, `first_…` and `second_…`, in the unit of the reading, whose channel has that
-    ending; the motion by the name of its channel. Empty where the run parts none.
+    ending; the motion by the name of its channel; `after_s`, how long after the first leg that is, which leads to where
+    the run begins. Empty where the run parts none.
     """
     if proposal.then is None:
         return {}
@@ -25,4 +26,5 @@ def apart(study: Study, run: Run, proposal: Proposal) -> dict[str, float]:
     system = study.problem.system
     ending = system.channel.rpartition("_")[2]
     place = {f"by_{ending}": float(abs(first - second)[row]), system.driver: float(record.motion[new + row])}
+    place |= {"after_s": float(record.time_s[new + row] - record.time_s[new - 1] - proposal.legs[0][0])}
     return place | {f"first_{ending}": float(first[row]), f"second_{ending}": float(second[row])}

@@ -21,6 +21,7 @@ SPEEDS = {0.5: " at twice the speed", 1.0: "", 2.0: " at half the speed", 4.0: "
 LOADS = {0.5: " under half the load", 1.0: "", 2.0: " under twice the load"}
 HOLDS = {0.2: "", HELD_S: " with a hold"}
 RESTS_S = (30.0, 120.0)
+AS_BEFORE = "one stroke as before"
 LEAST_STROKE = 0.1  # of the range: what winds less is no stroke
 
 Parts = dict[str, list[Leg]]
@@ -72,7 +73,7 @@ def with_stroke(title: str, legs: list[Leg], rig: Rig) -> tuple[str, list[Leg]]:
     ends = [rig.at, *(to for _, to, _ in legs)]
     if max(to - at for at, to in pairwise(ends)) >= LEAST_STROKE * (rig.high - rig.low):
         return title, legs
-    return f"{title}, then one stroke as before", [*legs, *rig.stroke()]
+    return f"{title}, then {AS_BEFORE}" if title else AS_BEFORE, [*legs, *rig.stroke()]
 
 
 def designed(rig: Rig, gap: Gap, now: float, loads: bool, faster: bool) -> tuple[str, list[Leg]]:

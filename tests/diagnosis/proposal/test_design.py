@@ -48,6 +48,7 @@ def test_a_run_that_would_only_rest_ends_with_a_stroke():
     assert name == "a rest of 120 s, then one stroke as before" and legs[-4:] == RIG.stroke()
     moves = [RIG.home(), *RIG.stroke(top=0.25)]
     assert design.with_stroke("a quarter", moves, RIG) == ("a quarter", moves)
+    assert design.with_stroke("", [RIG.home()], RIG)[0] == "one stroke as before", "not `, then one stroke as before`"
 
 
 def strokes(legs: list[Leg]) -> int:

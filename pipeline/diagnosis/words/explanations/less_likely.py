@@ -57,7 +57,7 @@ def _grouped(rows: Numbered, phrase: Callable[[Part], str]) -> list[str]:
     for number, each in rows.items():
         if words := phrase(each):
             of.setdefault(words, []).append(number)
-    return [f"{words} ({numbers(places)})" for words, places in of.items()]
+    return [f"{words} (no. {numbers(places)})" for words, places in of.items()]
 
 
 def _less_likely(rows: Numbered) -> list[str]:
@@ -90,7 +90,11 @@ def _nearly_as_good(rows: Numbered, words: Vocabulary) -> list[str]:
     """Of what leaves hardly more than the best one: by what it is worse all the same, or why it does not count."""
     left = f"left_{words.ending}"
     nearer, balanced, unweighed = list[str](), list[int](), list[int]()
+    some = any(each.get("probability") is not None for each in rows.values())
     for number, each in rows.items():
+        if some and each.get("probability") is None and not each.get("balanced"):
+            unweighed.append(number)
+            continue
         if each["standing"] != "beaten" or each[left] > rivals.ALIKE * rows[1][left]:
             continue
         if each["worse"] > 0.0:

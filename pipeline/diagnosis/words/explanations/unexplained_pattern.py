@@ -2,7 +2,7 @@
 
 from ....ground.outside import is_outside
 from ...document.content import Verdict, mismatch_of
-from ..held_out import holdout, unseen
+from ..held_out import holdout, level, unseen
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
@@ -58,7 +58,8 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
     lies += f", half of its energy {half}" if half not in (EVERYWHERE, where) else ""
     follows = listing([words.follows(driver, evidence["loaded"]) for driver in left_pattern["driver"]])
     rms = size(left_pattern[f"rms_{words.ending}"], words.unit)
-    holds = f"What {called(best['ids'])} leaves holds a pattern of {rms} rms beside the noise"
+    fitted = " of all strokes" * bool(level.beaten(content, words))  # else than on unseen ones
+    holds = f"What {called(best['ids'])}{fitted} leaves holds a pattern of {rms} rms beside the noise"
     if where != EVERYWHERE and half.startswith(f"{where}, "):  # one range, said once
         return [f"{holds}. Half of its energy lies {half}; it follows {follows}."]
     return [f"{holds}. It {lies}, and follows {follows}."]

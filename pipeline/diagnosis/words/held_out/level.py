@@ -23,7 +23,7 @@ def beaten(content: Verdict, words: Vocabulary) -> list[str]:
     noise = f" So it is partly counted in the noise of {size(floor, words.unit)}." if errors[1] < floor else ""
     return [
         f"{METHOD} foretells the {holdout.strokes(content)} better than {who}: {without} against {own}. "
-        f"What is still missing is systematic: {_where(content, words)}.{noise}"
+        f"What it foretells of them beyond {who}: {_where(content, words)}.{noise}"
     ]
 
 

@@ -121,8 +121,8 @@ def beside_limit(ratio: float) -> str:
 
 
 def exact(ratio: float) -> str:
-    """How many times, to a hundredth where that decides: 1.34, 3.4, 96."""
-    return f"{ratio:.2f}" if ratio < NEAR * STILL_MISSING else times(ratio)
+    """How many times, as the table of errors has it."""
+    return beside_limit(ratio)
 
 
 def nothing_new(content: Verdict, words: Vocabulary) -> bool:

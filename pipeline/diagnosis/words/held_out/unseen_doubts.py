@@ -49,14 +49,16 @@ def beyond(content: Verdict, words: Vocabulary) -> list[str]:
     units = {"load": words.load_unit, "motion": words.motion_unit}
     wider = []
     for name, ranges in known.items():
-        seen, later = (ends(low, high, units[name]) for low, high in ranges)
+        both = ([ends(low, high, units[name], digits) for low, high in ranges] for digits in (2, 3))
+        two, three = (next(both), next(both))
+        seen, later = two if two[0] != two[1] else three
         wider.append(f"{later} of {words.motion if name == 'motion' else name} (before them: {seen})")
     if not wider:
         return []
     strokes = holdout.strokes(content)
     return [
         f"The {strokes} had {listing(wider)}: their error is also that of conditions which no fit has seen. "
-        "Record each load and each twist among the first strokes as well."
+        f"Record each load and each {words.motion} among the first strokes as well."
     ]
 
 

@@ -81,7 +81,7 @@ def to_the_band(value: float, half_width: float, digits: int = 6) -> str:
 
 def span(low: float, high: float, unit: str, whole: float) -> str:
     """A range on an axis `whole` wide."""
-    return f"{at(low, '', whole)} to {at(high, unit, whole)}"
+    return f"{at(low, '', whole)} to {re.sub('^1 turn(?!s)', '1 turns', at(high, unit, whole))}"
 
 
 def ends(low: float, high: float, unit: str, digits: int = 3) -> str:
@@ -93,7 +93,8 @@ def ends(low: float, high: float, unit: str, digits: int = 3) -> str:
 def at(value: float, unit: str, whole: float) -> str:
     """A place on an axis `whole` wide, to a hundredth of it or finer: what is nearly 0 is 0."""
     decimals = -math.floor(math.log10(whole / 100.0)) if whole > 0.0 else 3
-    return f"{number(round(value, decimals), 12)} {said_unit(unit)}".strip()
+    shown = number(round(value, decimals), 12)
+    return f"{shown} {said_unit(f'turn{unit[5:]}' if shown == '1' and unit.startswith('turns') else unit)}".strip()
 
 
 def place_near(value: float, unit: str, whole: float) -> str:

@@ -29,7 +29,7 @@ def far_moved(content: Verdict) -> dict[str, float]:
 
 def has_table(content: Verdict) -> bool:
     """Whether the details have the table of how far each dimension moved."""
-    return content["verdict"] not in ("consistent",) or bool(far_moved(content))
+    return content["verdict"] != "consistent" or bool(far_moved(content))
 
 
 def adopted_fit(content: Verdict) -> bool:
@@ -52,8 +52,7 @@ def cautions(
     moved = far_moved(content)
     if not moved:
         return []
-    names = {name: name_of(name) for name in moved}
-    lines = []
+    names, lines = {name: name_of(name) for name in moved}, list[str]()
     if content["verdict"] == "parameters" and moved_in_vain(content, words):
         lines.append(f"Measure {the(moved)} again before you believe any of these values.")
     elif not in_step:
@@ -124,8 +123,9 @@ def decimals(content: Verdict, name: str) -> int:
     sigma = content["evidence"].get("tolerance", {}).get(name)
     known = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
     places = max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
-    low, high = (content["parameters"][name].get(end, 0.0) for end in ("low", "high"))
-    while low < high and places < FINEST and round(low, places) == round(high, places):
+    low, value, high = (content["parameters"][name].get(end, 0.0) for end in ("low", "value", "high"))
+    inside = [low, value, high] if low < value < high else [low, high]
+    while low < high and places < FINEST and len({round(each, places) for each in inside}) < len(inside):
         places += 1
     return places
 
@@ -170,7 +170,7 @@ def table(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[
     if not moved:
         return ["No dimension moved by a hundredth of its tolerance: only the zero of the reading did."]
     rows = [_row(content, name, words) for name in moved if name not in but]
-    lines = aligned([HEAD, *rows]) if rows else []
+    lines = [*aligned([HEAD, *rows]), "`moved by` counts tolerances."] if rows else []
     if stayed := [name_of(name) for name, sigma in sigmas.items() if sigma < HARDLY]:
         lines.append(f"Stayed (moved by less than a hundredth of the tolerance): {listing(stayed)}.")
     if content["verdict"] == "parameters" and moved_in_vain(content, words):
@@ -187,7 +187,7 @@ def _row(content: Verdict, name: str, words: Vocabulary) -> list[str]:
     """From what to what a dimension moved, and by how much of which tolerance."""
     nominal, value = from_to(content, name)
     first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
-    far = f"{number(abs(content['evidence']['moved_sigma'][name]), whole=True)} times it"
+    far = number(abs(content["evidence"]["moved_sigma"][name]), whole=True)
     known = tolerances.said(content, name, words) or UNKNOWN
     return [name_of(name), first, f"{value}{likely_range(content, name)}", known, far]
 

@@ -7,18 +7,17 @@ from ...document.content import Verdict, mismatch_of
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals
-from ..held_out import holdout, in_vain
+from ..held_out import holdout, in_vain, unseen
 from ..language.explained_words import tells
-from ..language.quantity import duration, listing, percent
+from ..language.quantity import duration, first_upper, listing, percent
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from . import coarse
 from .missing_signs import missing
 
 SURE, PROBABLE = 0.8, 0.5
-ALSO_ELSEWHERE = (
-    "How sure an effect is counts each explanation that has it, so it can be more than the {} of the best one."
-)
+ALSO_ELSEWHERE = "{} the sum over all explanations with {}; the best explanation alone has {}."
+NO_PROMISE = "Sure is that {} acts, not that the simulator predicts: something is still missing."
 COMPARES = "The percentages compare explanations of the library in which a dimension may move by three tolerances"
 WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 
@@ -114,12 +113,19 @@ def _only(count: int) -> str:
 def than_the_explanation(content: Verdict) -> list[str]:
     """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
     share = next(iter(rivals.entries(content, "named")), {}).get("probability")
-    shares = known(content).values()
-    if share is None or not any(
-        known_share > share and percent(known_share) != percent(share) for known_share in shares
-    ):
+    if share is None:
         return []
-    return [ALSO_ELSEWHERE.format(percent(share))]
+    shares = {id_: its for id_, its in known(content).items() if its > share and percent(its) != percent(share)}
+    sums = [f"the {percent(its)} of {id_}" for id_, its in shares.items()]
+    each = "it" if len(sums) == 1 else "each"
+    are = "is" if len(sums) == 1 else "are"
+    return [first_upper(ALSO_ELSEWHERE.format(f"{listing(sums)} {are}", each, percent(share)))] if sums else []
+
+
+def no_promise(content: Verdict, words: Vocabulary) -> list[str]:
+    """That a sure name is no good prediction, where unseen strokes are missed; nothing where none is sure."""
+    sure = [id_ for id_ in known(content) if is_likely(content, id_) and not held_back(content, words, id_)]
+    return [NO_PROMISE.format(listing(sure))] if sure and unseen.partly(content, words) else []
 
 
 def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, float]]:

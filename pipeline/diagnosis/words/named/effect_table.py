@@ -86,7 +86,7 @@ def _named(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
             *table_lines,
             *([] if certainty.known(content) else [NO_PERCENTAGE]),
             *_in_one([*needed.lines(content), *larger, *([WHOSE] if several else []), *against]),
-            *certainty.than_the_explanation(content),
+            *_in_one([*certainty.than_the_explanation(content), *certainty.no_promise(content, words)]),
             *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
         ]
     thoughts = " ".join(cell for cells in sizes.values() for cell in cells)

@@ -28,7 +28,7 @@ def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
 def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, short: bool) -> list[str]:
     """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one.
 
-    `short`: of what to think of the size, no more than that it is poorly known or mostly hidden.
+    `short`: of a size that is partly hidden, also that nobody quotes it, for the page has no more on it.
     """
     known = entry[f"rms_{words.ending}"]
     if not known["value"]:
@@ -39,7 +39,7 @@ def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, sh
     if part:  # it says by itself that the rest is hidden
         doubt = POORLY if certainty.wide(known) else ""
     elif short and doubt == PARTLY:
-        doubt = ""
+        doubt = f"{PARTLY}: do not quote"
     return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
 
 

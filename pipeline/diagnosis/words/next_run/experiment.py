@@ -1,15 +1,17 @@
 """The run to make next, in words: the protocol, what it is expected to tell, and how its recording is diagnosed."""
 
 from ...document.content import NextRun, Verdict, proposal
+from ...proposal.design import AS_BEFORE
 from ..language.quantity import number
 from ..language.vocabulary import Vocabulary
-from . import care, tells, worth
+from . import tells, worth
 from .technician import Part, lasting, parts
 
 
 def title(run: NextRun, words: Vocabulary) -> str:
     """What the run is called."""
-    name = run["title"] if words.twisted else run["title"].replace("twist", words.motion)
+    name = run["title"].removeprefix(", then ") or AS_BEFORE  # of an older file: nothing came before
+    name = name if words.twisted else name.replace("twist", words.motion)
     return f"{name[0].upper()}{name[1:]}"
 
 
@@ -69,5 +71,5 @@ def in_one_line(content: Verdict, words: Vocabulary, whole: float) -> str:
     """All of it as one string, as `next_experiment` holds it."""
     run = proposal(content)
     sentences = [f"{title(run, words)}: {lasting(run)} in all.", *steps(run, words, whole)]
-    sentences += [care.care(content, words), worth.purpose(content, words), together(run, words)]
+    sentences += [worth.care(content, words), worth.purpose(content, words), together(run, words)]
     return " ".join(line for line in sentences if line)

@@ -6,7 +6,7 @@ from ....ground.command import program_name
 from ...document.content import Verdict
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
-from ..foretold import expectation
+from ..foretold import expectation, loop_to_see
 from ..held_out import holdout, in_vain, unseen
 from ..language.explained_words import tells
 from ..language.quantity import duration, listing, number, quantity
@@ -15,6 +15,7 @@ from ..measured.dimensions import far_moved
 from ..named import certainty
 from ..named.missing_signs import recorded
 from . import commands, recipe, recorded_so_far, second_load, worth
+from .run_asked import beyond_the_first
 
 OTHER_LOAD = (
     "Better under another load, {half} or {twice}, if the rig bears it: under one load alone no slow effect's name is "
@@ -38,7 +39,7 @@ TIED = "The best explanation leaves it too, and no further effect of the library
 MORE = "Other speeds and loads, diagnosed together, show more of it."
 ABOVE = " (commands: the step before)"
 AS_MANY = (
-    "If what is still missing is too much for your use: record as many strokes again in the same way, and "
+    "If what is still missing is too much for your use: record as many strokes again {how}, and "
     "diagnose the runs together{where}. If the error on the {strokes} falls to the noise, there were too few strokes; "
     "else this rig has physics that the library lacks."
 )
@@ -53,17 +54,19 @@ def of_what_is_missing(
     tie = content["verdict"] == "ambiguous"
     if unseen.nothing_new(content, words):
         return [[f"{LEAVE} {TIED if tie else NO_NAME} {MORE}"]]
+    wider = beyond_the_first(content, words)
+    how = f"with {listing(wider)} in the first of them too" if wider else "in the same way"
     run = content["next_run"]
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
     if short:
         where = f" (commands: {DETAILS}, {RUN})" if shown else f" (commands: {DETAILS})"
-        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where)]]
+        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where, how=how)]]
     again = commands.lines(folders, out, [""])
     printed = {line.strip() for step in of_names(content, words, folders, out, False) for line in step}
     above = set(again) <= printed  # the step before has them
     where = f" (commands: below, {RUN})" if shown else ABOVE if above else ""
     typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1], words)]
-    return [[AS_MANY.format(where=where, strokes=holdout.strokes(content)), *typed]]
+    return [[AS_MANY.format(where=where, how=how, strokes=holdout.strokes(content)), *typed]]
 
 
 def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:
@@ -90,10 +93,7 @@ def of_names(
     if ids and not in_vain.doubt(content, words) and all(shares.get(id_, 0.0) >= BEYOND_DOUBT for id_ in ids):
         return []
     if not tests:
-        compared = _compared(content, words)
-        if numbers and short:
-            return [[f"{compared} with the table in {DETAILS}."]]
-        return [[f"{compared} with this table:", *numbers]] if numbers else []
+        return loop_to_see.step(content, words, numbers, short)
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
     other = _other_load(content, words, load)
@@ -113,16 +113,6 @@ def of_names(
     typed = [again(folders[-1], load, words), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
     made = [*([run] if run else []), *other, *typed, BEFORE] if numbers or run else []
     return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *made]]
-
-
-def _compared(content: Verdict, words: Vocabulary) -> str:
-    """What to record on a rig without a string to make sure of a name; the table of what to expect goes on from it."""
-    known = content["evidence"]["expected"]
-    slow = quantity(0.5 * known["speed_per_s"], f"{words.motion_unit}/s")
-    slower = f"loop_half_speed_{words.ending}" in known["explanations"][0]
-    half = f"record one stroke at {slow}, half the usual speed, and compare its loop"
-    run = half if slower else "record it again and compare"
-    return f"To make sure of the name, {run}"
 
 
 def _head(content: Verdict, words: Vocabulary, record: str) -> str:

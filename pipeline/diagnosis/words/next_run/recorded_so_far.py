@@ -1,10 +1,14 @@
-"""What a recording holds of loads, speeds, holds and rests, and whether its tests have what they ask for."""
+"""What a recording holds of loads, speeds, holds and rests, and whether tests and runs ask for more."""
 
-from ...document.content import Verdict
+import itertools
+
+from ...document.content import Verdict, proposal
 from ..language.quantity import duration, number, quantity, times
 from ..language.vocabulary import Vocabulary
 from ..named.missing_signs import ALIKE
 from . import second_load
+
+NEW = 0.1  # of a speed or a load: what leaves the recorded ones by less is none
 
 
 def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
@@ -39,6 +43,26 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
             "It has more than one load." if content["evidence"]["loaded"] else second_load.sentence(content, words)
         )
     return [" ".join([f"Recorded so far: {loads}, {speeds}, {stands}{under}.", *counts])]
+
+
+def asks_speed(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the run moves at a speed that was not recorded; by its title where an older file does not say."""
+    run, known = proposal(content), content["evidence"].get("covered")
+    if known is None or "speed" not in run["title"]:
+        return "speed" in run["title"]
+    slow, fast = known["speed_per_s"]
+    places = [leg[words.driver] for leg in run["legs"]]
+    ways = zip(itertools.pairwise(places), run["legs"][1:], strict=True)
+    speeds = [abs(to - at) / leg["seconds"] for (at, to), leg in ways if to != at]
+    return not all((1.0 - NEW) * slow <= speed <= (1.0 + NEW) * fast for speed in speeds)
+
+
+def asks_load(content: Verdict, words: Vocabulary) -> bool:
+    """Whether the run hangs more than was recorded; True where an older file does not say."""
+    run, known = proposal(content), content["evidence"].get("covered")
+    loads = [leg.get(words.load) for leg in run["legs"]] if words.load else []
+    hung = [float(load) for load in loads if load is not None]
+    return known is None or not hung or max(hung) > (1.0 + NEW) * known["load"][1]
 
 
 def _stands(called: str, longest_s: float) -> str:

@@ -19,6 +19,9 @@ PROVISIONAL = (
     "are provisional while a dimension stands at its limit."
 )
 MAKES_SURE = " What makes sure of a name stands above, under What to do."
+TO_CHOOSE = "None is needed to choose between explanations: no other explanation of the library is as likely."
+MISSING_ALONE = " What shows what is still missing stands above, under What to do."
+MISSING_TOO = " What makes sure of the name, and what shows what is still missing, stands above, under What to do."
 BY_THE_RUN = ": by the run that stands above, under What to do"
 COMES_FIRST = " What comes first stands above, under What to do."
 BOTH = " What comes first, and what then makes sure of a name, stands above, under What to do."
@@ -63,6 +66,8 @@ def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> lis
         return [PROVISIONAL + (BOTH if sure else COMES_FIRST * first)]
     if verdict == "explained" and in_vain.doubt(content, words):
         return [TO_MAKE_SURE.format(BY_THE_RUN * sure)]
+    if verdict == "explained" and unseen.partly(content, words):
+        return [TO_CHOOSE + (MISSING_TOO if sure else MISSING_ALONE)]
     above = MAKES_SURE * (sure and verdict == "explained")
     return [NONE_NEEDED[verdict] + above] if verdict in NONE_NEEDED else []
 
@@ -70,12 +75,17 @@ def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> lis
 def more_strokes(content: Verdict, words: Vocabulary) -> str:
     """The recording to make where names change with the last strokes, and what its first strokes must have too."""
     first, last = content["evidence"]["strokes"]
+    wider = beyond_the_first(content, words)
+    among = f" ({listing(wider)} among the first)" if wider else ""
+    return MORE_STROKES.format(strokes=max(ENOUGH, last - first + 1), first=among)
+
+
+def beyond_the_first(content: Verdict, words: Vocabulary) -> list[str]:
+    """The ends of loads and of the motion that the last strokes alone have, each with its unit."""
     units = {"load": words.load_unit, "motion": words.motion_unit}
-    wider = [
+    return [
         quantity(end, units[name])
         for name, (seen, later) in (content["evidence"].get("beyond_seen") or {}).items()
         for end in (later[0] if later[0] < seen[0] else None, later[1] if later[1] > seen[1] else None)
         if end is not None and quantity(end, units[name]) not in [quantity(known, units[name]) for known in seen]
     ]
-    among = f" ({listing(wider)} among the first)" if wider else ""
-    return MORE_STROKES.format(strokes=max(ENOUGH, last - first + 1), first=among)

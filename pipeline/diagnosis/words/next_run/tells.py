@@ -3,12 +3,12 @@
 from ...document.content import NextRun, Verdict, proposal
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
-from ..language.quantity import first_upper, number, percent, place_near, size, times, to_tell
+from ..language.quantity import duration, first_upper, number, percent, place_near, size, times, to_tell
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from . import parting, worth
 
-SETTLED = "In tests such runs settled 33 of 50 ties rightly, 2 wrongly"
+SETTLED = "In tests such runs settled 33 of 50 ties rightly and 2 wrongly, and left 15 open"
 NO_OTHER = "no other run that was tried in simulation does better"
 
 
@@ -18,8 +18,9 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if "parts" not in run:
         purpose = worth.purpose(content, words)
         return [purpose] if purpose else []
-    without = f"{SETTLED}; without it {worth.otherwise(content, words)}."
-    sentences = (parting.sentence(content), _closest(content), _decides(run), without)
+    more = f"Noise is not all that counts: {SETTLED[0].lower()}{SETTLED[1:]}."
+    without = f"Without the run {worth.otherwise(content, words)}."
+    sentences = (parting.sentence(content), _closest(content), _decides(run), more, without)
     return [*aligned(_rows(content, run, words)), " ".join(part for part in sentences if part)]
 
 
@@ -44,7 +45,10 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
     known, rows = run.get("apart"), []
     ends = [f"{which}_{words.ending}" for which in ("first", "second")]
     both = to_tell([known[end] for end in ends], known[f"by_{words.ending}"], words.unit) if known else ["", ""]
-    for ids, reading in zip(run["parts"], both, strict=True):
+    likelier = sorted(
+        zip(run["parts"], both, strict=True), key=lambda pair: worth.share(pair[0], content) or 0.0, reverse=True
+    )
+    for ids, reading in likelier:
         cells = [rivals.called(ids)]
         if probability.known(content):
             share = worth.share(ids, content)
@@ -56,7 +60,9 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
     if known:
         low, high = content["evidence"][words.driver]
         near = place_near(known[words.driver], words.motion_unit, high - low)
-        head.append(f"reading in it, near {near}")
+        after_s = known.get("after_s", 0.0)
+        when = f" after {duration(after_s)}" if after_s > 0.0 else ""  # an older file does not say it
+        head.append(f"reading in it{when}, near {near}")
         apart = size(known[f"by_{words.ending}"], words.unit)
         rows.append(["their difference, if the run follows this one at once", *[UNKNOWN] * (len(head) - 2), apart])
     return [head, *rows]
@@ -66,16 +72,15 @@ def _decides(run: NextRun) -> str:
     """How far both predictions are apart over all samples, so far and with the run, and whether that decides."""
     now, then = deviations(run["gap_now"]), deviations(run["gap_then"])
     over = f"{number(then)} standard deviations of noise in the run, by {number(now)} in this recording"
-    apart = f"Over all samples they differ by {over}"
-    wrong = "A formula that is wrong by 10 % could make as much, so this recording does not decide"
+    apart = f"over all samples they differ by {over}"
+    wrong = "for a formula that is wrong by 10 % could make as much"
     if worth.decides(run):
         if now <= PLAIN:
-            return f"{apart}: so the run can decide."
-        return (
-            f"{apart}. {wrong}; to make as much in the run it would have to be wrong by {times(then / now)} times that."
-        )
+            return f"The run can decide: {apart}."
+        more = f"To make as much in the run it would have to be wrong by {times(then / now)} times that."
+        return f"The run can decide. This recording does not, {wrong}: {apart}. {more}"
     other = "" if worth.raises(run) else f"; {NO_OTHER}"
     if now > PLAIN:
-        return f"{apart}. {wrong}, and the run need not either{other}."
+        return f"This recording does not decide, and the run need not either, {wrong}: {apart}{other}."
     who = "a formula that is wrong by a few per cent" if then > PLAIN else "noise alone"
-    return f"{apart}. The run need not decide, for {who} can make as much{other}."
+    return f"The run need not decide, for {who} can make as much: {apart}{other}."

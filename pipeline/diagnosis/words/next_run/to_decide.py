@@ -8,14 +8,14 @@ from ...document.content import NextRun, Verdict
 from ..language.quantity import listing, quantity
 from ..language.vocabulary import Vocabulary
 from ..named import effect_table
-from . import care, experiment, parting, worth
+from . import experiment, parting, recorded_so_far, worth
 from .make_sure import DETAILS, RUN
 from .technician import every_load, lasting
 from .tells import SETTLED
 
 LONG = 80  # letters: a title that is told in the details alone
 ALONG = "what went along with it"  # in the recording: another speed and load part them
-SETTLE = "To have it proposed, recorded and weighed for you:"
+SETTLE = "To have it proposed, recorded and weighed for you (without a rig at a serial port leave out --port):"
 
 
 def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
@@ -34,7 +34,8 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
     alone = _alone(words, folders)
     question, others = worth.question(content), "" if short else _not_asked(content, words)
     if worth.decides(run):
-        need = f"Make the run that can decide {question}{others}, if you need to know. {where}"
+        asked = question.replace(": ", ", ")
+        need = f"If you need to know {asked}{others}, make the run that can decide. {where}"
         return [[need, *alone]]
     if worth.raises(run):
         hard = ", the two explanations that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""
@@ -82,5 +83,5 @@ def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     usual = quantity(run["load"], words.load_unit) if run.get("load") else ""
     hung = [load for load in every_load(run, words) if load != usual]
     loads = f"{'other loads' if len(hung) > 1 else 'another load'} ({listing(hung)})" if hung else "another load"
-    demands = ["another speed"] * care.asks_speed(content, words) + [loads] * ("load" in title)
+    demands = ["another speed"] * recorded_so_far.asks_speed(content, words) + [loads] * ("load" in title)
     return f"; it asks for {listing(demands)}" if demands else ""

@@ -1,5 +1,6 @@
 """What a proposed run is expected to tell, and whether it is worth making, in words."""
 
+from ....ground.command import command
 from ...document.content import NextRun, Verdict, proposal
 from ...fit.adopt import NO_USE
 from ...proposal import design
@@ -8,12 +9,17 @@ from ..explanations import probability, rivals
 from ..held_out import in_vain
 from ..language.quantity import number, place_near, size, times, to_tell
 from ..language.vocabulary import Vocabulary
-from . import parting
+from . import parting, recorded_so_far
 
 COMPARED = 4  # explanations that a proposed run is to part
+CARE = {
+    "twice the speed": "Only if the motor can go so fast.",
+    "twice the load": "Only if the rig bears so much.",
+    "another load": "Only if the rig bears so much.",
+}  # by what a title says
 MEANT = (
     "Standard deviations say how far apart the two predictions of the run are, in the noise of the recording. They "
-    "promise too much: in tests such runs settled 33 of 50 ties rightly, 2 wrongly."
+    "promise too much: in tests such runs settled 33 of 50 ties rightly and 2 wrongly, and left 15 open."
 )
 FOLLOWS = "It shows whether what is missing follows {}, as here, or what went along with it."
 WRONG = "Against the noise alone they are far apart, but a formula that is wrong by 10 % could make the same difference"
@@ -137,3 +143,37 @@ def decides(run: NextRun) -> bool:
 def raises(run: NextRun) -> bool:
     """Whether a run is expected to part two explanations further, so far that it can be seen at all."""
     return design.raises(run["gap_now"], run["gap_then"])
+
+
+def under_this_load(run: NextRun, words: Vocabulary) -> str:
+    """The command that looks for a run without another load; nothing where no run of such a rig is looked for."""
+    load = run.get("load")
+    if words.driver != "motor_turns" or not run.get("fixed_load") or not load:
+        return ""
+    hangs = f"{load:.4g}"
+    look = f"{command('settle')} RUN --limits '{{load_n: [{hangs}, {hangs}]}}'"
+    return f" `{look}` looks for one under this load; it says where none does."
+
+
+def care(content: Verdict, words: Vocabulary) -> str:
+    """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
+    run = proposal(content)
+    new = {"speed": recorded_so_far.asks_speed(content, words), "load": recorded_so_far.asks_load(content, words)}
+    changes = {change: text for change, text in CARE.items() if all(new[what] or what not in change for what in new)}
+    caution = next((text for change, text in changes.items() if change in run["title"]), "")
+    if "load" in run["title"] and words.load:
+        cannot = "If your rig cannot change its load, "
+    elif caution:
+        cannot = "If your rig cannot go so fast, "
+    else:
+        return ""
+    if "parts" in run:
+        lost = "the likelier explanations stay tied" if decides(run) else "less is learnt"
+        cannot += f"leave this run out: {lost}."
+        if "load" in run["title"] and words.load:
+            cannot += under_this_load(run, words)
+    else:
+        cannot += (
+            "make the run at the other speed alone: it shows less." if "speed" in run["title"] else "leave it out."
+        )
+    return " ".join(part for part in (caution, cannot) if part)

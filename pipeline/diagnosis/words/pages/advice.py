@@ -3,7 +3,7 @@
 from ....ground.command import program_name
 from ....ground.verdict_text import MAY_ADOPT as MAY
 from ...document.content import Verdict
-from ..held_out import holdout, in_vain
+from ..held_out import holdout, in_vain, unseen
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
@@ -61,7 +61,15 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
     )
     sizes = "" if len(reportable) == len(content["mechanisms"]) else sizes
     other = ", though another explanation may be the right one" if content["verdict"] == "ambiguous" else ""
-    return f"{MAY} this to predict motions like the recorded ones{other}{sizes}."
+    return f"{MAY} this to predict motions like the recorded ones{_errs(content, words)}{other}{sizes}."
+
+
+def _errs(content: Verdict, words: Vocabulary) -> str:
+    """By how much a prediction will err, where that is more than the noise; ends a phrase."""
+    unseen_errors = unseen.errors(content, words)
+    if unseen_errors is None or not unseen.partly(content, words) or holdout.other_name(content):
+        return ""
+    return f" (expect errors of about {size(unseen_errors[2], words.unit)} rms)"
 
 
 def _sizes(content: Verdict, words: Vocabulary) -> str:

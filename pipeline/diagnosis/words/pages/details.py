@@ -24,7 +24,7 @@ from ..language.vocabulary import Vocabulary
 from ..measured import in_run_yaml, to_measure, tolerances
 from ..measured.dimensions import cautions, has_table, suspicious, table
 from ..named import adopted_table, certainty, effect_table, logged, slow_look_alikes
-from ..next_run import care, commands, deciding_run, experiment, make_sure, signs, tells, worth
+from ..next_run import commands, deciding_run, experiment, make_sure, signs, tells, worth
 from ..next_run.run_asked import no_run
 from . import adoption, error_table, report, spikes, to_do, verdict
 from .headline import headline
@@ -50,7 +50,7 @@ def details_text(
         (explanation_table.heading(content), weighed(content, words)),
         (MISSING, [*missing(content, words), *logged.temperature(content, words)]),
         (CLOSEST, closest_ones(content, words)),
-        (error_table.HEADING, error_table.lines(content, words)),
+        (error_table.HEADING, [*error_table.lines(content, words), *spikes.lines(content, words)]),
         ("Dimensions", moved(content, words)),
         (to_do.HEADING, to_do.lines(content, words, folders, out, short=False)),
         (RUN, following(content, words, folders, out)),
@@ -67,7 +67,6 @@ def details_text(
         *verdict.what_first(content, words, verdict.joined([(top, []), *sections])),
         *slow_look_alikes.lines(content, words),
         *suspicious(content),
-        *spikes.lines(content, words),
     ]
     sections.insert(0, (DOUBTS, first))
     all_text = "\n".join([top, *(line for head, lines in sections for line in (head, *lines))])
@@ -152,6 +151,6 @@ def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Pat
         f"{called}; {experiment.lasting(run)} in all." if len(called) <= LONG else f"{experiment.lasting(run)} in all:"
     ]
     lines += [f"  {line}" for line in experiment.steps(run, words, whole(content["evidence"], words))]
-    lines += [care.care(content, words), *tells.lines(content, words)]
+    lines += [worth.care(content, words), *tells.lines(content, words)]
     to_type = commands.lines(folders, out, experiment.loads(run, words))
     return [line for line in (*lines, *commands.block(to_type, folders[-1], words)) if line]

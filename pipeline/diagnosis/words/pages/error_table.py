@@ -10,6 +10,7 @@ from ..held_out.without_name import kept_times
 from ..language.quantity import size
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
+from ..measured import moved_words
 from ..measured.dimensions import far_moved, has_table
 
 HEADING = "How far the simulator is off, rms"
@@ -97,10 +98,9 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
     if kept_times(content, words):  # nobody simulates with adopted effects and the dimensions of run.yaml
         rows = [row for row in rows if row[0] != "nominal"]
     named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
-    first = (
-        "adopted effects, dimensions of run.yaml" if holdout.included(content) else "nominal: dimensions of run.yaml"
-    )
-    moved = "calibrated anew: dimensions moved" if holdout.included(content) else "calibrated: dimensions moved"
+    what = moved_words.what(content)
+    first = f"adopted effects, {what} of run.yaml" if holdout.included(content) else f"nominal: {what} of run.yaml"
+    moved = f"calibrated{' anew' * bool(holdout.included(content))}: {what} moved"
     in_words = {"nominal": first, "calibrated": moved}
     in_words |= {
         "as adopted": "as adopted: effects and dimensions",
@@ -112,7 +112,7 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
     counts = (
         [SINGLE.format(size(single, words.unit), program_name("simulate"), program_name("adopt"))] if single else []
     )
-    return [*cells, *(_of_other(content) if held else [TOO_FEW]), *counts]
+    return [*cells, *(_of_other(content) if held else [TOO_FEW]), *counts, *moved_words.lines(content)]
 
 
 def _of_other(content: Verdict) -> list[str]:

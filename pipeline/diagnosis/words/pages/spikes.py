@@ -12,23 +12,33 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     several = len({entry["run"] for entry in entries}) > 1 or not isinstance(content["run"], str)
     whole = sum(entry["count"] for entry in entries)
+    if whole == 1:
+        (entry,) = entries
+        alone = f"the single sample at {_at(entry)} stands far from its neighbours"
+        return [f"A spike of {_channel(entry, words, several)} does not count: {alone}."]
     each = listing([f"{_many(entry, whole)}of {_of(entry, words, several)}" for entry in entries])
-    head = (
-        "A spike was found, a single sample" if whole == 1 else f"{number(whole, 9)} spikes were found, single samples"
-    )
-    far = "stands far from its neighbours" if whole == 1 else "stand far from their neighbours"
-    return [f"{head} that {far}: {each}. {'It does' if whole == 1 else 'They do'} not count."]
+    far = "single samples that stand far from their neighbours"
+    return [f"{number(whole, 9)} spikes do not count, {far}, {each}."]
 
 
 def _of(entry: Part, words: Vocabulary, several: bool) -> str:
-    """The spikes of one channel of one run; `several`: the runs are more than one, and are named."""
+    """The spikes of one channel with the time stamp of the first."""
+    first = "the first " if entry["count"] > 1 else ""
+    return f"{_channel(entry, words, several)} ({first}at {_at(entry)})"
+
+
+def _channel(entry: Part, words: Vocabulary, several: bool) -> str:
+    """The channel of some spikes; `several`: the runs are more than one, and are named."""
     called = {words.driver: words.motion, words.load: "load"}.get(entry["column"], words.reading)
     inside = f" in {entry['run']}" if several else ""
-    stamp = number(entry["first_s"], 7).replace(",", "")
-    first = "the first " if entry["count"] > 1 else ""
-    return f"the {called}{inside} ({first}at time_s = {stamp})"
+    return f"the {called}{inside}"
+
+
+def _at(entry: Part) -> str:
+    """The time stamp of the first spike of an entry, to a hundredth of a second."""
+    return f"{number(round(entry['first_s'], 2), 12).replace(',', '')} s"
 
 
 def _many(entry: Part, whole: int) -> str:
-    """How many of the spikes are of this channel; nothing of a lonely one."""
-    return "" if whole == 1 else "all " if entry["count"] == whole else f"{number(entry['count'], 9)} "
+    """How many of the spikes are of this channel."""
+    return "all " if entry["count"] == whole else f"{number(entry['count'], 9)} "

@@ -41,14 +41,14 @@ def verdict_text(
         (chances.HEADING, chances.lines(content)),
         (chances.BARE, chances.bare(content, words)),
         ("What is missing", [*missing, *temperature] if missing else []),
-        (error_table.HEADING, error_table.short(content, words)),
+        (error_table.HEADING, [*error_table.short(content, words), *spikes.lines(content, words)]),
         ("Dimensions", [] if kept_times(content, words) else corrected(content, words)),
         (to_do.HEADING, to_do.lines(content, words, folders, out, short=True)),
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
     first = [*what_first(content, words, joined(sections)), *slow_look_alikes.doubts(content, words)]
     first = [shortened(line, LONG) for line in first]
-    sections.insert(1, (DOUBTS, [*doubts, *first, *spikes.lines(content, words)]))
+    sections.insert(1, (DOUBTS, [*doubts, *first]))
     return text(sections, (MORE, []))
 
 

@@ -19,8 +19,8 @@ def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
     text = section(made)
     assert "2 friction_hysteresis + thermal 26 % 0.070 mm (2.3) 0.070 mm" in text
     assert "3 friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 0.070 mm" in text
-    assert "Why less likely than 1: chiefly since it fits the recording worse (2); though a further effect" in text
-    assert "would add less to it: such explanations were right less often" in text and "taught the judge (3)." in text
+    assert "Why less likely than 1: chiefly since it fits the recording worse (no. 2); though a further effect" in text
+    assert "would add less to it: such explanations were right less often" in text and "judge (no. 3)." in text
     assert "5 creep less than 1 % 0.060 mm (2.0)" in text
 
 
@@ -33,8 +33,8 @@ def test_the_reason_that_most_rivals_share_stands_once_and_what_is_hardly_likely
     made["evidence"]["explanations"][4]["because"] = [{"aspect": "size", "log_odds": -0.9, "more": 1.0}]
     text = section(made)
     assert text.count("it fits the recording worse") == 1
-    assert "chiefly since it fits the recording worse (3 and 5)" in text
-    assert "chiefly since it has more effects (4)" in text
+    assert "chiefly since it fits the recording worse (no. 3 and 5)" in text
+    assert "chiefly since it has more effects (no. 4)" in text
     assert "Weighed sample by sample, 1 is nearer to the recording: than 3 by 20 standard deviations." in text
     assert not re.search(r"[^0-9]5 by", text), "hardly likely: its row alone"
     made["evidence"]["explanations"][1]["probability"] = None

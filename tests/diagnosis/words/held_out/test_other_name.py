@@ -63,7 +63,7 @@ def test_of_a_tie_what_is_named_without_the_last_strokes_is_said_to_be_one_of_th
 def test_two_errors_in_one_sentence_are_each_of_the_effects_that_they_are_of() -> None:
     text = told(content(fit__heldout__explained_mm=0.3, evidence__chosen_without_them=["creep"]))
     assert "creep, fitted without the unseen strokes, misses them by 9.6 times the noise (1.3 is the limit); " in text
-    assert "friction_hysteresis + creep, fitted to all, leaves 1.00 times. So too few strokes were seen, or" in text
+    assert "friction_hysteresis + creep, fitted to all, leaves 1.0 times. So too few strokes were seen, or" in text
     assert "those that the fit has seen" not in text
 
 

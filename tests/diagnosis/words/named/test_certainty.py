@@ -30,7 +30,9 @@ AT_LIMIT = {"radius_mm": 3.0}
 def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
     text = " ".join(told(confident(0.93, 0.46)).split())
     held = "The percentages compare explanations of the library in which a dimension may move by three tolerances."
-    more = "How sure an effect is counts each explanation that has it, so it can be more than the 52 % of the best one."
+    more = (
+        "The 93 % of friction_hysteresis is the sum over all explanations with it; the best explanation alone has 52 %."
+    )
     words = "Sure: 80 % or more; probable: 50 % or more, or sure but for what the recording lacks; open: less."
     assert f"{words} {more}" in text and held in text
     assert "friction_hysteresis sure, 93 %" in text and "creep open, 46 %" in text and "thermal open, 31 %" in text

@@ -82,9 +82,10 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     head, row, *rest = moved.splitlines()
     assert head.split("   ")[0].strip() == "dimension" and "calibrated (90 % interval)" in head
     assert re.split(" {2,}", row.strip()) == [
-        "radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.016 mm (2.91 %)", "0.70 times it",
+        "radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.016 mm (2.91 %)", "0.70",
     ]  # fmt: skip
     assert rest == [
+        "  `moved by` counts tolerances.",
         "  Every dimension stays within its tolerance.",
         "  Now in force, as run.yaml writes it: `tolerance: {radius: 0.02909}` (radius is a share of the value: "
         "0.02909 is 2.91 %).",
@@ -138,7 +139,7 @@ def test_effects_that_work_against_each_other_more_are_said_to():
     made = weighed(0.004, 0.06, 0.26, 0.02, 0.52)
     made["evidence"]["explanations"][3]["because"] = [{"aspect": "cancels", "log_odds": -0.9, "more": 0.19565}]
     said = "work against each other more."
-    assert f"{said[:-1]} (2)" in " ".join(told(made).split())
+    assert f"{said[:-1]} (no. 2)" in " ".join(told(made).split())
 
 
 def test_an_effect_without_a_constant_to_report_says_why() -> None:

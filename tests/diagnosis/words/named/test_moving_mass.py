@@ -60,8 +60,8 @@ def test_the_lag_of_a_mass_that_is_known_is_said_as_a_delay() -> None:
 def test_a_dimension_is_said_with_the_digits_of_its_interval_and_lies_in_it() -> None:
     known = {"nominal": 100.0, "value": 110.74, "low": 110.66, "high": 110.9}
     made = {"parameters": {"mass_kg": known}, "evidence": {"tolerance": {"mass_kg": 10.0}}}
-    assert from_to(made, "mass_kg") == ("100 kg", "110.7 kg")
-    assert likely_range(made, "mass_kg") == " (110.7 to 110.9)"
+    assert from_to(made, "mass_kg") == ("100 kg", "110.74 kg")
+    assert likely_range(made, "mass_kg") == " (110.66 to 110.9)"
 
 
 def test_the_interval_in_the_table_keeps_a_digit_more_where_two_would_hide_an_end() -> None:

@@ -17,33 +17,40 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     assert f"It is to tell {pair}." in text
     assert "Hardly worth making: you can skip it." in text
     none = "no other run that was tried in simulation does better"
-    assert f"The run need not decide, for noise alone can make as much; {none}." in text
+    assert f"in this recording; {none}." in text
     made["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
     text = told(copy.deepcopy(made))
     assert re.search(r"\n  friction_hysteresis \+ creep +52 %\n  friction_hysteresis \+ thermal +31 %\n", text)
     assert "These two are the closest of the 4 likeliest explanations." in text
     made["next_run"]["parts"][0].append("wear")
     text = told(copy.deepcopy(made))
-    assert "at work: creep + wear or thermal" in text and "without it report the best explanation as one of 5." in text
+    assert (
+        "at work, creep + wear or thermal" in text
+        and "Without the run report the best explanation as one of 5." in text
+    )
     assert "; the best one differs from both by at least as much." in text
     made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
     made["fit"]["heldout"]["explained_mm"] = 0.95
-    assert "without it report all 5 explanations and adopt none." in told(made)
+    assert "Without the run report all 5 explanations and adopt none." in told(made)
 
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     text = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0))
     gaps = "differ by 69 standard deviations of noise in the run, by 53 in this recording."
-    why = "A formula that is wrong by 10 % could make as much, so this recording does not decide"
-    assert f"{gaps} {why}, and the run need not either." in " ".join(text.split())
+    why = "for a formula that is wrong by 10 % could make as much: over all samples they"
+    first = "This recording does not decide, and the run need not either,"
+    assert f"{first} {why} {gaps}" in " ".join(text.split())
     step = " ".join(text.partition("What to do, in this order")[2].partition("\n\n")[0].split())
-    assert "In tests such runs settled 33 of 50 ties rightly, 2 wrongly." in step, "one number in the step and below it"
+    assert "In tests such runs settled 33 of 50 ties rightly and 2 wrongly, and left 15 open." in step, (
+        "one number in the step and below it"
+    )
     assert "half of such runs" not in text
     text = " ".join(told(content(next_run__gap_now=2809.0, next_run__gap_then=2900.0)).split())
     assert "no other run that was tried in simulation does better." in text and "Hardly worth making" in text
     text = " ".join(told(content(next_run__gap_now=900.0)).split())
-    assert f"73 standard deviations of noise in the run, by 30 in this recording. {why}; to make as much in the" in text
-    assert "run it would have to be wrong by 2.4 times that." in text and "need not" not in text
+    gaps = "differ by 73 standard deviations of noise in the run, by 30 in this recording."
+    assert f"The run can decide. This recording does not, {why} {gaps} To make as much in the run it would" in text
+    assert "have to be wrong by 2.4 times that." in text and "need not" not in text
 
 
 def test_a_run_that_decides_nothing_says_so_before_its_steps():

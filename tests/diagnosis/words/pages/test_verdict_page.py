@@ -155,7 +155,7 @@ def test_every_dimension_of_a_string_says_how_it_is_measured():
 @pytest.mark.parametrize(
     ("then", "said"),
     [
-        (5330.0, "2. Make the run that can decide which is at work: creep or thermal, if you need to know."),
+        (5330.0, "2. If you need to know which is at work, creep or thermal, make the run that can decide."),
         (
             7.0,
             "2. Only if you need to know which is at work: creep or thermal: try the run that tells them apart best.",
@@ -439,7 +439,7 @@ def test_what_calibration_alone_misses_is_not_laid_to_an_explanation_that_was_no
     )  # fmt: skip
     made["evidence"]["floor_mm"] = 0.02
     shown = " ".join(full(made).split())
-    assert f"still missing: {best} leaves 1.50 times the noise of the whole recording (1.3 is the limit)." in shown
+    assert f"still missing: {best} leaves 1.5 times the noise of the whole recording (1.3 is the limit)." in shown
     assert "The 26 times by which the unseen strokes are missed are of calibration alone." in shown
 
 
@@ -477,7 +477,7 @@ def test_what_is_worse_than_the_nominal_simulator_is_not_to_be_adopted():
 
 
 def test_of_a_tie_the_program_is_named_that_makes_the_run_and_weighs_it():
-    assert "for you: python -m pipeline.settle raw/nylon-3 --port PORT" in steps(confident(0.93, 0.38))
+    assert "leave out --port): python -m pipeline.settle raw/nylon-3 --port PORT" in steps(confident(0.93, 0.38))
     assert "pipeline.settle" not in steps(content(**ALONE))
 
 
@@ -610,10 +610,11 @@ def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_
 
 def test_an_effect_that_is_surer_than_its_explanation_says_why():
     made = confident(0.93, 0.96, none=0.22, **ALONE)
-    more = "How sure an effect is counts each explanation that has it, so it can be more than the 52 % of the best one."
+    sums = "The 93 % of friction_hysteresis and the 96 % of creep are the sum over all explanations with each"
+    more = f"{sums}; the best explanation alone has 52 %."
     assert all(more in " ".join(show(copy.deepcopy(made)).split()) for show in (told, page))
     made["evidence"]["explanations"][-1]["probability"] = 0.96
-    assert "it can be more than" not in told(copy.deepcopy(made))
+    assert "the sum over" not in told(copy.deepcopy(made))
     assert "The share of physics that the library lacks was learnt on simulated" in told(made)
     assert "The share of physics that the library lacks" not in told(confident(0.93, 0.96, none=0.01, **ALONE))
 
@@ -787,14 +788,19 @@ def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page():
     assert "spike" not in details(content()) and "spike" not in page()
     first = {"run": "nylon-3", "column": "displacement_mm", "count": 4, "first_s": 12.34567}
     few = content(evidence__spikes=[first, {**first, "column": "motor_turns", "count": 1, "first_s": 1234.5}])
-    told = "5 spikes were found, single samples that stand far from their neighbours: 4 of the displacement (the first "
-    told += "at time_s = 12.34567) and 1 of the twist (at time_s = 1234.5). They do not count."
+    told = (
+        "5 spikes do not count, single samples that stand far from their neighbours, 4 of the displacement (the first "
+    )
+    told += "at 12.35 s) and 1 of the twist (at 1234.5 s)."
     assert told in details(copy.deepcopy(few)) and told in " ".join(page(few).split()), "both alike"
     many = content(evidence__spikes=[first, {**first, "column": "load_n", "count": 2}])
     assert "2 of the load (the first at" in " ".join(page(many).split())
-    assert "neighbours: all of the displacement (the first at" in details(content(evidence__spikes=[first]))
+    assert "neighbours, all of the displacement (the first at" in details(content(evidence__spikes=[first]))
     single = content(evidence__spikes=[{**first, "count": 1}])
-    assert "A spike was found, a single sample that stands far" in details(single)
+    assert "A spike of the displacement does not count: the single sample at 12.35 s stands" in details(
+        copy.deepcopy(single)
+    )
+    assert page(single).index("A spike") > page(copy.deepcopy(single)).index("How far the simulator"), "not first"
 
 
 def test_the_commands_make_a_run_as_the_recorded_one_was_made(tmp_path):
@@ -1009,21 +1015,21 @@ def test_effects_whose_loops_are_far_wider_than_the_recorded_one_are_said_to_can
 
 
 def test_a_proposed_run_says_which_question_it_answers_and_for_which_probable_name_it_is_not():
-    question = "Make the run that can decide which is at work: creep or thermal"
+    question, make = "If you need to know which is at work, creep or thermal", "make the run that can decide."
     said = full_steps(confident(0.72, 0.46))
-    assert f"{question} (it is not there to make the probable friction_hysteresis surer), if you need to know." in said
+    assert f"{question} (it is not there to make the probable friction_hysteresis surer), {make}" in said
     assert "friction_hysteresis: two loads (" in details(confident(0.72, 0.46)).partition("open effects apart")[2]
     sure = full_steps(confident(0.93, 0.46))
-    assert f"{question}, if you need to know." in sure
+    assert f"{question}, {make}" in sure
 
 
 def test_standard_deviations_of_a_proposed_run_say_what_they_count_and_that_names_are_right_less_often():
     text = details(confident(0.93, 0.46)).partition("The run to make next")[2]
     assert "standard deviations" in text
     assert (
-        "Over all samples they differ by 73 standard deviations of noise in the run, by 2.2 in this recording" in text
+        "over all samples they differ by 73 standard deviations of noise in the run, by 2.2 in this recording" in text
     )
-    assert "In tests such runs settled 33 of 50 ties rightly, 2 wrongly; without it" in text
+    assert "in tests such runs settled 33 of 50 ties rightly and 2 wrongly, and left 15 open. Without" in text
 
 
 def test_the_details_ask_for_the_run_that_the_first_step_asks_for():
@@ -1084,4 +1090,6 @@ def test_a_page_calls_a_size_poorly_known_where_its_interval_is_wide_or_it_is_hi
 def test_the_details_number_a_step_where_the_page_does():
     """The page said "1. Make the run", and the details the same step without a number."""
     made = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
-    assert steps(made).startswith("1. Make the run") and full_steps(copy.deepcopy(made)).startswith("1. Make the run")
+    assert steps(made).startswith("1. If you need to") and full_steps(copy.deepcopy(made)).startswith(
+        "1. If you need to"
+    )
