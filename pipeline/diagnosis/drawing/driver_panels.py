@@ -18,18 +18,20 @@ GAP = 4.0  # bins: points further apart are not joined by a line
 STILL_C = 0.1  # a temperature that moves by less is followed by nothing that a sensor shows
 RARE = 0.003  # of the samples: a bin with fewer shows no mean
 TIME, TEMPERATURE = "time (s)", "temperature (°C)"
+MIXED = "load ("  # begins a label: both ways lie in one mean, so that a line would go to and fro between them
 SLOW = (TIME, TEMPERATURE)  # what hardly changes within a stroke
 
 
-def listeners(drivers: Drivers, pitch: float = 0.0) -> dict[str, tuple[Array, Array]]:
+def listeners(drivers: Drivers, pitch: float = 0.0, motion: str = "") -> dict[str, tuple[Array, Array]]:
     """Signals that a residual may follow, by their label, and the samples that count for each.
 
     Both of shape (samples,): the signal in the unit of its label, and a mask. `pitch`, in the motion's unit, is that of
-    a named ripple, or 0.
+    a named ripple, or 0; `motion` is what the page calls the motion.
     """
     everywhere = np.ones(len(drivers.motion), bool)
     moving = np.abs(drivers.rate) > 0.05 * np.abs(drivers.rate).max()
-    units, going, (up, down) = drivers.units, MOTION.get(drivers.units.motion, MOTION[""]), ways(drivers)
+    units, (up, down) = drivers.units, ways(drivers)
+    going = motion or MOTION.get(units.motion, MOTION[""])
     channels = {
         f"{going}, {up} ({units.motion})": (drivers.motion, moving & (drivers.rate > 0)),
         f"{going}, {down} ({units.motion})": (drivers.motion, moving & (drivers.rate < 0)),
@@ -86,7 +88,8 @@ def by_driver(
     middle = 0.5 * (edges[1:] + edges[:-1])[usual]
     even = np.diff(middle).max(initial=0.0) < GAP * (edges[1] - edges[0])  # points far apart are not joined
     means = [np.bincount(bins, weights=each, minlength=number)[usual] / count[usual] for each in residuals.values()]
-    _draw(axes, middle, dict(zip(residuals, means, strict=True)), floor, label, even)
+    joined = even and not label.startswith(MIXED)
+    _draw(axes, middle, dict(zip(residuals, means, strict=True)), floor, label, joined)
 
 
 def by_stroke(
@@ -112,8 +115,12 @@ def by_stroke(
 def _draw(axes: Axes, places: Array, means: dict[str, Array], floor: float, label: str, joined: bool) -> None:
     """Means over their places, by simulator, over the noise floor's band."""
     axes.axhspan(-floor, floor, color=BAND)
-    for name, mean in means.items():
-        axes.plot(places, mean, ".-" if joined else ".", ms=3 if joined else 5, lw=1, color=SHADES[name], label=name)
+    for name, mean, (wide, large) in zip(means, means.values(), ((1.8, 1.6), (0.8, 1.0)), strict=False):
+        size, shade = (
+            large * (3 if joined else 5),
+            SHADES[name],
+        )  # the one that is drawn first stays seen below the other
+        axes.plot(places, mean, ".-" if joined else ".", ms=size, lw=wide, color=shade, label=name)
     axes.set_xlabel(label, fontsize=8)
     axes.tick_params(labelsize=7)
     axes.ticklabel_format(axis="x", useOffset=False)

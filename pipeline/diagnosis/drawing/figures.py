@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Patch
 
 from ...ground.figure_file import write_page
@@ -12,7 +13,7 @@ from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..prediction.simulation import at_its_best_zero
-from ..words.held_out import holdout
+from ..words.held_out import holdout, unseen
 from ..words.held_out.holdout import closest, heading, included, other_name, settled_otherwise
 from ..words.held_out.unseen import noises
 from ..words.language.quantity import listing
@@ -29,21 +30,25 @@ from .panels import AFTER
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
 TOGETHER = "\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}"  # a line breaks between explanations, not within
+STILL_MISSING = "explained, but something is still missing"  # as the first line of the page says it
 MOST, WIDEST = 6, 130  # panels of drivers, and letters in a line of the mark
+WITHIN = (0.012, 0.0, 0.976, 1.0)  # of the page, from the left and from below: no label touches its edge
 WIDE = 100  # characters of a line of the title
 
 
-def title(content: Verdict, holds: bool = False) -> str:
+def title(content: Verdict, holds: bool = False, misses: bool = False) -> str:
     """The verdict in at most two lines, none longer than the page is wide: the best explanation, how many more tie.
 
-    `holds`: what run.yaml has adopted still explains the recording.
+    `holds`: what run.yaml has adopted still explains the recording; `misses`: something is still missing.
     """
     runs = [content["run"]] if isinstance(content["run"], str) else content["run"]
     name = " + ".join(runs)
     if len(name) > WIDE // 2:
         name = runs[0] if len(runs) == 1 else f"{runs[0]} and {len(runs) - 1} more"
     unsettled = content["verdict"] == "explained" and settled_otherwise(content)
-    head, held = f"{name}: {NOT_SETTLED if unsettled else content['verdict']}", included(content)
+    partly = content["verdict"] == "explained" and misses
+    word = NOT_SETTLED if unsettled else STILL_MISSING if partly else content["verdict"]
+    head, held = f"{name}: {word}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
     kept = _kept(content, held)
     if holds and len(f"{name}: {kept}") <= WIDE:
@@ -117,19 +122,24 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
         adopted = as_adopted(study, content)
         if adopted is not None:  # nobody simulates with adopted effects and the dimensions of run.yaml
             simulations = {"calibrated": simulations["calibrated"], "as adopted": adopted}
+        elif study.closest:
+            simulations[panels.CLOSEST] = problem.simulate(study.closest)
     residuals = {name: problem.measured - values for name, values in list(simulations.items())[-2:]}
-    figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout="constrained")
+    figure = Figure(figsize=SIZE_INCHES, dpi=DOTS, layout=ConstrainedLayoutEngine(rect=WITHIN))
     vocabulary = Vocabulary.of(problem.system)
-    figure.suptitle(title(content, still_holds(content, vocabulary)), fontsize=11)
+    figure.suptitle(title(content, still_holds(content, vocabulary), unseen.partly(content, vocabulary)), fontsize=11)
     warned = "\n".join(filter(None, (textwrap.fill(mark, WIDEST), warning(content, vocabulary))))
     rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.6 + 0.6 * drivers.loaded, 2.7, 3.6, 2.9]))
     top, maps, middle, bottom = rows
     if warned:
         top.suptitle(warned, fontsize=8.5, color=AFTER)
-    overview(top, drivers, problem.measured, simulations, problem.system.channel.rpartition("_")[0])
+    before = content.get("without_last_strokes")
+    seen_s = before["seen_s"] if before else None
+    overview(top, drivers, problem.measured, simulations, vocabulary.reading, seen_s)
     for axes, (name, residual) in zip(maps.subplots(1, 2, sharey=True), residuals.items(), strict=True):
         limit = max(float(np.nanpercentile(np.abs(map_of(drivers, residual)[0]), 98)), 2.0 * floor)
-        image = mismatch_map(axes, drivers, residual, f"recording − simulation, {name} (own scale)", limit)
+        called = f"Recording − simulation, {name} (own scale)"
+        image = mismatch_map(axes, drivers, residual, called, limit, vocabulary.motion)
         maps.colorbar(image, ax=axes, label=unit, pad=0.01)
     signs = map_signs(drivers, simulations["calibrated"])
     maps.legend(handles=signs, loc="outside lower center", ncols=len(signs), fontsize=7, frameon=False)
@@ -143,7 +153,7 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     ripple = next(
         (own["pitch_turns"] for act in study.state.acts for own in act.nonlinear if "pitch_turns" in own), 0.0
     )
-    followed = list(driver_panels.listeners(drivers, ripple).items())[:MOST]
+    followed = list(driver_panels.listeners(drivers, ripple, vocabulary.motion).items())[:MOST]
     grid = driver_panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
         slow = label in driver_panels.SLOW
@@ -152,7 +162,7 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
         kept = {name: residual[counts] for name, residual in residuals.items()}
         period = ripple if signal is drivers.motion else 0.0
         driver_panels.by_driver(axes, signal[counts], kept, floor, label, period)
-    handles = [*grid[0].get_lines()[:2], Patch(color=panels.BAND, label=f"± {compared}")]
+    handles = [*grid[0].get_lines()[:2], Patch(fc=panels.BAND, ec="0.6", lw=0.5, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
-    bottom.suptitle(f"mean residual by driver ({unit})", fontsize=9)
+    bottom.suptitle(f"Mean residual by driver ({unit})", fontsize=9)
     return figure

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from ..recording.working_samples import PHASES
+from ..words.language.quantity import at
 from .panels import BINS, MOTION, ways
 
 EMPTY = "0.8"  # the grey of a cell without samples: white is a residual of 0
@@ -55,10 +56,10 @@ def map_signs(drivers: Drivers, residual: Array) -> list[Artist]:
     return signs
 
 
-def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limit: float) -> Any:
+def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limit: float, motion: str = "") -> Any:
     """The map of a residual; returns the image, for its colour bar.
 
-    It has the shape (samples,), in the reading's unit, as `limit` is.
+    It has the shape (samples,), in the reading's unit, as `limit` is. `motion` is what the page calls it.
     """
     mean, strokes, edges = map_of(drivers, residual)
     image = axes.imshow(mean, aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, interpolation="nearest",
@@ -68,12 +69,12 @@ def mismatch_map(axes: Axes, drivers: Drivers, residual: Array, title: str, limi
     for first in begins_of_runs(drivers):
         axes.axhline(first - 0.5, **BREAK)
     up, down = ways(drivers)
-    low, high = (f"{edge:.3g}" if abs(edge) > 1e-3 * np.ptp(edges) else "0" for edge in (edges[0], edges[-1]))
+    low, high = (at(float(edge), "", float(np.ptp(edges))) for edge in (edges[0], edges[-1]))  # as the page says them
     axes.set_xticks(
         [0, BINS / 2, BINS, 3 * BINS / 2, 2 * BINS],
         [low, f"{up} →", high, f"→ {down}", low],
     )
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     unit = drivers.units.motion
-    axes.set(title=title, xlabel=f"{MOTION.get(unit, MOTION[''])} ({unit})", ylabel="stroke")
+    axes.set(title=title, xlabel=f"{motion or MOTION.get(unit, MOTION[''])} ({unit})", ylabel="stroke")
     return image

@@ -10,18 +10,24 @@ from ...ground.kinematics import Array
 from ..choice.outcome import rms
 from ..recording.drivers import Drivers
 from ..words.language.quantity import listing, size
-from .panels import SHADES, over_time
+from .panels import SHADES
 
+SHADE, UNSEEN = "#f4ecd8", "shaded: the strokes that are left out for the error on unseen strokes"
 SEEN = 0.02  # of the recording's range: a simulator that never leaves it by more would lie on it, and is not drawn
 APART = 0.2  # of the range of a run: zeros of runs that differ by more would squash the strokes
 WIDE = 4.0  # times the largest other residual: a wider one would squash the others, and is told as a number
+NEARLY = 90.0  # percentile: a line that leaves another one in a few samples alone lies under it
 LEAST, MOST = 1.0, 99.0  # percentiles: of the readings of a run, for its lowest; of what a simulator leaves
 
 
-def overview(part: SubFigure, drivers: Drivers, measured: Array, simulations: dict[str, Array], reading: str) -> None:
+def overview(
+    part: SubFigure, drivers: Drivers, measured: Array, simulations: dict[str, Array], reading: str,
+    seen_s: list[float] | None = None,
+) -> None:  # fmt: skip
     """Draw the panels; the last two of `simulations` are those whose residuals the other panels show.
 
-    Each array has the shape (samples,), in the reading's unit; `reading` is what the reading is called.
+    Each array has the shape (samples,), in the reading's unit; `reading` is what the reading is called, and
+    `seen_s` how much of each run the fit had without the last strokes, from its begin; None where none were left out.
     """
     loaded, unit = drivers.loaded, drivers.units.reading
     heights = [2.0, 1.4, 0.6] if loaded else [2.0, 1.2]
@@ -29,7 +35,10 @@ def overview(part: SubFigure, drivers: Drivers, measured: Array, simulations: di
     zeros, whence = own_zeros(drivers, measured)
     shown = seen(measured, simulations)
     lines: dict[str, tuple[Array, dict[str, Any]]] = {"recording": (measured - zeros, {"color": "0.1", "lw": 2.4})}
-    lines |= {name: (simulations[name] - zeros, {"color": SHADES[name], "lw": 0.8}) for name in shown}
+    wide = {name: 1.4 if name == "calibrated" else 0.8 for name in shown}  # what lies below stays seen
+    lines |= {name: (simulations[name] - zeros, {"color": SHADES[name], "lw": wide[name]}) for name in shown}
+    panels = [over, under, *rest]
+    unseen = {axes: unseen_part(axes, drivers, seen_s or []) for axes in panels}
     over_time(over, drivers, lines, f"{reading} ({unit}){whence}")
     hidden = [name for name in simulations if name not in shown]
     if hidden:
@@ -42,6 +51,35 @@ def overview(part: SubFigure, drivers: Drivers, measured: Array, simulations: di
         over_time(axes, drivers, {"load": (load, {"color": "0.1", "lw": 0.8})}, f"load ({drivers.units.load})")
         axes.get_legend().remove()
     (rest or [under])[-1].set_xlabel("time (s)")
+    if unseen[over]:
+        under.set_title(UNSEEN, fontsize=7, loc="left")
+
+
+def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:
+    """Channels over time, thinned to what a page can show.
+
+    Each channel has the shape (samples,), in the unit that its label says.
+    """
+    step = max(1, len(drivers.time_s) // 5000)
+    show, breaks = slice(None, None, step), -(-drivers.breaks // step)  # no line leads from run to run
+    time_s = np.insert(drivers.elapsed_s[show], breaks, np.nan)
+    for name, (values, style) in lines.items():
+        axes.plot(time_s, np.insert(values[show], breaks, np.nan), label=name, **style)
+    axes.set(xlim=(0.0, drivers.elapsed_s[-1]))
+    axes.set_ylabel(label, fontsize=8)  # panels are low: larger ones would touch
+    axes.legend(fontsize=7, ncols=len(lines), loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False)
+
+
+def unseen_part(axes: Axes, drivers: Drivers, seen_s: list[float]) -> bool:
+    """Shade what the fit has not seen where the last strokes are left out; whether there is any."""
+    parts = drivers.run_parts()
+    shaded = False
+    for part, until_s in zip(parts, seen_s if len(seen_s) == len(parts) else [], strict=False):
+        time_s = drivers.elapsed_s[part]
+        if time_s[0] + until_s < time_s[-1]:
+            axes.axvspan(time_s[0] + until_s, time_s[-1], color=SHADE, lw=0, zorder=0)
+            shaded = True
+    return shaded
 
 
 def own_zeros(drivers: Drivers, measured: Array) -> tuple[Array, str]:
@@ -68,7 +106,17 @@ def seen(measured: Array, simulations: dict[str, Array]) -> list[str]:
     least = SEEN * float(np.ptp(measured))
     *_, last = simulations
     most = {name: float(np.percentile(np.abs(measured - values), MOST)) for name, values in simulations.items()}
-    return [name for name in simulations if name == last or most[name] > least]
+    shown = [name for name in simulations if name == last or most[name] > least]
+    return [
+        name
+        for place, name in enumerate(shown)
+        if not any(_alike(simulations[name], simulations[later], least) for later in shown[place + 1 :])
+    ]
+
+
+def _alike(values: Array, others: Array, least: float) -> bool:
+    """Whether nearly everywhere the line of some values would lie under that of others, both of shape (samples,)."""
+    return bool(np.percentile(np.abs(values - others), NEARLY) <= least)
 
 
 def _residuals(axes: Axes, drivers: Drivers, residuals: dict[str, Array], unit: str) -> None:

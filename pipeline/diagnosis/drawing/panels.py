@@ -3,14 +3,12 @@
 from textwrap import fill
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-from ...ground.kinematics import Array
 from ..document.content import Part, Verdict, left_with_discrepancy
 from ..recording.drivers import Drivers
 from ..words.explanations import explanation_table, probability, rivals
@@ -19,9 +17,10 @@ from ..words.language.quantity import percent, size, times
 from ..words.language.vocabulary import directions
 
 BEFORE, AFTER, TIED, OTHER, MORE = "#2166ac", "#b2182b", "#ef8a62", "0.65", "0.85"
-COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "light grey"}  # as the docs say them
-SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER}  # of the simulators
-BAND = "0.92"  # the noise
+COLOUR = {BEFORE: "blue", AFTER: "red", TIED: "orange", OTHER: "grey", MORE: "a grey ring"}  # as the docs say them
+CLOSEST = "closest, no name"  # what predicts the rig where nothing is named
+SHADES = {"nominal": OTHER, "calibrated": BEFORE, "as diagnosed": AFTER, "as adopted": AFTER, CLOSEST: TIED}
+BAND = "0.87"  # the noise
 BINS = 24
 TITLE_WIDE, LEGEND_WIDE = 34, 30  # characters
 HIGHEST = 0.65  # of an axis' height: where the largest error on unseen strokes stands at most
@@ -37,27 +36,14 @@ STANDINGS = {
 }  # of an explanation: its colour, and what that means
 KEPT = ("named", "tied")  # the rows that stand first
 ADOPTED_ALONE, ADOPTED_ROW = "what is adopted, and calibration", "{} (adopted)"  # in place of calibration alone
+STAND_IN = "x_…: fits the data, and is no physics of the library"
+AS_GOOD = "fits too if formulas err by 10 %"  # beside what its diamond has at the noise
 MORE_ALONE = "with a further effect that adds too little"  # where nothing is named
 UNLIKELY, WORSE = "less likely", "fits worse"  # where the details have no table of them, and where nobody is likely
 NOT_NAMED = "leaves least, and is not named"  # where none has to be
 WITH_DISCREPANCY = "left if each effect may differ from its formula by 10 %"
-NO_MORE = "one more effect: none takes enough away"  # on a run that has adopted effects
+NO_MORE = "One more effect: none takes enough away"  # on a run that has adopted effects
 MOTION = {"turns": "twist", "deg": "angle", "rad": "angle", "m": "position", "mm": "position", "": "motion"}  # by unit
-
-
-def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:
-    """Channels over time, thinned to what a page can show.
-
-    Each channel has the shape (samples,), in the unit that its label says.
-    """
-    step = max(1, len(drivers.time_s) // 5000)
-    show, breaks = slice(None, None, step), -(-drivers.breaks // step)  # no line leads from run to run
-    time_s = np.insert(drivers.elapsed_s[show], breaks, np.nan)
-    for name, (values, style) in lines.items():
-        axes.plot(time_s, np.insert(values[show], breaks, np.nan), label=name, **style)
-    axes.set(xlim=(0.0, drivers.elapsed_s[-1]))
-    axes.set_ylabel(label, fontsize=8)  # panels are low: larger ones would touch
-    axes.legend(fontsize=7, ncols=len(lines), loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False)
 
 
 def ways(drivers: Drivers) -> tuple[str, str]:
@@ -82,12 +68,18 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
         passed_over = ("beaten", "not needed")
         listed = [each for each in all_explanations if each["standing"] not in passed_over or each in in_table]
     others = [explanation for explanation in listed if not adopted & set(explanation["ids"])]
-    shown = sorted(others, key=lambda each: (each["standing"] in KEPT, each.get("probability") or 0.0))  # from below
+    unknown = content.get("verdict") == "unknown"
+    shown = sorted(
+        others, key=lambda each: (bool(each["ids"]), each["standing"] in KEPT, each.get("probability") or 0.0)
+    )  # from below
     floor = content["evidence"][f"floor_{ending}"]
     left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
-    colours = [STANDINGS[explanation["standing"]][0] for explanation in shown]
+    standing_of = [_standing(each, shown[-1], unknown) for each in shown]
+    colours = [STANDINGS[standing][0] for standing in standing_of]
+    faces = ["white" if colour == MORE else colour for colour in colours]
+    edges = [OTHER if colour == MORE else colour for colour in colours]
     axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
-    axes.scatter(left, range(len(shown)), c=colours, s=55, zorder=2.5)
+    axes.scatter(left, range(len(shown)), c=faces, edgecolors=edges, linewidths=1.5, s=48, zorder=2.5)
     with_discrepancy = [
         min(left_with_discrepancy(explanation, ending) / floor, rms)
         for explanation, rms in zip(shown, left, strict=True)
@@ -101,20 +93,28 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     axes.set_yticks(range(len(shown)), names, fontsize=7)
     for place, (explanation, rms) in enumerate(zip(shown, left, strict=True)):
         beside = briefly(explanation) or (probability.not_weighed(explanation["ids"]) if weighed else "")
+        too = explanation["ids"] and decide and not weighed and with_discrepancy[place] <= rivals.NOISY < rms
+        beside = beside or AS_GOOD * bool(too and explanation["standing"] not in KEPT)
         axes.text(1.15 * max(rms, 1.0), place, beside, va="center", fontsize=6.5, color="0.3")  # never over its bar
     line = axes.axvline(1.0, color="k", ls="--", lw=0.8)
-    shown_standings = {explanation["standing"] for explanation in shown}
+    shown_standings = set(standing_of)
     standings = [name for name in STANDINGS if name in shown_standings]
     meanings = {name: STANDINGS[name][1] for name in STANDINGS}
     meanings |= {"nothing": ADOPTED_ALONE} if adopted else {}
     meanings |= {} if "named" in shown_standings else {"not needed": MORE_ALONE}
-    unknown = content.get("verdict") == "unknown"
     meanings |= {"beaten": UNLIKELY if weighed else WORSE} if unknown or not weighed else {}
     meanings |= {} if unknown else {"not enough": NOT_NAMED}
-    handles: list[Any] = [Patch(color=STANDINGS[name][0], label=meanings[name]) for name in standings]
+    handles: list[Any] = [
+        Line2D([], [], ls="", marker="o", ms=6, mfc="white", mec=OTHER, mew=1.5, label=meanings[name])
+        if STANDINGS[name][0] == MORE
+        else Patch(color=STANDINGS[name][0], label=meanings[name])
+        for name in standings
+    ]
     if decide:
         handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=WITH_DISCREPANCY))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
+    if any(id_.startswith("x_") for explanation in shown for id_ in explanation["ids"]):
+        handles.append(Line2D([], [], ls="", label=STAND_IN))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
     axes.set(
         xscale="log",
@@ -123,8 +123,14 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     )
     plain(axes.xaxis)
     no_more = bool(content.get("simulation")) and not shown_standings & {"named", "tied", "not enough"}
-    title = NO_MORE if no_more else f"explanations: what each leaves{', and its probability' * weighed}"
+    title = NO_MORE if no_more else f"Explanations: what each leaves{', and its probability' * weighed}"
     axes.set_title(title, fontsize=10)
+
+
+def _standing(explanation: Part, first: Part, unknown: bool) -> str:
+    """How an explanation fared, as its colour says it: where nothing is named only the `first` is the best there is."""
+    of_others = unknown and explanation["standing"] == "not enough" and explanation is not first
+    return "beaten" if of_others else str(explanation["standing"])
 
 
 def plain(axis: Axis) -> None:
@@ -161,10 +167,10 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    below = "closest,\nno name" if closest else "named\nwithout" if without else NAMED.replace(" ", "\n")
+    below = CLOSEST.replace(" ", "\n", 1) if closest else "named\nwithout" if without else NAMED.replace(" ", "\n")
     lines = 0
     if any(hollow):
-        which = f"closest, no name: {closest}" if closest else f"named without these strokes: {without}"
+        which = f"{CLOSEST}: {closest}" if closest else f"named without these strokes: {without}"
         axes.plot(
             [], [], ls=":", marker="o", ms=5, mfc="white", color=colours[-1], label=(label := fill(which, LEGEND_WIDE))
         )

@@ -125,7 +125,7 @@ def test_where_nothing_is_named_nothing_is_drawn_twice_and_no_legend_names_what_
         )
         assert panels.AFTER not in [line.get_color() for line in lines]
     assert [axes.get_title() for axes in maps.axes if axes.images] == [
-        f"recording − simulation, {name} (own scale)" for name in names
+        f"Recording − simulation, {name} (own scale)" for name in names
     ]
     assert [text.get_text() for text in bottom.legends[0].get_texts()][:2] == names
     _, axes = plt.subplots()
@@ -277,7 +277,7 @@ def test_each_map_has_the_scale_of_its_own_residual(drawn) -> None:
     assert len(limits) == 2 and limits[1] < limits[0]
     maps = [axes for axes in figure.subfigs[1].axes if axes.images]
     assert [axes.get_title() for axes in maps] == [
-        f"recording − simulation, {name} (own scale)" for name in ("calibrated", "as diagnosed")
+        f"Recording − simulation, {name} (own scale)" for name in ("calibrated", "as diagnosed")
     ]
     assert [label.get_text() for label in maps[0].get_xticklabels()][1::2] == ["winding →", "→ unwinding"]
 
@@ -329,12 +329,12 @@ def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_wher
     panels.ranking(axes, content, "mm")
     said = " ".join(text.get_text() for text in axes.get_legend().get_texts())
     assert ("left if each effect may differ from its formula by 10 %" in said) is not below
-    assert axes.get_title() == "one more effect: none takes enough away"
+    assert axes.get_title() == "One more effect: none takes enough away"
     drawn_ = [label.get_text() for label in axes.get_yticklabels()]
     assert drawn_ == ["slack (adopted)", "wear", "creep"], "what is adopted already is no further effect"
     assert "what is adopted, and calibration" in said and "no mechanism" not in said
     panels.ranking(axes, content | {"simulation": []}, "mm")
-    assert axes.get_title() == "explanations: what each leaves"
+    assert axes.get_title() == "Explanations: what each leaves"
 
 
 def test_a_run_whose_adopted_effects_do_not_fit_its_dimensions_is_warned_of_above_the_figure(drawn) -> None:
@@ -431,4 +431,70 @@ def test_kept_explanations_stand_first_and_no_word_lies_over_its_bar() -> None:
     assert [label.get_text() for label in axes.get_yticklabels()] == ["stick_slip", "wear", "creep"]
     assert [text.get_text() for text in axes.texts] == [probability.NO_MARK, "40 %", "30 %"]
     assert axes.texts[2].get_position()[0] > 1.0, "its bar goes from 1, the noise, to 0.6"
+    plt.close("all")
+
+
+ONE = {"left_mm": 0.1, "bent_mm": 0.1, "probability": None}
+
+
+def ranked(verdict, *rows):
+    """The axes of the ranking, each row of ids, standing, what it leaves, and that with a discrepancy."""
+    shown = [
+        {**ONE, "ids": ids, "standing": standing, "left_mm": left, "bent_mm": bent}
+        for ids, standing, left, bent in [([], "nothing", 1.0, 1.0), *rows]
+    ]
+    _, axes = plt.subplots()
+    evidence = {"explanations": shown, "floor_mm": 0.1, "calibrated_mm": 1.0}
+    panels.ranking(axes, {"evidence": evidence, "mechanisms": [], "verdict": verdict}, "mm")
+    return axes
+
+
+def test_only_the_closest_of_an_unknown_mismatch_is_the_best_there_is() -> None:
+    """Two points, at 1.1 and 11 times the noise, were `the best there is, and not enough`."""
+    axes = ranked("unknown", (["slack"], "not enough", 0.9, 0.9), (["creep"], "not enough", 0.11, 0.11))
+    edges = [tuple(colour[:3]) for colour in axes.collections[1].get_edgecolors()]
+    orange, grey = (plt.matplotlib.colors.to_rgb(colour) for colour in (panels.TIED, panels.OTHER))
+    assert edges[1:] == [pytest.approx(grey), pytest.approx(orange)]
+    plt.close("all")
+
+
+def test_calibration_alone_is_the_last_row_and_rivals_that_fit_with_a_small_error_say_so() -> None:
+    rows = [(["end_stop"], "beaten", 1.2, 1.2), (["wear"], "beaten", 0.2, 0.1), (["creep"], "named", 0.1, 0.1)]
+    axes = ranked("explained", *rows)
+    names = [label.get_text() for label in axes.get_yticklabels()]
+    assert names[0] == "calibration alone" and names[-1] == "creep", "from below"
+    beside = dict(zip(names, [text.get_text() for text in axes.texts], strict=True))
+    assert beside["wear"] == panels.AS_GOOD and not beside["end_stop"] and not beside["creep"]
+    assert not any("x_" in text.get_text() for text in axes.get_legend().get_texts())
+    axes = ranked("explained", *rows, (["x_wave"], "beaten", 0.9, 0.9))
+    assert panels.STAND_IN in [text.get_text() for text in axes.get_legend().get_texts()]
+    plt.close("all")
+
+
+def test_a_further_effect_is_a_ring_and_no_second_grey() -> None:
+    axes = ranked("explained", (["creep", "wear"], "not needed", 0.1, 0.1), (["creep"], "named", 0.1, 0.1))
+    faces = axes.collections[1].get_facecolors()
+    assert tuple(faces[1][:3]) == (1.0, 1.0, 1.0) and tuple(faces[2][:3]) != (1.0, 1.0, 1.0)
+    plt.close("all")
+
+
+def test_a_load_panel_joins_no_means_of_both_ways(problem) -> None:
+    _, axes = plt.subplots()
+    load = np.linspace(0.0, 1.0, 5000)
+    for label, marker in (("load (N)", "None"), ("rate (turns/s)", "-")):
+        axes.clear()
+        driver_panels.by_driver(axes, load, {"calibrated": load}, 0.1, label)
+        assert axes.get_lines()[0].get_linestyle() == marker
+    plt.close("all")
+
+
+def test_maps_begin_where_the_page_says_and_are_called_as_there(problem) -> None:
+    """An axis began at 0.938 turns, and another at -0.029."""
+    _, axes = plt.subplots()
+    span = float(np.ptp(problem.drivers.motion))
+    drivers = replace(problem.drivers, motion=problem.drivers.motion - problem.drivers.motion.min() - 0.0017 * span)
+    mismatch_map.mismatch_map(axes, drivers, problem.measured, "map", 1.0, "motor angle")
+    assert axes.get_xticklabels()[0].get_text() == "0" and axes.get_xlabel().startswith("motor angle (")
+    names = driver_panels.listeners(problem.drivers, motion="motor angle")
+    assert any(name.startswith("motor angle, winding") for name in names)
     plt.close("all")

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import matplotlib.pyplot as plt
 import numpy as np
+import pytest
 from matplotlib.figure import Figure
 
 from pipeline.diagnosis.drawing import overview, panels
@@ -83,3 +84,30 @@ def test_the_labels_of_the_panels_over_time_do_not_touch(studied) -> None:
     figure.draw_without_rendering()
     boxes = [axes.yaxis.label.get_window_extent() for axes in part.axes]
     assert len(boxes) == 3 and all(above.y0 > below.y1 for above, below in itertools.pairwise(boxes))
+
+
+def test_a_simulator_that_lies_under_a_later_one_is_named_and_not_drawn(studied) -> None:
+    """Nominal stood in the legend of a figure that did not show it."""
+    problem = studied("creep")[0].problem
+    measured = problem.measured
+    away = measured + 0.3 * np.ptp(measured)
+    axes, (above, _) = drawn(
+        problem.drivers, measured, {"nominal": away + 1e-4, "calibrated": away, "as diagnosed": measured}
+    )
+    assert above == ["recording", "calibrated", "as diagnosed"]
+    assert axes[0].get_title(loc="left") == "not drawn, for it would lie on these lines: nominal"
+    plt.close("all")
+
+
+def test_the_strokes_that_no_fit_has_seen_are_shaded(studied) -> None:
+    problem = studied("creep")[0].problem
+    end_s = float(problem.drivers.elapsed_s[-1])
+    part = Figure().subfigures(1, 1)
+    simulations = {"nominal": problem.measured + 1.0, "calibrated": problem.measured}
+    overview.overview(part, problem.drivers, problem.measured, simulations, "displacement", [0.7 * end_s])
+    for axes in part.axes:
+        (shade,) = axes.patches
+        assert shade.get_x() == pytest.approx(0.7 * end_s) and shade.get_width() == pytest.approx(0.3 * end_s)
+    assert part.axes[1].get_title(loc="left") == overview.UNSEEN
+    axes, _ = drawn(problem.drivers, problem.measured, simulations)
+    assert not any(panel.patches or panel.get_title(loc="left") for panel in axes[1:]), "none were left out"

@@ -41,3 +41,11 @@ def test_a_title_says_that_a_name_is_not_settled_as_the_page_does():
     }  # fmt: skip
     assert title(made) == "a-1: explained, but not settled\ncreep"
     assert title(made | {"evidence": {"chosen_without_them": ["creep"]}}) == "a-1: explained\ncreep"
+
+
+def test_a_title_says_that_something_is_missing_as_the_page_does():
+    """`explained` stood above a figure whose page said `explained, but something is still missing`."""
+    made = {"run": "a-1", "verdict": "explained", "mechanisms": [{"id": "creep"}], "alternatives": []}
+    made |= {"evidence": {}, "fit": {"heldout": None}}
+    assert title(made, misses=True) == "a-1: explained, but something is still missing\ncreep"
+    assert title(made) == "a-1: explained\ncreep"

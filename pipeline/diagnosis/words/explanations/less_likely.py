@@ -90,9 +90,9 @@ def _nearly_as_good(rows: Numbered, words: Vocabulary) -> list[str]:
     """Of what leaves hardly more than the best one: by what it is worse all the same, or why it does not count."""
     left = f"left_{words.ending}"
     nearer, balanced, unweighed = list[str](), list[int](), list[int]()
-    some = any(each.get("probability") is not None for each in rows.values())
+    weighed = any(each.get("probability") is not None for each in rows.values())
     for number, each in rows.items():
-        if some and each.get("probability") is None and not each.get("balanced"):
+        if weighed and each.get("probability") is None and not each.get("balanced"):
             unweighed.append(number)
             continue
         if each["standing"] != "beaten" or each[left] > rivals.ALIKE * rows[1][left]:

@@ -9,7 +9,7 @@ from . import left_out
 
 HELD_STANDINGS = ("named", "tied")
 LARGER_LEAVES_LESS = "the same effects with one more leave less of the recording"  # of a probability of 0
-NO_MARK, ENOUGH_OTHERS = "no percentage: the recording lacks its sign", "no percentage: others of its size fit better"
+NO_MARK, ENOUGH_OTHERS = "no percentage: its sign is missing", "no percentage: others fit better"
 SEEN = 0.005  # a probability that is worth a word
 WORTH = 0.05  # a share of physics that the library lacks, from which on a reader asks why
 OF_NONE = (

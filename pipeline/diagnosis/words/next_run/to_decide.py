@@ -34,8 +34,8 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
     alone = _alone(words, folders)
     question, others = worth.question(content), "" if short else _not_asked(content, words)
     if worth.decides(run):
-        asked = question.replace(": ", ", ")
-        need = f"If you need to know {asked}{others}, make the run that can decide. {where}"
+        within_a_sentence = question.replace(": ", ", ")
+        need = f"If you need to know {within_a_sentence}{others}, make the run that can decide. {where}"
         return [[need, *alone]]
     if worth.raises(run):
         hard = ", the two explanations that are hardest to tell apart" if len(content["alternatives"]) > 1 else ""

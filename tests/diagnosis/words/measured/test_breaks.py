@@ -10,7 +10,7 @@ from made_recording import BASE, content, motion
 from matplotlib.figure import Figure
 
 from pipeline.diagnosis import in_memory
-from pipeline.diagnosis.drawing import panels
+from pipeline.diagnosis.drawing import overview
 from pipeline.diagnosis.facts.mechanism_entries import recorded_about
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.mechanisms.shared_laws import happens_within, jump_mark
@@ -87,7 +87,7 @@ def test_no_slip_is_looked_for_in_a_break_and_no_jump_is_seen_there(changed) -> 
 def test_no_line_of_the_figure_leads_across_a_break(changed) -> None:
     drivers = changed[1].problem.drivers
     axes = Figure().subplots()
-    panels.over_time(axes, drivers, {"recording": (drivers.motion, {"color": "k"})}, "turns")
+    overview.over_time(axes, drivers, {"recording": (drivers.motion, {"color": "k"})}, "turns")
     time_s = axes.get_lines()[0].get_xdata()
     gaps = np.diff(time_s)
     assert np.isnan(time_s).sum() == 1 and np.nanmax(gaps) < 1.0 < np.diff(drivers.elapsed_s).max()
