@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
+from ...ground.outside import is_outside
 from ..document.content import Part, Verdict, left_with_discrepancy
 from ..recording.drivers import Drivers
 from ..words.explanations import explanation_table, probability, rivals
@@ -113,7 +114,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     if decide:
         handles.append(Line2D([], [], ls="", marker="D", ms=3.5, mfc="white", mec="k", mew=0.7, label=WITH_DISCREPANCY))
     handles.append(Line2D([], [], color=line.get_color(), ls="--", lw=0.8, label=noise))
-    if any(id_.startswith("x_") for explanation in shown for id_ in explanation["ids"]):
+    if any(is_outside(id_) for explanation in shown for id_ in explanation["ids"]):
         handles.append(Line2D([], [], ls="", label=STAND_IN))
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
     axes.set(

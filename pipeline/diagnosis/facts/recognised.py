@@ -5,6 +5,7 @@ Nothing here decides: the verdict is already made.
 
 import math
 
+from ...ground.outside import is_outside
 from ..choice.outcome import Study
 from ..numerics.recogniser import DOUBT, OF_ALL, OF_EXPLANATION
 
@@ -16,7 +17,7 @@ def recognised(study: Study) -> dict[str, dict[str, float]]:
         return {}
     own = OF_EXPLANATION[0]
     singles = {each.ids[0]: each.signs[own] for each in weighed if len(each.ids) == 1 and own in each.signs}
-    shares = {id_: _share(sign) for id_, sign in singles.items() if not id_.startswith("x_")}
+    shares = {id_: _share(sign) for id_, sign in singles.items() if not is_outside(id_)}
     return {"looks_like": {**shares, "outside": _share(weighed[0].signs[OF_ALL])}}
 
 
