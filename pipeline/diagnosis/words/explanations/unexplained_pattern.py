@@ -59,7 +59,7 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
     follows = listing([words.follows(driver, evidence["loaded"]) for driver in left_pattern["driver"]])
     rms = size(left_pattern[f"rms_{words.ending}"], words.unit)
     fitted = " of all strokes" * bool(level.beaten(content, words))  # else than on unseen ones
-    holds = f"What {called(best['ids'])}{fitted} leaves holds a pattern of {rms} rms beside the noise"
+    holds = f"What {called(best['ids'])} leaves{fitted} holds a pattern of {rms} rms beside the noise"
     if where != EVERYWHERE and half.startswith(f"{where}, "):  # one range, said once
         return [f"{holds}. Half of its energy lies {half}; it follows {follows}."]
     return [f"{holds}. It {lies}, and follows {follows}."]

@@ -61,8 +61,8 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
         low, high = content["evidence"][words.driver]
         near = place_near(known[words.driver], words.motion_unit, high - low)
         after_s = known.get("after_s", 0.0)
-        when = f" after {duration(after_s)}" if after_s > 0.0 else ""  # an older file does not say it
-        head.append(f"reading in it{when}, near {near}")
+        when = f"after {duration(after_s)}" if after_s > 0.0 else "in it"  # an older file does not say it
+        head.append(f"reading {when}, near {near}")
         apart = size(known[f"by_{words.ending}"], words.unit)
         rows.append(["their difference, if the run follows this one at once", *[UNKNOWN] * (len(head) - 2), apart])
     return [head, *rows]

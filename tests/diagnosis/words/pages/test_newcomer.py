@@ -130,7 +130,7 @@ def test_the_run_that_decides_has_the_likeliest_first_and_says_when_its_reading_
     assert row.endswith("-0.77 mm"), "each keeps its reading"
     assert "reading in it, near 0 turns" in table
     made["next_run"]["apart"]["after_s"] = 95.0
-    assert "reading in it after 95 s, near 0 turns" in full(made)
+    assert "reading after 95 s, near 0 turns" in full(made)
 
 
 def test_one_turn_is_one():
@@ -146,3 +146,13 @@ def test_an_interval_shows_its_value_inside():
 
 def test_steps_say_that_a_port_can_be_left_out():
     assert "(without a rig at a serial port leave out --port):" in joined(page(confident(0.93, 0.38)))
+
+
+def test_the_width_of_a_loop_says_that_it_is_of_all_loads():
+    """`by up to 2.7 deg under 0.01 Nm and 5.8 deg under 0.047 Nm: half the loop is 2.47 deg` left open of which."""
+    made = confident(0.93, 0.96, **NEAR)
+    loop = {"width_mm": 0.2, "motor_turns": 22.0}
+    made["evidence"]["loops"] = {"friction_hysteresis": loop | {"by_load": [[10.0, 0.1], [20.0, 0.2]]}}
+    assert "half the loop is 0.101 mm (0.0909 to 0.111), over all loads." in joined(full(copy.deepcopy(made)))
+    made["evidence"]["loops"] = {"friction_hysteresis": loop}
+    assert "over all loads" not in full(made)
