@@ -498,3 +498,15 @@ def test_maps_begin_where_the_page_says_and_are_called_as_there(problem) -> None
     names = driver_panels.listeners(problem.drivers, motion="motor angle")
     assert any(name.startswith("motor angle, winding") for name in names)
     plt.close("all")
+
+
+def test_what_comes_closest_is_drawn_beside_calibration_and_called_no_name(studied) -> None:
+    """Of an unknown mismatch the left map was nominal, and what predicts the rig was nowhere."""
+    found, run, _ = studied("creep")
+    unknown = replace(found, verdict="unknown", closest=found.best, state=found.base)
+    content = diagnosis(unknown, found.problem, None, [run], None, frozenset())
+    figure = figures.drawn(unknown, content)
+    titles = [axes.get_title() for axes in figure.subfigs[1].axes if axes.images]
+    assert titles == [f"Recording − simulation, {name} (own scale)" for name in ("calibrated", "closest, no name")]
+    lines = {line.get_label(): line.get_color() for axes in figure.subfigs[0].axes for line in axes.get_lines()}
+    assert lines["closest, no name"] == panels.TIED and "as diagnosed" not in lines

@@ -139,9 +139,11 @@ def test_one_turn_is_one():
 
 
 def test_an_interval_shows_its_value_inside():
-    parameters = {"radius_mm": {"nominal": 0.55, "value": 0.5564, "low": 0.5561, "high": 0.563}}
-    text = joined(full(content(**NEAR | {"parameters": parameters})))
-    assert "0.5564 mm (0.5561 to 0.563)" in text
+    """`-0.03 turns (-0.04 to -0.03)` stood there."""
+    made = content(**NEAR | {"evidence__moved_sigma": {"angle_turns": 0.64}})
+    made["parameters"] = {"angle_turns": {"nominal": 0.0, "value": -0.032, "low": -0.037, "high": -0.028}}
+    made["evidence"]["tolerance"] = {"angle_turns": 0.05}
+    assert "-0.032 turns (-0.037 to -0.028)" in joined(full(made))
 
 
 def test_steps_say_that_a_port_can_be_left_out():
