@@ -126,7 +126,7 @@ def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
 @program
 def main() -> None:
     """Make one run folder."""
-    parser = Parser(prog=command("new_run"), description=__doc__)
+    parser = Parser(prog=command("new_run"), usage="%(prog)s [options] run", description=__doc__)
     parser.add_argument("run", help="name of the run, as in uhmwpe-20261121-01")
     kinds = "separator (default), or twisted_pair: two strings without a separator"
     like = "a run of the same string on the same rig: takes all from its run.yaml but its tare and what is given"
@@ -137,12 +137,12 @@ def main() -> None:
         parser.add_argument(f"--{name}", type=float, metavar="MM", help="needed without --like")
     parser.add_argument("--stiffness-n-per-mm", type=float, metavar="K", help="leave it out where nobody measured it")
     for name, meaning in (
-        ("torsion-zone-mm", "length of the zone that twists; needed with a separator"),
+        ("torsion-zone-mm", "length that twists; needed with a separator"),
         ("separator-mm", "how far the separator holds the strings apart; needed with a separator"),
-        ("load-n", "load, where no channel load_n tells it; default: 0, as if none hung"),
+        ("load-n", "load where no channel load_n tells it; default: 0"),
     ):
         parser.add_argument(f"--{name}", type=float, metavar=name.rsplit("-")[-1].upper(), help=meaning)
-    parser.add_argument("--string-id", metavar="ID", help="name of this very string, if several runs are made with it")
+    parser.add_argument("--string-id", metavar="ID", help="name of this string, if several runs are made with it")
     parser.add_argument(
         "--strokes-before", type=int, metavar="N", help="strokes done before its first recording; default: 0"
     )
@@ -155,7 +155,7 @@ def main() -> None:
     parser.add_argument(
         "--tolerance",
         metavar="YAML",
-        help="how well measured, radius as a share: '{radius: 0.02, length_mm: 0.5}'",
+        help="'{radius: 0.02, length_mm: 0.5}', radius as a share",
     )
     tare = "run: the zero was moved since the string's run before; default: string"
     parser.add_argument("--tare", choices=("string", "run"), help=tare)

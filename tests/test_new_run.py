@@ -362,6 +362,16 @@ def test_every_option_of_new_run_says_what_it_is(monkeypatch, capsys):
     assert "needed are the columns time_s, motor_turns, displacement_mm" in words and "contract" not in words
 
 
+@pytest.mark.parametrize("columns", [80, 100])
+def test_the_help_is_one_screen(monkeypatch, capsys, columns):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    monkeypatch.setattr(sys, "argv", ["new_run", "--help"])
+    with pytest.raises(SystemExit):
+        main()
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) <= 40 and max(map(len, lines)) <= columns
+
+
 def test_how_well_one_measured_is_said_on_the_command_line_or_asked_for(new, tmp_path):
     status, said, _ = new("a-01", samples=GOOD)
     assert status == 0 and "How well you measured its dimensions belongs into its run.yaml, as `tolerance`" in said

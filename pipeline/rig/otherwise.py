@@ -1,6 +1,6 @@
-"""Motions that are otherwise than the recorded one: what an effect's claim says of itself is tried in them.
+"""Altered copies of a motion, in which the referee tests what an effect claims about itself.
 
-An effect whose driver stands still in another one makes an `Otherwise` of its own, in its own file.
+An effect that claims to vanish in another motion than these defines an `Otherwise` of its own, in its own file.
 """
 
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Whence the recording of a run folder came: from a port, from a file of another logger, or imported by a mapping."""
+"""The source of a run folder's recording: a port, another logger's file, or an import by a mapping."""
 
 import ast
 import re

@@ -73,15 +73,17 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
 
 
 def that_take_away(search: Search, sets: list[Explanation]) -> list[Explanation]:
-    """The sets without those that a person sees to do nothing, unless none does more."""
+    """Those of the sets that take away at least a share `IDLE` of what the best of them takes from the mismatch."""
     most = max(search.nothing.energy - explanation.energy for explanation in sets)
     return [explanation for explanation in sets if search.nothing.energy - explanation.energy >= IDLE * most]
 
 
 def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
-    """Larger explanations that leave noise where the chosen one leaves more, which only another formula could mend.
+    """Explanations of one mechanism more that leave about the noise floor, where the chosen one leaves clearly more.
 
-    Whether a formula is wrong or a weak mechanism is missing, the recording cannot tell.
+    They are kept beside the chosen one: the recording cannot tell whether a formula of the chosen one is slightly wrong
+    or a weak mechanism is missing. `floor` is the noise floor in the reading's unit. Empty where the chosen one has an
+    id outside the library.
     """
     if any(map(is_outside, chosen.ids)):
         return []  # what has no physics may leave something
@@ -103,9 +105,10 @@ def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Expl
 def without_flaw(
     search: Search, explanation: Explanation, rivals: list[Explanation], floor: float
 ) -> Explanation | None:
-    """The explanation without its last mechanism, where that one may be no more than a flaw of another's formula.
+    """The explanation less its weakest mechanism, or None where that mechanism is needed.
 
-    So it may where it takes away little, and where another in its place would take away nearly as much.
+    It is not needed where it takes away little and another mechanism in its place takes away nearly as much: then it
+    may only make up for an error of another mechanism's formula. `floor` is the noise floor in the reading's unit.
     """
     if len(explanation.ids) < 2:
         return None

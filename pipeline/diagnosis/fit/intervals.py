@@ -86,7 +86,10 @@ class Intervals:
     covariance: Array  # (numbers, numbers)
 
     def at_least(self, spreads: dict[str, float]) -> "Intervals":
-        """The same, the parameters' no narrower than these standard deviations of theirs make them, by name."""
+        """These intervals, those of parameters at least `Z90` standard deviations wide to either side.
+
+        `spreads` has the standard deviations, by parameter, each in its own unit.
+        """
         wide = {
             name: Interval(known.value, min(known.low, known.value - reach), max(known.high, known.value + reach))
             for name, known in self.parameters.items()

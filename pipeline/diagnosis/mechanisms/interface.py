@@ -58,8 +58,9 @@ class Mechanism:
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
     value of the effect), {loop} (by how much both ways differ at one place), {times} (its time constants),
     {temperature}, {lowers} and {grows} (whether it lowers or raises the reading, and so the radius falls or grows, in
-    the course of the recording), and the rig's words: {string} {motion} {rate} {reading} {up} {down}. `details` follow
-    it: of these the first all of whose parameters were found, each said as its value. `names` says what a word in its
+    the course of the recording), and the rig's words: {string} {motion} {rate} {reading} {up} {down}. `details` are
+    clauses with names of parameters in braces. The first clause whose parameters all have values is put after the
+    sentence, each name replaced by its value. `names` says what a word in its
     coefficients' names multiplies, for who reads them in run.yaml. `letters` says what a letter is: in words, with its
     value after ` | ` where that is always the same, or as the name of a nonlinear parameter.
     `meanings` says what each nonlinear parameter is; `shared_meanings.MEANINGS` has those that several mechanisms have.

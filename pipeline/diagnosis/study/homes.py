@@ -33,7 +33,10 @@ def of_runs(system: System, runs: list[Run]) -> list[Parameter]:
 
 
 def held(problem: Problem) -> Problem:
-    """The problem with the motor's zero of later runs where that of the first is: a zero that is free hides much."""
+    """The problem with the motor's zero of each later run held at the first run's.
+
+    A free zero could take up much of what an effect does.
+    """
     own = len(problem.parameters) - problem.homed
     still = (replace(parameter, sigma=0.0) for parameter in problem.parameters[own:])
     return replace(problem, parameters=(*problem.parameters[:own], *still))
