@@ -1,5 +1,6 @@
 """The table of what run.yaml has adopted: each effect by its name, as what it was adopted, how large it is here."""
 
+from ....ground.outside import is_outside
 from ...document.content import Adoption, Part, Verdict
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import size
@@ -34,7 +35,7 @@ def _adopted_as(content: Verdict, id_: str) -> str:
     """Whether an effect was adopted as the one explanation, or as a part of one that tied with others."""
     of: list[Adoption] = [adoption for adoption in content.get("adopted", []) if id_ in adoption["effects"]]
     if not of:
-        return "a stand-in, no name" if id_.startswith("x_") else "nobody wrote it down"
+        return "a stand-in, no name" if is_outside(id_) else "nobody wrote it down"
     sets = [of[-1]["effects"], *of[-1]["tied"]]
     against = ", against its advice" * bool(of[-1].get("against_advice"))
     if len(sets) == 1:
