@@ -6,7 +6,7 @@ from ..language.explained_words import meaning, on_rig
 from ..language.quantity import size
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
-from .effect_table import at_the_top
+from .effects import at_the_top
 
 HEADING = "What was adopted, by the library's names"
 HEAD = ["effect", "adopted from", "its size here, rms"]

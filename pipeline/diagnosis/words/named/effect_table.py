@@ -4,7 +4,7 @@ from ...document.content import Part, Verdict, mismatch_of
 from ..explanations import probability
 from ..held_out import holdout
 from ..language.explained_words import meaning, of_effect, on_rig
-from ..language.quantity import at, listing, percent, size
+from ..language.quantity import listing, percent, size
 from ..language.sections import WIDE
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
@@ -158,23 +158,7 @@ def _in_one(sentences: list[str]) -> list[str]:
 
 def _of_strokes(content: Verdict, id_: str, words: Vocabulary) -> str:
     """What a named effect does from stroke to stroke."""
-    return at_the_top(content, content["evidence"].get(f"tops_{words.ending}", {}).get(id_), words)
-
-
-def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str:
-    """By how much a slow effect moves the reading at the highest motion from stroke to stroke: what a person sees.
-
-    `change` is from the first stroke to the last.
-    """
-    if not change or abs(change) < content["evidence"][f"floor_{words.ending}"]:
-        return ""
-    low, high = content["evidence"][words.driver]
-    top, way = at(high, words.motion_unit, high - low), "more" if change > 0.0 else "less"
-    load = " under the same load" if content["evidence"]["loaded"] else ""
-    return (
-        f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke that goes there{load} than in the "
-        "first; no dimension makes strokes differ."
-    )
+    return effects.at_the_top(content, content["evidence"].get(f"tops_{words.ending}", {}).get(id_), words)
 
 
 def only_elsewhere(content: Verdict) -> list[str]:

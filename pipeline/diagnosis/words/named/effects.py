@@ -3,11 +3,11 @@
 import re
 from string import Formatter
 
-from ...document.content import Part
+from ...document.content import Part, Verdict
 from ...document.time_constants import BRANCH_S, time_constants_s
 from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units
-from ..language.quantity import duration, listing, place_near, quantity, size
+from ..language.quantity import at, duration, listing, place_near, quantity, size
 from ..language.vocabulary import Vocabulary
 
 CALCULATED = (
@@ -165,3 +165,19 @@ def time_constants(parameters: Part) -> str:
     if len(kept) == 1:
         return f"best with a time constant of {duration(kept[0])} of those that were tried{bound}"
     return f"best with time constants of {duration(kept[0])} to {duration(kept[-1])} of those that were tried{bound}"
+
+
+def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str:
+    """By how much a slow effect moves the reading at the highest motion from stroke to stroke: what a person sees.
+
+    `change` is from the first stroke to the last.
+    """
+    if not change or abs(change) < content["evidence"][f"floor_{words.ending}"]:
+        return ""
+    low, high = content["evidence"][words.driver]
+    top, way = at(high, words.motion_unit, high - low), "more" if change > 0.0 else "less"
+    load = " under the same load" if content["evidence"]["loaded"] else ""
+    return (
+        f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke that goes there{load} than in the "
+        "first; no dimension makes strokes differ."
+    )
