@@ -86,3 +86,20 @@ def test_in_each_state_of_a_loop_the_page_shows_all_its_parts_and_no_error(place
                 assert page.run(f"{DRAWN}('#foretold')") == page.run(f"{DRAWN}('#apart')") == moves
                 assert not moves or len(page.text("legs")) > 50, "what moves is said in numbers"
                 (place / "out" / QUESTION).unlink(missing_ok=True)
+
+
+@CHROMIUM
+def test_a_part_that_cannot_be_shown_is_named_and_leaves_the_others(place):
+    """A fault in the part of the loop looked like a server that does not answer, and emptied all parts below it."""
+    with watched(place / "raw" / "poor-1", "--reports", place / "reports") as (_, printed), browser(place) as page:
+        page.open(printed)
+        page.until("document.getElementById('link')?.textContent == 'connected'")
+        page.run("document.getElementById('came-file').remove()")
+        page.run("document.getElementById('verdict').textContent = ''")
+        page.until("document.getElementById('link').className == 'bad'")
+        page.until("document.getElementById('verdict').textContent", 10.0)
+        assert page.text("link").startswith("connected, but a part of this page cannot be shown (loop: ")
+        page.open("about:blank")
+        page.until("location.href == 'about:blank'")
+        assert page.faults, "the console has it too"
+        page.faults.clear()
