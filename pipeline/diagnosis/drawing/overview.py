@@ -16,7 +16,7 @@ SHADE, UNSEEN = "#f4ecd8", "shaded: the strokes that are left out for the error 
 SEEN = 0.02  # of the recording's range: a simulator that never leaves it by more would lie on it, and is not drawn
 APART = 0.2  # of the range of a run: zeros of runs that differ by more would squash the strokes
 WIDE = 4.0  # times the largest other residual: a wider one would squash the others, and is told as a number
-NEARLY = 90.0  # percentile: a line that leaves another one in a few samples alone lies under it
+NEARLY = 85.0  # percentile: a line that leaves another one in a few samples alone lies under it
 LEAST, MOST = 1.0, 99.0  # percentiles: of the readings of a run, for its lowest; of what a simulator leaves
 
 
