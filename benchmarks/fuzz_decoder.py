@@ -31,7 +31,7 @@ with atheris.instrument_imports(include=["pipeline"], exclude=ARRAYS) if atheris
     from pipeline.capture.guess import guess
     from pipeline.capture.holes import Steps, find
     from pipeline.capture.lines import Lines, Splitter
-    from pipeline.capture.progress import Progress
+    from pipeline.capture.recording_progress import Progress
     from pipeline.capture.stream import Outcome
     from pipeline.wire import Channel, Decoder, Hello, Kind, encode, read_account, read_recording
     from pipeline.wire.frames import MAX_PAYLOAD, MAX_STUFFED

@@ -69,7 +69,7 @@ class Freia:
         from freia import papers_inn
         from torch.nn.functional import mse_loss
 
-        from pipeline.models.parts.features import contraction_and_conditions, twist_and_conditions
+        from pipeline.models.parts.condition_columns import contraction_and_conditions, twist_and_conditions
         from pipeline.models.parts.scaling import Scaling
 
         torch.set_num_threads(1)
@@ -102,13 +102,13 @@ class Freia:
 
     def forward(self, points: pd.DataFrame):
         """Contraction in mm."""
-        from pipeline.models.parts.features import twist_and_conditions
+        from pipeline.models.parts.condition_columns import twist_and_conditions
 
         return self._mapped(twist_and_conditions(points), self.inputs, self.outputs, rev=False)
 
     def inverse(self, points: pd.DataFrame):
         """Twist in turns."""
-        from pipeline.models.parts.features import contraction_and_conditions
+        from pipeline.models.parts.condition_columns import contraction_and_conditions
 
         return self._mapped(contraction_and_conditions(points), self.outputs, self.inputs, rev=True)
 

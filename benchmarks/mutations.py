@@ -17,7 +17,10 @@ SAMPLE, CPU_S, TIMEOUT_S = 45, 90, 1800  # a mutant without an end is killed by 
 WIRE = "tests/wire/test_wire_frames.py tests/wire/test_wire_recording.py tests/wire/test_wire_numbers.py"
 DECISION = "tests/diagnosis/choice/test_judged.py tests/diagnosis/choice/test_disguise.py"
 TARGETS = {
-    "strokes": ({"run/strokes.py", "run/stands.py", "run/turning.py", "run/motion.py"}, "tests/run/test_strokes.py"),
+    "strokes": (
+        {"run/strokes.py", "run/stands.py", "run/turning.py", "run/clean_motion.py"},
+        "tests/run/test_strokes.py",
+    ),
     "dataset": (
         {"stages/dataset.py", "stages/points.py", "stages/splits.py"},
         "tests/stages/test_dataset.py tests/stages/test_dataset_losses.py",

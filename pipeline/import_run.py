@@ -34,7 +34,7 @@ from .run.named_units import in_its_unit
 from .run.next_command import following
 from .run.plausible_dimensions import dimension_questions
 from .run.read_log import read_log
-from .run.recording import asked_columns
+from .run.recorded_table import asked_columns
 from .run.samples import check, check_finite, questions
 from .run.tolerances_given import read_back
 from .string.known_strings import imported_as_another

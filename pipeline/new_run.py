@@ -27,7 +27,7 @@ from .run.next_command import following
 from .run.option_mend import by_option
 from .run.plausible_dimensions import dimension_questions
 from .run.read_log import copy_log, read_log, recording_name, rows_left
-from .run.recording import read_recording
+from .run.recorded_table import read_recording
 from .run.run_dir import run_dir
 from .run.samples import check, questions
 from .run.tolerances_given import read_back

@@ -34,7 +34,7 @@ from .models.interface import about, usual
 from .models.parts.bad_rows import reason, refusal
 from .models.parts.foreseen import GIVEN
 from .models.parts.prediction_intervals import Intervals, TooFew
-from .models.parts.questions import ASKED, EITHER, Questions, by_known, read_questions
+from .models.parts.question_points import ASKED, EITHER, Questions, by_known, read_questions
 from .models.parts.recorded_pairs import pairs_of
 from .models.parts.recorded_strokes import Under
 from .models.parts.rolling_origin import last_strokes

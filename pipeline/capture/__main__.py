@@ -18,7 +18,7 @@ from .commit import recover
 from .fields import names
 from .lines_to_csv import CSV, recover_lines
 from .log import LINES
-from .motion import read_legs
+from .motion_program import read_legs
 from .near_names import doubt, mend_of
 from .printed import WAIT_S
 from .session import capture, capture_lines

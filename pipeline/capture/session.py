@@ -19,7 +19,7 @@ from .commit import commit
 from .handshake import check_rate, greet
 from .lines_to_csv import commit_lines
 from .log import LINES, NAME, Log, check_folder
-from .motion import load, strokes_of
+from .motion_program import load, strokes_of
 from .pending import note
 from .port import Port
 from .printed import WAIT_S, await_header, follow

@@ -9,7 +9,7 @@ from ..wire import Decoder, Frame, Hello, Kind, Reason, encode
 from ..wire.frames import END
 from .log import Log
 from .port import Port, Unplugged
-from .progress import Progress
+from .recording_progress import Progress
 
 SILENCE_S = 3.0
 STOP_S = 5.0  # so long may a device go on that was told to stop

@@ -13,7 +13,7 @@ def tell_clock(run: Run, folder: Path, info: CaptureJson) -> None:
     """Say what is mended in the time of printed lines; raises BadInput where it cannot be."""
     if not info["lines"]["time_backward"]:
         return
-    from ..run.recording import printed_samples  # it needs pandas, for which no rig should wait
+    from ..run.recorded_table import printed_samples  # it needs pandas, for which no rig should wait
 
     with redirect_stderr(io.StringIO()):  # which column is read as what is said when the run is used
         mended = printed_samples(run, folder).counted

@@ -27,7 +27,7 @@ from .fit.problem import Problem, State
 from .fit.uncertainty import doubts
 from .mechanisms.interface import physics
 from .mechanisms.library import mechanisms
-from .numerics import band
+from .numerics import residual_band
 from .numerics.noise import white
 from .proposal import nextrun
 from .study.engine import fine_floor
@@ -81,14 +81,14 @@ def systematic(study: Study, state: State) -> tuple[Array, list[str]]:
 def relative(study: Study) -> dict[str, Any]:
     """What each simulator leaves, over the reading itself, both rms, after the filter that is stated with them."""
     problem, below_hz = study.problem, study.problem.system.stated_below_hz
+    first, step_s, rows = problem.drivers.first, problem.drivers.step_s, problem.rows
 
     def size(signal: Array) -> float:
-        return rms(band.within(signal, problem.drivers.first, problem.drivers.step_s, below_hz)[: problem.rows])
+        return rms(residual_band.within(signal, first, step_s, below_hz)[:rows])
 
     states = (("nominal", study.nominal), ("calibrated", study.base), ("explained", study.state))
-    left = {name: size(problem.measured - problem.simulate(state)) for name, state in states}
-    whole = size(problem.measured)
-    averages = f"averages of {problem.drivers.step_s * 1e3:.3g} ms, then {band.words(below_hz, problem.drivers.step_s)}"
+    left, whole = {name: size(problem.measured - problem.simulate(at)) for name, at in states}, size(problem.measured)
+    averages = f"averages of {step_s * 1e3:.3g} ms, then {residual_band.words(below_hz, step_s)}"
     return {**{name: value / whole for name, value in left.items()}, "filter": averages}
 
 

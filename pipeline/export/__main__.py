@@ -15,7 +15,7 @@ from ..ground.outputs import file_to_write, folder_to_write
 from ..ground.parser import Parser
 from ..models.parts.saved_files import listed
 from ..stages.train import SPLITS
-from . import screen
+from . import closing_words
 from .all_points import fitted_to_all
 from .c_header import header
 from .interface import names
@@ -116,11 +116,15 @@ def main() -> None:
         write_text(out, text)
         first_lines = [
             f"{out}: {out.stat().st_size} bytes of text",
-            *screen.lines(source),
-            *screen.compiled(out, options.name),
+            *closing_words.lines(source),
+            *closing_words.compiled(out, options.name),
         ]
         more = f"All of its names begin with {options.name}_. {TWO}"
-        print("\n".join([*first_lines, screen.in_python(options.file), more, REST.format("header's first comment")]))
+        print(
+            "\n".join(
+                [*first_lines, closing_words.in_python(options.file), more, REST.format("header's first comment")]
+            )
+        )
         return
     from .onnx_model import graphs  # a header needs no onnx
 
@@ -131,7 +135,11 @@ def main() -> None:
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes")
-    print("\n".join([*screen.lines(source), screen.in_python(options.file), REST.format("graphs' metadata")]))
+    print(
+        "\n".join(
+            [*closing_words.lines(source), closing_words.in_python(options.file), REST.format("graphs' metadata")]
+        )
+    )
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ from .c_text import Body, function, real, renamed
 from .facts import facts
 from .inputs import MEANING, Field, Inputs
 from .interface import Source, exporter
-from .recorded import WHO_SAYS
+from .recorded_ranges import WHO_SAYS
 from .start_state import start_state, usage
 
 LINE = 110  # characters of a line of the first comment

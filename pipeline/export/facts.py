@@ -16,7 +16,7 @@ from ..models.interface import about, settings_of
 from ..models.parts.rolling_origin import RULE
 from ..models.parts.settings import values
 from .interface import Source
-from .recorded import recorded, unread
+from .recorded_ranges import recorded, unread
 
 AMOUNTS = ("epochs", "blocks", "width", "layers", "bins", "steps", "degree")  # less of these than usual: a small fit
 SAME = "The quick job (ci.yaml) fits this model in full too: of what it exports only network models are smaller."

@@ -22,7 +22,7 @@ from .facts import zeroed_runs
 from .held_out import errors_of
 from .inputs import Inputs
 from .interface import Source, exporter, names
-from .recorded import pairs_recorded, strokes_foreseen, twists_recorded, values_recorded
+from .recorded_ranges import pairs_recorded, strokes_foreseen, twists_recorded, values_recorded
 from .start_state import start_values
 from .trained_on import trained_on
 

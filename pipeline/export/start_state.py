@@ -12,7 +12,7 @@ from ..models.parts.recorded_strokes import LOAD
 from .c_text import function, real
 from .inputs import Field, Inputs
 from .interface import Source
-from .recorded import points_to
+from .recorded_ranges import points_to
 
 USAGE = "tsa_start() gives a state to begin with: {}."
 

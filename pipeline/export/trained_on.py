@@ -8,7 +8,7 @@ from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE
 from ..ground.regular_file import read_regular
-from .recorded import points_to
+from .recorded_ranges import points_to
 
 SHOWN = 3  # runs that are named
 LARGEST = 10_000_000  # bytes of a capture.json

@@ -3,7 +3,7 @@
 import ast
 from pathlib import Path
 
-from .outside import is_outside
+from .outside_library import is_outside
 
 MECHANISMS = (
     Path(__file__).resolve().parents[1] / "diagnosis" / "mechanisms"

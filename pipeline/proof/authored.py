@@ -4,7 +4,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..ground.outside import is_outside
+from ..ground.outside_library import is_outside
 from ..rig.authors import authors
 from ..rig.authors.interface import Asked, Made, OutOfReach, Protocol
 from .plan import Planned

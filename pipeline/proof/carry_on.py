@@ -12,7 +12,7 @@ import numpy as np
 
 from ..ground.errors import program
 from ..ground.kinematics import Array
-from ..rig.motion import Commands
+from ..rig.motion_commands import Commands
 from .case import Case
 from .conceal import write_run
 from .conceal_batch import drawn

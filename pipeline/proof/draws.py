@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..ground.outside import is_outside
+from ..ground.outside_library import is_outside
 from ..rig import effects
 from ..rig.concealed import Parameters, Scene
 from .bench import Bench

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..ground.kinematics import Array, Geometry
 from ..rig import effects
-from ..rig.motion import Commands
+from ..rig.motion_commands import Commands
 from ..rig.string import String
 from .bench import Bench
 from .protocol import STEPS_PER_SAMPLE, Protocol, phases

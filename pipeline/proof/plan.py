@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
-from ..ground.outside import is_outside
+from ..ground.outside_library import is_outside
 
 RIG = Path(__file__).parent.parent / "rig"  # effects and authors by their files' names: the DAG's plan imports no rig
 EFFECTS, AUTHORS = RIG / "effects", RIG / "authors"

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..ground.kinematics import Array
-from ..rig.motion import Commands, Motion, commands
+from ..rig.motion_commands import Commands, Motion, commands
 from .bench import Bench
 
 Kind = Literal["rich", "poor"]

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..ground.kinematics import Array
 from ..rig import effects
-from ..rig.motion import Commands
+from ..rig.motion_commands import Commands
 from ..rig.otherwise import Otherwise
 from ..rig.string import String
 from .bench import Bench

@@ -15,7 +15,7 @@ from ..ground.files import whole
 from ..string.from_raw import read
 from ..string.history import Recorded
 from ..string.jumps_beside import Beside
-from .about import About
+from .asked_recording import About
 from .black_box import Asked, Learnt, learn
 from .black_boxes import looks
 from .bring import usable

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..ground.kinematics import Array
-from .motion import Commands
+from .motion_commands import Commands
 
 Paced = tuple[Commands, float]  # what is commanded, and how long a step of it lasts, in s
 

@@ -10,7 +10,7 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Geometry
 from ..run.description import Run, parse_run
 from . import effects
-from .motion import Motion
+from .motion_commands import Motion
 from .sensors import Sensor
 
 SHIPPED = Path(__file__).parent / "setups"

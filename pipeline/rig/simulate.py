@@ -10,7 +10,7 @@ from ..ground.kinematics import Array
 from ..wire import Event, Hello
 from ..wire.motion import Limits
 from . import effects, sensors
-from .motion import Commands, commands
+from .motion_commands import Commands, commands
 from .setup import SetUp, described, dimensions
 from .string import String
 

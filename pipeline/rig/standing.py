@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..wire.motion import Leg, Limits, cruise
-from .motion import Commands, Move, commands
+from .motion_commands import Commands, Move, commands
 from .setup import SetUp
 from .simulate import Simulated, hello_of, sampled, step_of, string_of
 from .string import String

@@ -10,7 +10,7 @@ from ..ground import spans
 from ..ground.units import unit_of
 from .course import Course, Mask, Recorded
 from .description import Run
-from .limits import (
+from .planned_limits import (
     LONGER,
     NEAR,
     ROOM,

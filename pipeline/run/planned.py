@@ -11,7 +11,7 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.text_file import TextFile
 from .description import STRING_ACTUATORS, Run
-from .recording import to_samples
+from .recorded_table import to_samples
 from .samples import LEAST_SAMPLES, check_clock, check_numbers
 
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less

@@ -21,7 +21,7 @@ from .description import Run
 from .file_lines import NAMED, FileLines, lines_of
 from .folder import RECORDINGS
 from .no_number import are_few, without_damaged
-from .recording import to_samples
+from .recorded_table import to_samples
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from .description import STRING_ACTUATORS, Run
 from .file_lines import FileLines, Where, by_row
 from .folder import checked_info, read_run, recording_path
 from .plausible import check_string, doubts
-from .recording import read_recording, recording_pieces
+from .recorded_table import read_recording, recording_pieces
 from .strokes import segment
 from .wild_samples import wild_samples
 from .wrapping import wrapped

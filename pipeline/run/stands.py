@@ -10,7 +10,7 @@ from ..ground import quantiles, schemas, spans
 from ..ground.kinematics import Array, Places
 from ..ground.spans import Spans
 from ..ground.unwound import PHASE_REVERSAL
-from .motion import Motion
+from .clean_motion import Motion
 
 HOLD_SPEED = 0.10  # of the speed at which the motor does half its travel: slower is holding
 HOLD_LEAST_S = 0.25

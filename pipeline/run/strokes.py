@@ -18,7 +18,7 @@ from ..ground.rows import Rows, rows_of
 from ..ground.spans import Spans
 from ..ground.units import unit_of
 from ..ground.unwound import PHASE_REVERSAL
-from .motion import Motion
+from .clean_motion import Motion
 from .stands import stands
 from .turning import turning_points
 

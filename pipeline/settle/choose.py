@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..capture.motion import LegJson, as_legs
+from ..capture.motion_program import LegJson, as_legs
 from ..ground.counts import counted
 from ..wire.motion import Leg, Limits
 from .limits import ByHand, beyond

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from ..capture.motion import as_legs
+from ..capture.motion_program import as_legs
 from ..diagnose import Options, diagnose
 from ..ground.errors import BadInput
 from ..run.folder import read_run

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..capture.motion import as_legs, strokes_of
+from ..capture.motion_program import as_legs, strokes_of
 from ..ground.counts import counted
 from ..wire.motion import cruise
 from .step import STANDS, Step

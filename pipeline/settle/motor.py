@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..capture.handshake import greet
-from ..capture.motion import as_legs
+from ..capture.motion_program import as_legs
 from ..capture.port import Port
 from ..capture.session import capture
 from ..ground.errors import BadInput

@@ -5,7 +5,7 @@ from typing import Any, NotRequired, TypedDict, cast
 
 import numpy as np
 
-from ..capture.motion import LegJson
+from ..capture.motion_program import LegJson
 
 
 class Curves(TypedDict):

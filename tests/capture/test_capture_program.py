@@ -7,7 +7,7 @@ import pytest
 from programs import run
 from scripted_rig import CHANNELS, ScriptedRig
 
-from pipeline.capture.motion import load, strokes_of
+from pipeline.capture.motion_program import load, strokes_of
 from pipeline.capture.port import Port
 from pipeline.ground.errors import BadInput
 from pipeline.wire import Hello, Kind

@@ -25,7 +25,7 @@ from pipeline.capture.lines import Lines, Splitter
 from pipeline.capture.lines_to_csv import recover_lines
 from pipeline.ground.errors import BadInput
 from pipeline.run.description import parse_run
-from pipeline.run.recording import check_lines, read_recording
+from pipeline.run.recorded_table import check_lines, read_recording
 
 HEADER = b"time_ms,motor_turns,displacement_mm\r\n"
 

@@ -9,7 +9,7 @@ import pytest
 from faults.scripted_device import received
 
 from pipeline.capture.guess import guess
-from pipeline.capture.progress import Progress
+from pipeline.capture.recording_progress import Progress
 from pipeline.capture.sample_faults import Watch
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
@@ -115,7 +115,7 @@ def test_of_a_program_the_time_that_is_left_is_that_of_its_legs(monkeypatch):
     for recorded_s in (0.5, 20.0, 40.0, 55.0, 60.0):
         shown.samples = round(recorded_s * RATE_HZ)
         now_s = shown._began_s + recorded_s / 5.0  # the rig goes at five times real time
-        monkeypatch.setattr("pipeline.capture.progress.time.monotonic", lambda at_s=now_s: at_s)
+        monkeypatch.setattr("pipeline.capture.recording_progress.time.monotonic", lambda at_s=now_s: at_s)
         counted_s.append(next((part for part in shown.parts() if part.endswith(" left")), None))
         shown.left.starts(recorded_s / 5.0)
         shown.left.ends(recorded_s / 5.0)

@@ -33,7 +33,7 @@ from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.run import strokes
-from pipeline.run.motion import Motion
+from pipeline.run.clean_motion import Motion
 from pipeline.run.samples import read_samples
 
 DRAWN = figures.page

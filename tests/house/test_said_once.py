@@ -5,7 +5,7 @@ from pathlib import Path
 
 PIPELINE = Path(__file__).parents[2] / "pipeline"
 IN_ONE_PLACE = {
-    r"""startswith\(["']x_""": {"ground/outside.py"},
+    r"""startswith\(["']x_""": {"ground/outside_library.py"},
     # beside it: the paper's printed numbers, and the leak's figure, by the models' names
     r"""(?<!\w)["'](inn|spline|traditional)["']""": {
         "ground/model_names.py", "report/paper.py", "report/leak.py", "export/c_spline.py",

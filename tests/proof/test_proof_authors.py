@@ -10,7 +10,7 @@ from pipeline.proof import authored
 from pipeline.proof.conceal_batch import concealed
 from pipeline.proof.plan import Planned, batches, plan, read, written
 from pipeline.proof.score.authors import by_author, by_law
-from pipeline.proof.score.cases import gather
+from pipeline.proof.score.case_table import gather
 from pipeline.proof.score.hands import section
 from pipeline.rig.authors import names
 

@@ -13,7 +13,7 @@ from pipeline.diagnosis.study.engine import make_problem, rms
 from pipeline.diagnosis.study.heldout import first_held_out
 from pipeline.diagnosis.study.own_rate import at_own_rate
 from pipeline.proof.baselines import __main__ as command
-from pipeline.proof.baselines.features import Column, products
+from pipeline.proof.baselines.driver_columns import Column, products
 from pipeline.proof.baselines.frozen import frozen
 from pipeline.proof.baselines.learnt import Calibrated, Learnt, calibrated, held_out_mm
 from pipeline.proof.case import draw_case, performed

@@ -5,7 +5,7 @@ import json
 import pandas as pd
 import pytest
 
-from pipeline.proof.score import baselines_beside, cases, metrics, page
+from pipeline.proof.score import baselines_beside, case_table, metrics, page
 
 DIMENSIONS = {"radius_mm": 0.5, "separator_mm": 8.0, "torsion_zone_mm": 150.0}
 
@@ -60,7 +60,7 @@ def place(tmp_path):
 
 
 def test_every_case_has_a_row_and_none_is_left_out(place):
-    table, sizes = cases.gather(place, ["b"])
+    table, sizes = case_table.gather(place, ["b"])
     table = table.set_index("run")
     words = ["quiet", "exact", "tie with the truth", "refused"]
     assert table.loc[["case-1", "case-2", "case-3", "case-4"], "outcome"].tolist() == words
@@ -74,7 +74,7 @@ def test_every_case_has_a_row_and_none_is_left_out(place):
 
 
 def test_the_scores_and_the_page_say_so(place):
-    table, sizes = cases.gather(place, ["b"])
+    table, sizes = case_table.gather(place, ["b"])
     besides = baselines_beside.gather(table, place, ["b"])
     scored = pd.concat([metrics.scores(table, sizes), baselines_beside.scores(besides)], ignore_index=True)
     found = scored.set_index(["metric", "stratum"])["value"]

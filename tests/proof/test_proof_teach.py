@@ -16,7 +16,7 @@ from pipeline.diagnosis.numerics.recogniser import OF_EXPLANATION
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.ground.errors import BadInput
 from pipeline.proof import verdicts
-from pipeline.proof.teach import across, fit
+from pipeline.proof.teach import across, fitted_judge
 from pipeline.proof.teach.lesson import Lesson, curriculum, learnt, read, recorded, written
 from pipeline.rig.authors import authors, names
 from pipeline.rig.authors.__main__ import write
@@ -46,9 +46,9 @@ def made_lessons(count: int, seed: int = 0) -> list[Lesson]:
 
 
 def test_a_judge_learns_which_explanation_is_right_and_when_none_is() -> None:
-    taught = fit.fitted(made_lessons(200))
+    taught = fitted_judge.fitted(made_lessons(200))
     for lesson in made_lessons(40, seed=1):
-        *named, none = taught.probabilities(fit.explanations(lesson)).tolist()
+        *named, none = taught.probabilities(fitted_judge.explanations(lesson)).tolist()
         assert sum(named) + none == pytest.approx(1.0)
         best = int(np.argmax(named))
         assert lesson.right[best] and none < 0.5 if any(lesson.right) else none > 0.5
@@ -75,28 +75,30 @@ def signed(count: int, seed: int = 0) -> list[Lesson]:
 
 
 def test_where_all_explanations_leave_as_much_the_signature_tells_which_is_right() -> None:
-    deaf = fit.fitted(signed(240))
-    listening = fit.listening(deaf, signed(240))
+    deaf = fitted_judge.fitted(signed(240))
+    listening = fitted_judge.listening(deaf, signed(240))
     assert deaf.recogniser is None and np.array_equal(listening.weights, deaf.weights)
     for judge_of, least, most in ((deaf, 0.0, 0.6), (listening, 0.85, 1.0)):
         likeliest = []
         for lesson in signed(60, seed=1):
-            best = int(np.argmax(judge_of.probabilities(fit.explanations(lesson, judge_of.recogniser))))
+            best = int(np.argmax(judge_of.probabilities(fitted_judge.explanations(lesson, judge_of.recogniser))))
             likeliest.append([*lesson.right, not any(lesson.right)][best])
         assert least <= np.mean(likeliest) <= most
 
 
 def test_the_judge_meets_each_signature_by_a_recogniser_whom_its_author_did_not_teach(monkeypatch) -> None:
     asked: list[set[str]] = []
-    whole = fit.taught
-    monkeypatch.setattr(fit, "taught", lambda some: asked.append({each.author for each in some}) or whole(some))
-    fit.listening(fit.fitted(signed(60)), signed(60))
+    whole = fitted_judge.taught
+    monkeypatch.setattr(
+        fitted_judge, "taught", lambda some: asked.append({each.author for each in some}) or whole(some)
+    )
+    fitted_judge.listening(fitted_judge.fitted(signed(60)), signed(60))
     assert asked == [{"two"}, {"one"}, {"one", "two"}]
 
 
 def test_it_is_scored_on_authors_whom_it_does_not_know(monkeypatch) -> None:
     lessons = made_lessons(120)
-    taught = {name: fit.fitted([each for each in lessons if each.author != name]) for name in ("one", "two")}
+    taught = {name: fitted_judge.fitted([each for each in lessons if each.author != name]) for name in ("one", "two")}
     asked: list[Judge] = []
     whole = across.judged
     monkeypatch.setattr(across, "judged", lambda judge, lesson: asked.append(judge) or whole(judge, lesson))

@@ -12,7 +12,7 @@ from pipeline.diagnosis.study import heldout
 from pipeline.diagnosis.study.engine import make_problem
 from pipeline.ground.files import write_text
 from pipeline.real import transfer
-from pipeline.real.about import About
+from pipeline.real.asked_recording import About
 from pipeline.real.black_box import Asked, first_held_out, held_out
 from pipeline.real.black_boxes import looks
 from pipeline.real.features import averaged, features, low_pass, memory, span_of

@@ -14,7 +14,7 @@ import pytest
 from ready import start
 from scripted_rig import synthetic_rig
 
-from pipeline.capture.motion import as_legs
+from pipeline.capture.motion_program import as_legs
 from pipeline.rig.commanded import Commanded
 from pipeline.rig.setup import read_setup
 from pipeline.rig.standing import Standing, followed

@@ -15,7 +15,7 @@ from pipeline.rig.endurance import x_fatigue, x_galling
 from pipeline.rig.endurance.ageing import made
 from pipeline.rig.endurance.life import ENOUGH_LOST, live
 from pipeline.rig.endurance.plan import MOST_STROKES, plan
-from pipeline.rig.motion import Motion, commands
+from pipeline.rig.motion_commands import Motion, commands
 from pipeline.rig.string import String
 from pipeline.run.samples import geometry, read_samples
 from pipeline.run.strokes import segment

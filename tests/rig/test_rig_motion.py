@@ -5,7 +5,7 @@ import pytest
 import yaml
 
 from pipeline.ground.errors import BadInput
-from pipeline.rig.motion import Motion, commands
+from pipeline.rig.motion_commands import Motion, commands
 from pipeline.rig.setup import SHIPPED, names, read_setup
 
 MOTION = {

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pipeline.ground.kinematics import Array
-from pipeline.rig.motion import commands
+from pipeline.rig.motion_commands import commands
 from pipeline.rig.setup import described, dimensions, read_setup
 from pipeline.rig.simulate import simulate
 from pipeline.run.strokes import label

@@ -9,7 +9,7 @@ from imported import imported
 import pipeline.rig
 from pipeline.ground.kinematics import Geometry
 from pipeline.rig import effects
-from pipeline.rig.motion import Motion, commands
+from pipeline.rig.motion_commands import Motion, commands
 from pipeline.rig.setup import described, dimensions, read_setup
 from pipeline.rig.string import String
 

@@ -8,7 +8,7 @@ from whole_strokes import despiked_whole
 
 from pipeline.ground import quantiles, schemas
 from pipeline.ground.rows import Held
-from pipeline.run import motion, spikes
+from pipeline.run import clean_motion, spikes
 from pipeline.run.spikes import despiked, lonely
 from pipeline.run.strokes import label, of_samples, segment
 
@@ -91,7 +91,7 @@ def test_a_recording_with_spikes_is_cut_as_without_them():
 def borders_with_spikes(table):
     """First samples of the stretches of a motion whose spikes are left in."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(motion, "spikes", lambda rows, driver: np.zeros(0, np.intp))
+        patch.setattr(clean_motion, "spikes", lambda rows, driver: np.zeros(0, np.intp))
         return segment(table, "motor_turns", "made")["first_sample"]
 
 

@@ -11,7 +11,7 @@ import pytest
 from scripted_rig import CHANNELS, ScriptedRig
 from settle_bench import LIMITS, described, ended, program, rig, set_up, settled, started, state, until
 
-from pipeline.capture.motion import as_legs
+from pipeline.capture.motion_program import as_legs
 from pipeline.ground.errors import BadInput
 from pipeline.run.folder import read_run
 from pipeline.settle.answers import Answers

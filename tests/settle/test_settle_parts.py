@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from made_recording import recording
 
-from pipeline.capture.motion import as_legs
+from pipeline.capture.motion_program import as_legs
 from pipeline.ground.errors import BadInput
 from pipeline.run.folder import read_run
 from pipeline.settle import loop

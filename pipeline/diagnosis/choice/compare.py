@@ -3,7 +3,7 @@
 Source: Cox, Tests of separate families of hypotheses, 4th Berkeley Symposium, 1961.
 """
 
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from .search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
 
 CONTENDER = 0.75  # of the best one's gain: less is no contender

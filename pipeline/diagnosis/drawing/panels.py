@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from ..document.content import Part, Verdict, left_with_discrepancy
 from ..recording.drivers import Drivers
 from ..words.explanations import explanation_table, probability, rivals

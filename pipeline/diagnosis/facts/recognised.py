@@ -5,7 +5,7 @@ Nothing here decides: the verdict is already made.
 
 import math
 
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from ..choice.outcome import Study
 from ..numerics.recogniser import DOUBT, OF_ALL, OF_EXPLANATION
 

@@ -1,6 +1,6 @@
 """A diagnosis without the mechanisms that came out with no strength: what does nothing explains nothing."""
 
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from ..document.content import Part
 from ..mechanisms.library import mechanisms
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from ...ground.kinematics import Array
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from ..recording.drivers import Drivers
 
 Port = Literal["twist", "radius", "length", "resistance", "sensor"]

@@ -12,7 +12,7 @@ from typing import TypedDict
 import numpy as np
 
 from ...ground.kinematics import Array
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 
 OUTSIDE = "outside"  # the class of effects that no mechanism of the library has
 DOUBT = 0.01  # of the probability: nothing is less like a signature than that

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ...run.course import Course, Recorded, longest_s
-from ...run.limits import NEAR
+from ...run.planned_limits import NEAR
 from ...run.strokes import label, of_samples
 from .recorded_run import RecordedRun
 from .working_samples import PHASES, Record

@@ -7,7 +7,7 @@ import argparse
 
 from ...ground.errors import program
 from ...ground.glossary import MEANING
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from ..mechanisms.interface import Mechanism
 from ..mechanisms.library import mechanisms
 

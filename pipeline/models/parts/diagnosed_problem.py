@@ -15,7 +15,7 @@ from ...diagnosis.recording.working_samples import joined
 from ...diagnosis.study import engine
 from ...ground.kinematics import Array
 from ...run.description import Run
-from .motion import Motion
+from .filled_motion import Motion
 
 SAMPLES = ["time_s", "motor_turns", "displacement_mm", "load_n"]
 

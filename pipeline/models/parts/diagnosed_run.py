@@ -12,7 +12,7 @@ from ...diagnosis.recording import drivers
 from ...ground.kinematics import Array
 from ...run.description import Run
 from .diagnosed_problem import along
-from .motion import Motion, path
+from .filled_motion import Motion, path
 
 ROUNDS = 6  # of way and twist; each brings the twist several times nearer
 HALVINGS = 40  # of the range in which a twist is sought

@@ -6,7 +6,7 @@ Source: Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006.
 from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
 from ...ground.regression import gaussian_process
-from .features import Column, plain, standard, table
+from .driver_columns import Column, plain, standard, table
 from .learnt import Calibrated, Learnt
 
 POINTS, TUNED_ON = 1000, 300  # points that it knows, and of these those on which its lengths are chosen

@@ -7,7 +7,7 @@ from sklearn.ensemble import HistGradientBoostingRegressor
 
 from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
-from .features import plain, standard, table
+from .driver_columns import plain, standard, table
 from .learnt import Calibrated, Learnt
 
 

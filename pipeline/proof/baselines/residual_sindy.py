@@ -11,7 +11,7 @@ from pysindy import STLSQ, IdentityLibrary, SINDy
 
 from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
-from .features import products, standard, table
+from .driver_columns import products, standard, table
 from .learnt import Calibrated, Learnt
 
 THRESHOLDS = np.geomspace(0.02, 2.0, 14)  # of the residual's rms, on columns of unit spread

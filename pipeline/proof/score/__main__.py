@@ -9,7 +9,7 @@ from ...ground.errors import BadInput, program
 from ...ground.files import write_text
 from . import baselines_beside
 from .authors import by_author, by_law
-from .cases import OWN, gather
+from .case_table import OWN, gather
 from .figures import draw
 from .hands import section
 from .metrics import scores

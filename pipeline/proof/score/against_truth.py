@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 
 QUIET = ("consistent", "parameters")
 RIGHT = ("exact", "tie with the truth", "quiet", "unknown as it should")

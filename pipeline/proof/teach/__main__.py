@@ -12,7 +12,7 @@ from ...ground.errors import BadInput, program
 from ...ground.files import write_text
 from ...ground.progress import steps
 from ...rig.authors import names
-from . import across, fit
+from . import across, fitted_judge
 from .lesson import Lesson, curriculum, learnt, read, sighted, written
 
 AT_ONCE = 8  # lessons between two savings
@@ -37,13 +37,13 @@ def taken(path: Path, wanted: list[Lesson], jobs: int, make: Callable[[Lesson], 
 
 def judge_of(lessons: list[Lesson], onwards: Path | None) -> Judge:
     """The judge that some lessons make, or one of a file that learns of them what signatures look like alone."""
-    weighing = judge(onwards) if onwards else fit.fitted([lesson for lesson in lessons if lesson.ids])
-    return fit.listening(weighing, lessons)
+    weighing = judge(onwards) if onwards else fitted_judge.fitted([lesson for lesson in lessons if lesson.ids])
+    return fitted_judge.listening(weighing, lessons)
 
 
 def save(path: Path, made: Judge) -> Judge:
     """Write a judge; the same judge."""
-    write_text(path, json.dumps(fit.content(made), separators=(",", ":")) + "\n")
+    write_text(path, json.dumps(fitted_judge.content(made), separators=(",", ":")) + "\n")
     return made
 
 

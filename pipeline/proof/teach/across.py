@@ -7,8 +7,8 @@ import numpy as np
 
 from ...diagnosis.choice.judged import UNKNOWN, held, helpers_share
 from ...diagnosis.numerics.judge import Judge
-from ...ground.outside import is_outside
-from .fit import explanations
+from ...ground.outside_library import is_outside
+from .fitted_judge import explanations
 from .lesson import Lesson
 
 STRATA = {1: "single", 2: "pair"}

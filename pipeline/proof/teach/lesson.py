@@ -16,11 +16,11 @@ from ...diagnosis.numerics.judge import Weighed
 from ...diagnosis.recording.recorded_run import RecordedRun
 from ...diagnosis.signature.signature import signature_of
 from ...diagnosis.study.engine import make_problem, study
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from ...rig.authors import authors
 from ...rig.authors.interface import Asked, OutOfReach, Protocol
 from ...run.description import parse_run
-from ...run.recording import to_samples
+from ...run.recorded_table import to_samples
 from ...run.samples import check
 
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")

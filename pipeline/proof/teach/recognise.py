@@ -7,7 +7,7 @@ from sklearn.exceptions import ConvergenceWarning
 from sklearn.neural_network import MLPClassifier
 
 from ...diagnosis.numerics.recogniser import OUTSIDE, Recogniser
-from ...ground.outside import is_outside
+from ...ground.outside_library import is_outside
 from .lesson import Lesson
 
 UNITS, DECAY, PASSES = 48, 3.0, 200  # of the network: rectified units, weight decay, passes over all lessons

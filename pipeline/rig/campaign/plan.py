@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import effects
-from ..motion import Motion, Strokes
+from ..motion_commands import Motion, Strokes
 from .recorded import Recorded, recorded
 from .specimen import Specimen, draw_specimen, materials
 

@@ -9,7 +9,7 @@ import pandas as pd
 from ...ground.kinematics import Array
 from .. import sensors
 from ..effect import Effect
-from ..motion import Commands, Motion, commands
+from ..motion_commands import Commands, Motion, commands
 from ..sensors import Sensor
 from ..string import String
 from .specimen import Specimen

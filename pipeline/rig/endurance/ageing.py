@@ -8,7 +8,7 @@ import numpy as np
 from .. import effects
 from ..campaign.specimen import Specimen
 from ..effect import Effect
-from ..motion import Strokes
+from ..motion_commands import Strokes
 from . import x_fatigue, x_galling
 
 LOST_RADIUS = 0.06  # share with which about a tenth of the stroke is lost

@@ -7,7 +7,7 @@ import pandas as pd
 
 from ...ground.kinematics import Array
 from ..campaign.recorded import STEPS_PER_SAMPLE, sampled
-from ..motion import Commands, Motion, commands
+from ..motion_commands import Commands, Motion, commands
 from ..string import String
 from .ageing import made
 from .plan import Planned

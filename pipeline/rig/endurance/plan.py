@@ -8,7 +8,7 @@ import numpy as np
 
 from ..campaign.plan import material_of
 from ..campaign.specimen import Bands, Specimen, draw_specimen
-from ..motion import Strokes
+from ..motion_commands import Strokes
 from .ageing import Work, ageing
 
 Life = Literal["saturates", "wears", "breaks"]

@@ -13,7 +13,7 @@ import pytest
 from pipeline.diagnosis.prediction.simulation import read_diagnosis
 from pipeline.diagnosis.prediction.to_compare import ToCompare
 from pipeline.diagnosis.words.foretold import recorded_error
-from pipeline.real.about import About
+from pipeline.real.asked_recording import About
 from pipeline.rig.others import cable_drive
 from pipeline.rig.others.made import write_run
 from pipeline.string.from_raw import read

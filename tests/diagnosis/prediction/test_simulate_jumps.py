@@ -9,7 +9,7 @@ import programs
 import pytest
 import yaml
 
-from pipeline.diagnosis.numerics import band
+from pipeline.diagnosis.numerics import residual_band
 
 ROOT = Path(__file__).parents[3]
 EACH = 10  # samples of 1 ms that are compared as one
@@ -46,7 +46,7 @@ def test_simulated_at_the_recordings_rate_it_errs_by_what_the_diagnosis_says(tmp
     left = measured - pd.read_parquet(out)["force_n"].to_numpy()
     assert len(left) == len(table)
     means = [signal.reshape(-1, EACH).mean(axis=1) for signal in (left, measured)]
-    kept = [band.within(signal, np.arange(len(signal)), EACH * 1e-3, 10.0) for signal in means]
+    kept = [residual_band.within(signal, np.arange(len(signal)), EACH * 1e-3, 10.0) for signal in means]
     share = float(np.std(kept[0]) / np.sqrt(np.mean(kept[1] ** 2)))
     assert share == pytest.approx(content["fit"]["relative_residual"]["explained"], rel=0.05)
     whole = content["fit"]["noise_floor_n"]

@@ -1,7 +1,7 @@
 """What comes closest where nothing explains a recording, what each takes away and leaves, and why it does not do."""
 
 from ....ground.glossary import MEANING
-from ....ground.outside import is_outside
+from ....ground.outside_library import is_outside
 from ...choice.judged import UNKNOWN
 from ...choice.search import EXPLAINED
 from ...document.content import Part, Verdict

@@ -1,6 +1,6 @@
 """What is left without a name, in words: how large the pattern is, where it lies and what it follows."""
 
-from ....ground.outside import is_outside
+from ....ground.outside_library import is_outside
 from ...document.content import Verdict, mismatch_of
 from ..held_out import holdout, level, unseen
 from ..language.places import EVERYWHERE, place

@@ -3,7 +3,16 @@
 from typing import Any
 
 from ....run.course import ALIKE
-from ....run.limits import LONGER, SHORT_S, from_on, least_speed, most_speed, share_of_slowest, stands_still, up_to
+from ....run.planned_limits import (
+    LONGER,
+    SHORT_S,
+    from_on,
+    least_speed,
+    most_speed,
+    share_of_slowest,
+    stands_still,
+    up_to,
+)
 from ...document.content import Verdict
 from ...mechanisms.library import mechanisms
 from ..language.quantity import at, duration, ends, listing, span

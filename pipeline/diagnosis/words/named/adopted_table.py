@@ -1,6 +1,6 @@
 """The table of what run.yaml has adopted: each effect by its name, as what it was adopted, how large it is here."""
 
-from ....ground.outside import is_outside
+from ....ground.outside_library import is_outside
 from ...document.content import Adoption, Part, Verdict
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import size

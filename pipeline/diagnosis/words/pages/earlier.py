@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import cast
 
 from ....ground.errors import BadInput
-from ....ground.outside import is_outside
+from ....ground.outside_library import is_outside
 from ...document.bounds import of_later_run
 from ...document.content import Part, Verdict
 from ...prediction.simulation import read_diagnosis
