@@ -9,6 +9,7 @@ import pandas as pd
 from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
+from ..ground.model_names import WHOLE_MOTION
 from . import paper
 from .comparison import line
 from .fitted import FLOORS, SPLITS, lines_on_files, times_floor
@@ -19,9 +20,10 @@ from .sidecar import Column, describe
 from .strings_together import together
 from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
 from .titles import titles_of
-from .usual_model import RULE, chosen_of, weighed
+from .usual_model import RULE, RULES, chosen_of, weighed
 
 WHERE = ["stroke", "phase", "angle_band"]
+FAR = 10.0  # times the floor, from which the error of a diagnosed simulator needs a reason
 COLUMNS: list[Column] = [
     ("model", "string", "file of the model, or a floor"), ("title", "string", "its title"),
     ("direction", "boolean", "whether it knows winding from unwinding"),
@@ -118,7 +120,28 @@ def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     forward = whole[whole["map"] == "forward"]
     errors_mm = {(row["model"], row["split"]): float(row["median"]) for _, row in forward.iterrows()}
     chosen = chosen_of(titles, errors_mm)
-    return [f"Take the **{titles[chosen]}**. {RULE} {weighed(titles, errors_mm)}".strip(), ""] if chosen else []
+    if not chosen:
+        return []
+    rules = [RULE, "", *(f"{number}. {rule}" for number, rule in enumerate(RULES, start=1)), ""]
+    return [f"Take the **{titles[chosen]}**. {weighed(titles, errors_mm)}".strip(), "", *rules]
+
+
+def on_simulator(table_of: pd.DataFrame, split: str, way: str) -> list[str]:
+    """A line on why the diagnosed simulator errs far above the floor on later strokes; none where it does not."""
+    mine = table_of[(table_of["model"] == WHOLE_MOTION) & (table_of["column"] == "all") & (table_of["map"] == way)]
+    own = mine.set_index("split")
+    if split != "later" or split not in own.index or not own.loc[split, "ratio"] > FAR:
+        return []
+    row = own.loc[split]
+    inside = (
+        f" It errs by {own.loc['within', 'median']:.3f} {row['unit']} within strokes." if "within" in own.index else ""
+    )
+    return [
+        f"- {plain(row['title'])} ({row['median']:.3f} {row['unit']}, {times_floor(row['ratio'])} × its floor): for "
+        "this table the effects were diagnosed without the later strokes, and what was named does not foresee them."
+        f"{inside} An error so large says that the effects are not settled, or that the later strokes have another "
+        "load or twist. Do not predict later strokes with it."
+    ]
 
 
 def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = None) -> str:
@@ -137,7 +160,7 @@ def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = N
             text += [f"## {way.capitalize()}, {name}: RMSE in {chosen['unit'].iloc[0]}", ""]
             text += [apart, ""] if apart and split == "later" else []
             text += [*table(chosen), ""]
-            text += [*sentences(chosen), ""]
+            text += [*sentences(chosen), *on_simulator(table_of, split, way), ""]
     return "\n".join(text)
 
 

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from ..ground.model_names import WHOLE_MOTION
 from .fitted import FLOORS, times_floor
 from .stroke_conditions import APART
-from .usual_model import RULE, chosen_of, uses, weighed
+from .usual_model import RULE, RULES, chosen_of, uses, weighed
 from .web.page import Text, paragraph, together
 from .web.table import table
 
@@ -93,7 +93,9 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
     for material, models in materials.items():
         by_model.setdefault(models.chosen(), []).append(material)
     everywhere = "The page of every model, below, says which errs least on what."
-    lines: list[Text] = [LATER, f"{RULE} {everywhere}"] if any(by_model) else []
+    lines: list[Text] = [everywhere] if any(by_model) else []
+    rules = Markup("").join(Markup("<li>{}</li>").format(rule) for rule in RULES)
+    begins = [paragraph(LATER), paragraph(RULE), Markup("<ol>{}</ol>").format(rules)] if any(by_model) else []
     for model, chosen_for in by_model.items():
         if model:
             export, _ = uses(chosen_for[0] if len(chosen_for) == 1 else "<material>", model)
@@ -112,7 +114,7 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
             "Where it is large on later strokes, these effects do not foresee them. "
             f"Red: more than {FAR:g} times the floor, the least possible error."
         )
-    return together(paragraph(line) for line in lines)
+    return together([*begins, *(paragraph(line) for line in lines)])
 
 
 def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:

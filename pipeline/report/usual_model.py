@@ -12,10 +12,13 @@ import pandas as pd
 from ..ground.model_names import USUAL, WHOLE_MOTION
 
 LESS = 1.1  # times as large: from there on an error is told to be larger
-RULE = (
-    "The model to take is, of those that can be exported, the one of the least forward error on later strokes (on "
-    f"held-out points where no later stroke is left out); the spline is taken where its error is at most {LESS:g} "
-    "times the least, because it rises with the twist and is its own inverse."
+RULE = "The model to take is found so:"
+RULES = (
+    "Only models that can be exported are compared.",
+    "Of these the one of the least forward error on later strokes is taken. Where no later stroke is left out, it is "
+    "the one of the least forward error on held-out points.",
+    f"If the error of the spline is at most {LESS:g} times that least error, the spline is taken instead: it rises "
+    "with the twist and is its own inverse.",
 )
 Errors = Mapping[tuple[str, str], float]
 
@@ -38,7 +41,7 @@ def errors_in(path: Path) -> dict[tuple[str, str], float]:
 
 
 def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
-    """Which of some models to take by `RULE`; empty where there is none. Without errors it is the spline, if there."""
+    """Which of some models to take by `RULES`; empty where there is none. Without errors it is the spline, if there."""
     known = sorted(set(models) - {WHOLE_MOTION})
     for split in ("later", "within"):
         errors = {model: errors_mm[model, split] for model in known if (model, split) in errors_mm}
@@ -82,7 +85,9 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
     if split == "within" or best == chosen or (chosen, "within") not in errors_mm:
         return line
     less = f"{errors_mm[best, 'within']:.3f} mm against {errors_mm[chosen, 'within']:.3f} mm"
-    return f"{line} Inside strokes, which the tables show, {best} errs less: {less}."
+    take = f"If your strokes stay as recorded, take {best}."
+    clearly = errors_mm[best, "within"] * LESS <= errors_mm[chosen, "within"]
+    return f"{line} Inside strokes, which the tables show, {best} errs less: {less}.{f' {take}' if clearly else ''}"
 
 
 def uses(material: str, model: str) -> tuple[str, str]:

@@ -28,7 +28,8 @@ from pipeline.report.page_parts import of_materials, of_runs
 from pipeline.report.recorded_strings import by_stroke, recorded_strings, rows, sentence
 from pipeline.report.summary import summary
 from pipeline.report.to_take import LATER, Models, materials_table
-from pipeline.report.usual_model import RULE, uses
+from pipeline.report.usual_model import RULE, RULES, uses
+from pipeline.report.web.markdown import INDEX_COMES, web_page
 from pipeline.report.web.page import anchor
 from pipeline.run.left_out import LeftOut, to_json
 
@@ -174,12 +175,24 @@ def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_p
 ):
     """Nothing but the material's folder is made by that command. The one link out of it says which command makes it."""
     shutil.copytree(reports / MATERIAL, tmp_path / MATERIAL)
-    words = '<a href="../index.html">All reports</a>, a page that the main job makes (snakemake --cores 2)'
+    words = "All reports: a page that the main job makes (snakemake --cores 2)"
     for path, text in pages_of(tmp_path).items():
         addresses = [each for each in Seen(text).addresses if not each.startswith("#") and each != "../index.html"]
         assert addresses or path.name != "index.html"
         assert all((path.parent / unquote(address)).is_file() for address in addresses), path
         assert words in text, path
+
+
+def test_a_page_leads_to_the_index_where_that_is_there_or_the_job_makes_it(tmp_path, monkeypatch):
+    """After a quick job the link led nowhere."""
+    folder, linked = tmp_path / "nylon", '<a href="../index.html">All reports</a>'
+    assert "<a" not in web_page("# a\n", None, folder).partition("All reports: a page that the main job makes")[0][-40:]
+    assert linked not in web_page("# a\n", None, folder)
+    monkeypatch.setenv(INDEX_COMES, "yes")
+    assert linked in web_page("# a\n", None, folder)
+    monkeypatch.delenv(INDEX_COMES)
+    (tmp_path / "index.html").write_text("")
+    assert linked in web_page("# a\n", None, folder)
 
 
 def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
@@ -232,7 +245,8 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     words = html.unescape(str(materials_table(tmp_path, [MATERIAL], str)))
     export, _ = uses(MATERIAL, "spline")
     assert export in words
-    assert RULE in words and f"The Spline is exported by <code>{export}" in words
+    assert RULE in words and all(f"<li>{rule}</li>" in words for rule in RULES)
+    assert f"The Spline is exported by <code>{export}" in words
     assert "The simulator is no model to take away: it needs the whole motion" in words
     less = "the Polynomial errs less forward: 0.020 mm against 0.103 mm. On later strokes it errs by 0.400 mm"
     less = f"<b>{MATERIAL}</b>: On strokes like the recorded ones {less} against 0.153 mm."
@@ -253,10 +267,7 @@ def test_the_model_to_take_is_the_one_whose_numbers_on_the_page_justify_it(tmp_p
     assert Models.read(tmp_path / MATERIAL / "models.csv").row()[0] == model
     words = str(materials_table(tmp_path, [MATERIAL], str))
     export, _ = uses(MATERIAL, model.lower())
-    assert (
-        export in words
-        and words.count("<p>The model to take is, of those that can be exported, the one of the least") == 1
-    )
+    assert export in words and words.count("<p>The model to take is found so:") == 1
 
 
 def test_the_pages_say_why_the_error_on_later_strokes_of_a_model_is_not_that_of_a_diagnosis(reports):

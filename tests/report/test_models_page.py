@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 import sys
 from itertools import pairwise
 from pathlib import Path
@@ -19,8 +20,8 @@ from pipeline.report.fitted import lines_at_end, lines_on_files, times_floor
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
 from pipeline.report.least import sentences
-from pipeline.report.models import columns, main, numbers, page
-from pipeline.report.usual_model import RULE
+from pipeline.report.models import columns, main, numbers, on_simulator, page
+from pipeline.report.usual_model import RULE, RULES
 from pipeline.report.web.markdown import web_page
 
 TITLES = {"inn": "INN model", "mlp": "MLP model", "calibrated": "Calibrated model"}
@@ -72,11 +73,23 @@ def test_the_page_begins_with_the_model_to_take_and_who_errs_less():
     metrics = made_metrics(FORWARD | {"spline": [0.058]})
     metrics.loc[(metrics["model"] == "mlp") & (metrics["split"] == "later"), "value"] *= 1.2
     begins = page(numbers(metrics, titles, ["mlp"]), "made").split("RMSE on held-out")[0]
-    assert f"Take the **Spline model**. {RULE}" in begins
+    assert begins.startswith("# made: every model") and "Take the **Spline model**. On strokes" in begins
+    assert f"{RULE}\n\n1. {RULES[0]}\n2. {RULES[1]}\n3. {RULES[2]}\n" in begins
     less = "the MLP model errs less forward: 0.051 mm against 0.058 mm. On later strokes it errs by 0.073 mm"
     assert f"On strokes like the recorded ones {less} against 0.068 mm." in begins
     begins = page(numbers(made_metrics(FORWARD | {"spline": [0.093]}), titles, ["mlp"]), "made")
     assert "Take the **MLP model**." in begins and "On strokes like the recorded ones" not in begins
+
+
+def test_a_simulator_that_errs_far_above_the_floor_on_later_strokes_has_its_reason_beside_it():
+    """It stood at 233 times its floor below a table in which it was the best, without a word."""
+    metrics = made_metrics(FORWARD | {"diagnosed": [0.05]})
+    metrics.loc[(metrics["model"] == "diagnosed") & (metrics["split"] == "later"), "value"] *= 100.0
+    table_of = numbers(metrics, {"mlp": "MLP model", "diagnosed": "Diagnosed simulator"}, ["mlp", "diagnosed"])
+    (line,) = on_simulator(table_of, "later", "forward")
+    assert re.match(r"- Diagnosed simulator \(6.000 mm, [0-9]+ × its floor\): for this table the effects were", line)
+    assert "It errs by 0.050 mm within strokes." in line and line in page(table_of, "made")
+    assert on_simulator(table_of, "within", "forward") == []
 
 
 def test_cells_are_medians_with_their_spread_and_the_least_is_bold():
@@ -285,7 +298,9 @@ def test_a_leak_that_is_larger_than_the_whole_error_is_explained():
 
 
 def test_the_spread_of_the_seeds_stands_on_a_line_of_its_own():
-    shown = web_page("# a\n\n| model | all |\n| --- | --- |\n| INN (2–3) | **0.120** (0.118–0.125) |\n", None)
+    shown = web_page(
+        "# a\n\n| model | all |\n| --- | --- |\n| INN (2–3) | **0.120** (0.118–0.125) |\n", None, Path("made")
+    )
     assert "<strong>0.120</strong><br><small>(0.118\u2060–\u20600.125)</small></td>" in shown
     assert shown.count("<small>") == 1
 
@@ -296,7 +311,7 @@ def test_every_table_fits_a_page_of_1200_pixels_even_where_every_cell_has_a_spre
     some = made_metrics(seeds)
     metrics = pd.concat([some, some[some["stroke"] == "1"].assign(stroke="5")])
     titles = {"inn": "Conditional INN", "mlp": "MLP model", "diagnosed": "Diagnosed simulator"}
-    (tmp_path / "models.html").write_text(web_page(page(numbers(metrics, titles, ["mlp"]), "made"), None))
+    (tmp_path / "models.html").write_text(web_page(page(numbers(metrics, titles, ["mlp"]), "made"), None, tmp_path))
     script = """<script>
       const all = [...document.querySelectorAll(".scroll")];
       const wide = all.filter(table => table.scrollWidth > table.clientWidth);
@@ -350,7 +365,8 @@ def test_the_main_job_says_why_the_model_to_take_is_not_the_best_of_the_tables(t
     (tmp_path / "models.csv").write_text("\n".join(["model,split,map,column,median", *rows]) + "\n")
     assert lines_at_end("nylon", made, tmp_path / "models.csv")[0] == (
         "model to take: spline. Its forward error on later strokes is at most 1.1 times the least: 0.039 mm. "
-        "Inside strokes, which the tables show, polynomial errs less: 0.038 mm against 0.049 mm."
+        "Inside strokes, which the tables show, polynomial errs less: 0.038 mm against 0.049 mm. "
+        "If your strokes stay as recorded, take polynomial."
     )
 
 
