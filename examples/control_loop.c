@@ -132,7 +132,11 @@ int main(void)
         report(tick, wanted_mm, turns, moved);
         wait_for_next_millisecond();
     }
-    printf("%d of %d targets ask for a twist that was not recorded with this state\n", unrecorded, TICKS);
+    if (unrecorded) {
+        printf("%d of %d targets ask for a twist that was not recorded with this state\n", unrecorded, TICKS);
+    } else if (refused < TICKS) {
+        printf("all %d answered targets ask for a twist that was recorded with this state\n", TICKS - refused);
+    }
     printf("%d of %d targets refused, %d of them past the model's range, on purpose\n", refused, TICKS, past);
     return 0;
 }

@@ -8,6 +8,7 @@ import numpy as np
 from ..ground.command import command, program_name
 from ..string.zero import Jump
 from .advice import advice, due, rests_on
+from .at_rest import longer_at_rest
 from .calibrate_again import AFTERWARDS
 from .claims_held import measured
 from .health import Health
@@ -31,9 +32,7 @@ ZERO_OFF = (
     "Such a zero is known in part: on simulated strings it was off by 0.01 to 0.08 mm (median, by how a string "
     "creeps), at worst by 0.5 mm. The model's error may be off by as much."
 )
-WAYS_ON = (
-    f"A future, below, is one of {FUTURES:,} ways in which this string may go on, as the laws of its strokes allow."
-)
+WAYS_ON = f"A future is one of {FUTURES:,} ways in which this string may go on, as the laws of its strokes allow."
 LAST = 3  # strokes that tell how far a limit is
 LEAST_LOSS = 1e-3  # per cent of the stroke: no sensor shows less
 
@@ -49,8 +48,8 @@ def few(count: int) -> bool:
     return count < LEAST_STROKES
 
 
-def so_far(answer: Answer) -> str:
-    """What the last strokes show, whatever may be said of those to come."""
+def so_far(answer: Answer, at_rest: str = "") -> str:
+    """What the last strokes show, whatever may be said of those to come; `at_rest` is what no stroke shows."""
     after = len(answer.n) - (REFERENCE if answer.unit == "1" else 0)
     if after <= 0:
         first = f"the first {REFERENCE} strokes are what the later ones are compared with"
@@ -60,11 +59,11 @@ def so_far(answer: Answer) -> str:
     if answer.unit != "1":
         off = f"a model calibrated on the first {REFERENCE} strokes is off by {beside_limit(middle, answer.limit)}"
         return f"So far: {off} {answer.unit} (median of {of})."
-    against = f"{of} against the first {REFERENCE}"
+    against, rest = f"{of} against the first {REFERENCE}", f", {at_rest}" * bool(at_rest)
     if abs(100.0 * middle) < LEAST_LOSS:
-        return f"So far: nothing measurable of the stroke is lost ({against})."
+        return f"So far: nothing measurable of the stroke is lost{rest} ({against})."
     if middle < 0.0:
-        return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost ({against})."
+        return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost{rest} ({against})."
     lost = beside_limit(100.0 * middle, 100.0 * answer.limit)
     return f"So far: {lost} % of the stroke is lost ({against})."
 
@@ -124,12 +123,12 @@ def law(answer: Answer) -> str:
     )
 
 
-def answered(answer: Answer, level: float, enough: bool) -> list[str]:
+def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> list[str]:
     """Lines of one question: how far the limit is now, how long it stays unpassed, and how far to trust that."""
     state = answer.left.span(level).state
     within = "" if answer.left.drifts else " This change is within the noise of the strokes."
     claim, *more = sentence(answer, level, enough)
-    lines = [f"  {so_far(answer)}{within}", f"  {claim}"]
+    lines = [f"  {so_far(answer, at_rest)}{within}", f"  {claim}"]
     if state in ("no claim", "passed"):
         return lines
     return [*lines, *(f"    {line}" for line in (*more, measured(answer.question, state), law(answer)) if line)]
@@ -166,6 +165,8 @@ def sentences(health: Health, answers: list[Answer], level: float, beside: bool 
     """All answers in words, a few lines; `beside` as `seen` takes it, `calibrate_by` how a model is calibrated."""
     lines, enough = seen(health, beside), not few(len(health.strokes))
     lines += [f"  {line}" for line in health.loads.sentences]
+    is_foretold = any(len(answer.left.when) for answer in answers)
+    lines += [f"  {WAYS_ON}"] if is_foretold else []
     if enough:
         lines.append(f"  {advice(answers)}")
         then = [calibrate_by, AFTERWARDS] if due(answers) else []
@@ -181,8 +182,6 @@ def sentences(health: Health, answers: list[Answer], level: float, beside: bool 
     lines += [f"  Beware: {note}" for note in health.uncompared]
     if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
         lines.append(f"  {ZERO_OFF}")
-    is_foretold = any(len(answer.left.when) for answer in answers)
-    lines += [f"  {WAYS_ON}"] if is_foretold else []
-    lines += [line for answer in answers for line in answered(answer, level, enough)]
+    lines += [line for answer in answers for line in answered(answer, level, enough, longer_at_rest(health.strokes))]
     lines += [f"  {UNFORESEEN}"] if is_foretold else []
     return "\n".join(lines)

@@ -233,6 +233,9 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
         assert re.search(
             r"ms: \S+ mm refused, TSA_BAD_DISPLACEMENT_MM:", lines
         )  # past the end of the range, and only there
+        assert " 0 of 3000 targets ask" not in f" {lines}", "no double negation"
+        if "not recorded" not in lines:
+            assert re.search(r"^all [0-9]+ answered targets ask for a twist that was recorded with", lines, re.M)
         words = lines.splitlines()[-1].split()  # "273 of 3000 targets refused, 273 of them ..., on purpose"
         assert 0 < int(words[0]) < 500 and words[5] == words[0] and lines.endswith("range, on purpose\n")
         sent = [float(turns) for turns in re.findall(r"mm(?: →|: it stays at) (\S+) turns$", lines, re.MULTILINE)]

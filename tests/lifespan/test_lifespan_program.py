@@ -17,6 +17,7 @@ from pipeline.ground.errors import BadInput
 from pipeline.lifespan import calibrate_again
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.advice import advice, recalibrate_after, rests_on
+from pipeline.lifespan.at_rest import longer_at_rest
 from pipeline.lifespan.claims_held import HELD, measured
 from pipeline.lifespan.figure import page, question
 from pipeline.lifespan.figure_words import WIDE
@@ -48,9 +49,9 @@ def test_the_program_ends_well(done):
     ran, out = done
     assert ran.returncode == 0, ran.stderr
     assert "In our tests (120 synthetic strings) such an" in ran.stdout
-    assert ran.stdout.splitlines()[1].startswith("  Advice: ") and "Such a zero" not in ran.stdout
+    assert ran.stdout.splitlines()[2].startswith("  Advice: ") and "Such a zero" not in ran.stdout
     assert "Until 10 % of the stroke is lost" in ran.stdout and "A sudden end" in ran.stdout
-    before, _, after = ran.stdout.partition("  A future, below, is one of 2,000 ways in which this string may go on")
+    before, _, after = ran.stdout.partition("  A future is one of 2,000 ways in which this string may go on")
     assert "futures" in after and "futures" not in before, "a word is said before its meaning"
     assert (out / "lifespan.png").stat().st_size > 10_000
 
@@ -378,6 +379,11 @@ def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
         values[-3:] = last
         against = "(the last 3 strokes against the first 3)."
         assert so_far(Answer("stroke_loss", "", "1", n, values, values, 0.1, left)) == f"So far: {said} {against}"
+    grown = Answer("stroke_loss", "", "1", n, np.full(12, -0.014), np.full(12, -0.014), 0.1, left)
+    rests = pd.DataFrame({"rest_mm": np.repeat([9.0, 8.4, 7.8], 4), "rest_mm_error": 0.01})
+    told = so_far(grown, longer_at_rest(rests))
+    assert "the stroke grew by 1.4 %; nothing is lost, but the string is 1.2 mm longer at rest (the last" in told
+    assert longer_at_rest(rests.assign(rest_mm_error=1.0)) == longer_at_rest(rests[:5]) == "", "within the noise"
     for least in (np.full(12, 1.1e-16), np.full(12, -1.1e-16)):
         told = so_far(Answer("stroke_loss", "", "1", n, least, least, 0.1, left))
         assert told == "So far: nothing measurable of the stroke is lost (the last 3 strokes against the first 3)."
@@ -417,6 +423,8 @@ def test_beside_a_claim_stands_how_often_its_kind_held_as_the_page_has_it():
         assert late.startswith("too few" if known.late_percent is None else f"{known.late_percent} % (")
         assert f"held in {known.percent:.0f} of 100 cases" in measured(what, state)
     assert "asked at 75 % of the life in 93" in measured("stroke_loss", "interval")
+    assert measured("stroke_loss", "one-sided").endswith("that could be judged: so the bound is cautious.")
+    assert "cautious" not in measured("model_error", "interval")
     assert "too few" in measured("stroke_loss", "censored")
     for (_, state), known in HELD.items():
         assert known.percent > 89.5, f"{state}: what is called 90 % holds less often"

@@ -1,0 +1,24 @@
+"""What a stroke that is not shorter hides: a string that is longer at rest, for the sensor reads less there."""
+
+import numpy as np
+import pandas as pd
+
+from .indicators import REFERENCE
+
+LAST = 3  # strokes that are compared with the first ones
+SURE = 3.0  # standard errors, from which a change is said
+LEAST_MM = 0.05  # nobody sets out for less
+
+
+def longer_at_rest(strokes: pd.DataFrame) -> str:
+    """By how much the string is longer or shorter at rest than in its first strokes; empty where it is neither.
+
+    `strokes` has `rest_mm`, what the sensor reads at the lowest twist, and `rest_mm_error`, a row each stroke.
+    """
+    if len(strokes) < REFERENCE + LAST:
+        return ""
+    rest_mm, error_mm = strokes["rest_mm"].to_numpy(float), strokes["rest_mm_error"].to_numpy(float)
+    fell_mm = float(np.median(rest_mm[:REFERENCE]) - np.median(rest_mm[-LAST:]))
+    if not abs(fell_mm) > max(LEAST_MM, SURE * float(np.median(error_mm))):
+        return ""
+    return f"but the string is {abs(fell_mm):.2g} mm {'longer' if fell_mm > 0.0 else 'shorter'} at rest"
