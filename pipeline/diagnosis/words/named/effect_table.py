@@ -36,7 +36,6 @@ TAKEN_BACK = (
 ELSEWHERE, CHIEF = 0.5, 3  # tolerances that a dimension moved in an effect's place, to be named; how many are
 NEAR_0 = 0.02  # of an interval's upper end: a lower end that is less reads as 0
 BOTH_HOLD = ": {} {} though the interval reaches 0, for the percentage counts all signs, the interval the size alone"
-BESIDE = "Also in the simulator, as a stand-in and no name, is {}. {}"
 IN_ALL = (
     "What no dimension could imitate of {}: {}. The rest {} could make as well. The two overlap, so their rms sizes do "
     "not add up."
@@ -54,14 +53,6 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     """
     if not content["mechanisms"]:
         return []
-    return [
-        *_named(content, words, short),
-        *(BESIDE.format(entry["id"], entry["sentence"]) for entry in content.get("beside", [])),
-    ]
-
-
-def _named(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
-    """The table itself, and the remarks on it."""
     shares = certainty.known(content)
     entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
     parts = any(own_part(entry, content, words) for entry in entries)

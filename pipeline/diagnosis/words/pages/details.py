@@ -12,6 +12,7 @@ from ..explanations import (
     explanation_table,
     other_effects,
     probability,
+    stand_ins,
     though_it_fits,
     unexplained_pattern,
 )
@@ -45,7 +46,7 @@ def details_text(
     """
     words = Vocabulary.of(system)
     sections: Sections = [
-        (effect_table.HEADING, effect_table.lines(content, words, short=False)),
+        (effect_table.HEADING, [*effect_table.lines(content, words, short=False), *stand_ins.lines(content)]),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
         (explanation_table.heading(content), weighed(content, words)),
         (MISSING, [*missing(content, words), *logged.temperature(content, words)]),

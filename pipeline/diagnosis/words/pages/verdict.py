@@ -6,7 +6,7 @@ from pathlib import Path
 from ....systems import System
 from ...document.content import Verdict
 from ...mechanisms.interface import physics
-from ..explanations import chances, closest, rivals, unexplained_pattern
+from ..explanations import chances, closest, rivals, stand_ins, unexplained_pattern
 from ..held_out import holdout, level, unseen, unseen_doubts
 from ..held_out.without_name import UNNAMED, kept_times
 from ..language.places import lying
@@ -36,7 +36,7 @@ def verdict_text(
     acts = effect_table.lines(content, words, short=True) if content["mechanisms"] else []
     sections: Sections = [
         (headline(content, words), []),
-        (effect_table.HEADING, acts),
+        (effect_table.HEADING, [*acts, *stand_ins.lines(content)]),
         (adopted_table.HEADING, adopted_table.lines(content, words)),
         (chances.HEADING, chances.lines(content)),
         (chances.BARE, chances.bare(content, words)),
