@@ -13,6 +13,7 @@ from ..recording.drivers import Drivers
 from .panels import BAND, BINS, MOTION, SHADES, ways
 from .stroke_means import stroke_means
 
+MARGIN = 0.12  # of a panel's height: above and below its points, so that none touches the frame
 TICKS = 5  # steps between numbers below a panel, at most
 GAP = 4.0  # bins: points further apart are not joined by a line
 STILL_C = 0.1  # a temperature that moves by less is followed by nothing that a sensor shows
@@ -115,6 +116,7 @@ def by_stroke(
 def _draw(axes: Axes, places: Array, means: dict[str, Array], floor: float, label: str, joined: bool) -> None:
     """Means over their places, by simulator, over the noise floor's band."""
     axes.axhspan(-floor, floor, color=BAND)
+    axes.margins(y=MARGIN)
     for name, mean, (wide, large) in zip(means, means.values(), ((1.8, 1.6), (0.8, 1.0)), strict=False):
         size, shade = (
             large * (3 if joined else 5),

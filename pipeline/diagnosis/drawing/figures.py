@@ -23,6 +23,7 @@ from ..words.measured.to_measure import to_measure
 from ..words.pages import advice
 from ..words.pages.adopted_doubts import against_advice
 from ..words.pages.headline import NOT_SETTLED, still_holds, unfit
+from ..words.pages.to_do import asks_to_measure
 from . import driver_panels, panels
 from .mismatch_map import map_of, map_signs, mismatch_map
 from .overview import overview
@@ -87,7 +88,8 @@ def warning(content: Verdict, words: Vocabulary) -> str:
     names = [name_of(name) for name in to_measure(content)]
     if names:
         them = "it" if len(names) == 1 else "them"
-        lines += [f"calibration moved {listing(names)} far: measure {them} again first (verdict.txt)"]
+        step = " (verdict.txt)" * asks_to_measure(content, words)
+        lines += [f"calibration moved {listing(names)} far: measure {them} again first{step}"]
     return "\n".join(lines)
 
 
@@ -145,6 +147,7 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     maps.legend(handles=signs, loc="outside lower center", ncols=len(signs), fontsize=7, frameon=False)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
     compared, single = noises(content, vocabulary)
+    told = content["evidence"][f"floor_{ending}"]  # the noise of the legends
     panels.ranking(ranked, content, ending, compared)
     floor_here = content["fit"][f"noise_floor_{ending}"]
     skip = int("as adopted" in simulations)
@@ -157,11 +160,11 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     grid = driver_panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
         slow = label in driver_panels.SLOW
-        if slow and driver_panels.by_stroke(axes, drivers, signal, residuals, floor, label):
+        if slow and driver_panels.by_stroke(axes, drivers, signal, residuals, told, label):
             continue
         kept = {name: residual[counts] for name, residual in residuals.items()}
         period = ripple if signal is drivers.motion else 0.0
-        driver_panels.by_driver(axes, signal[counts], kept, floor, label, period)
+        driver_panels.by_driver(axes, signal[counts], kept, told, label, period)
     handles = [*grid[0].get_lines()[:2], Patch(fc=panels.BAND, ec="0.6", lw=0.5, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"Mean residual by driver ({unit})", fontsize=9)

@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.legend import Legend
 
 from pipeline.diagnosis.choice.judged import HELD
 from pipeline.diagnosis.document.bounds import BOUND
@@ -510,3 +511,16 @@ def test_what_comes_closest_is_drawn_beside_calibration_and_called_no_name(studi
     assert titles == [f"Recording − simulation, {name} (own scale)" for name in ("calibrated", "closest, no name")]
     lines = {line.get_label(): line.get_color() for axes in figure.subfigs[0].axes for line in axes.get_lines()}
     assert lines["closest, no name"] == panels.TIED and "as diagnosed" not in lines
+
+
+def test_the_band_of_the_noise_is_as_wide_as_its_legend_says(studied) -> None:
+    """It had the noise of the search, where the page tells a smaller one."""
+    found, run, _ = studied("creep")
+    content = diagnosis(found, found.problem, None, [run], None, frozenset())
+    content["evidence"]["floor_mm"] = 0.321
+    figure = figures.drawn(found, content)
+    (axes,) = [axes for axes in figure.axes if axes.get_xlabel() == "rate (turns/s)"]
+    (band,) = axes.patches
+    assert band.get_bbox().extents[[1, 3]].tolist() == [-0.321, 0.321]
+    labels = [text.get_text() for legend in figure.findobj(Legend) for text in legend.get_texts()]
+    assert [label[-7:] for label in labels if label.startswith("± noise")] == ["0.32 mm"]

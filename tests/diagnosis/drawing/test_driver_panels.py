@@ -40,3 +40,11 @@ def test_a_named_ripple_has_a_panel_of_one_period(drivers):
     assert added == {"place within a ripple of 0.0093 m"}
     within_m, moving = driver_panels.listeners(drivers, PITCH_M)[added.pop()]
     assert within_m.min() >= 0.0 and within_m.max() < PITCH_M and moving.any()
+
+
+def test_no_point_touches_the_frame_of_its_panel():
+    axes = Figure().subplots()
+    place_m = np.linspace(0.0, 1.0, 1000)
+    driver_panels.by_driver(axes, place_m, {"calibrated": 10.0 * place_m}, 0.1, "position (m)")
+    means, (low, high) = np.asarray(axes.get_lines()[0].get_ydata()), axes.get_ylim()
+    assert min(high - means.max(), means.min() - low) > 0.1 * np.ptp(means)

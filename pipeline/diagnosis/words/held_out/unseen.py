@@ -116,8 +116,8 @@ def _missed_alone(content: Verdict, unseen: float, fitted: float) -> str:
 
 
 def beside_limit(ratio: float) -> str:
-    """How many times, to a hundredth where a tenth does not tell on which side of the limit it lies: 1.34, 1.5, 12."""
-    return f"{ratio:.2f}" if times(ratio) == times(STILL_MISSING) else times(ratio)
+    """How many times, to a hundredth where it is more than the limit and a tenth would hide that: 1.28 is 1.3, 1.34."""
+    return f"{ratio:.2f}" if ratio > STILL_MISSING and times(ratio) == times(STILL_MISSING) else times(ratio)
 
 
 def exact(ratio: float) -> str:
@@ -151,14 +151,19 @@ def inexact(content: Verdict, words: Vocabulary) -> bool:
 
 def left_over(content: Verdict, words: Vocabulary) -> float:
     """What a simulator without a name leaves beyond the noise, rms, of all or of unseen strokes; 0 near the noise."""
-    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
-    unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=False)
-    beyond = [0.0]
-    if fitted is not None and fitted > STILL_MISSING:
-        beyond.append(floor * math.sqrt(fitted**2 - 1.0))
+    noise, unseen_errors = content["fit"][f"noise_floor_{words.ending}"], errors(content, words)
+    beyond = [left_of_whole(content, words)]
     if unseen_errors is not None and unseen_errors[2] > STILL_MISSING * noise:
         beyond.append(math.sqrt(unseen_errors[2] ** 2 - noise**2))
     return max(beyond)
+
+
+def left_of_whole(content: Verdict, words: Vocabulary) -> float:
+    """What a simulator without a name leaves of the whole recording beyond the noise, rms; 0 near the noise."""
+    fitted = fitted_times(content, words, named=False)
+    if fitted is None or fitted <= STILL_MISSING:
+        return 0.0
+    return float(content["evidence"][f"floor_{words.ending}"]) * math.sqrt(fitted**2 - 1.0)
 
 
 def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from ....ground.units import unit_of
 from ...document.bounds import BOUND, at_bound, of_later_run
 from ...document.content import Verdict
+from ..held_out import holdout
 from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing, number, said_unit, size, times
 from ..language.table import UNKNOWN, aligned
@@ -156,14 +157,12 @@ def corrected(content: Verdict, words: Vocabulary) -> list[str]:
         before, after, floor = (shown[f"{name}_{words.ending}"] for name in ("nominal", "calibrated", "floor"))
         sizes = [f"{size(value, words.unit)} rms ({times(value / floor)} times the noise)" for value in (before, after)]
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
-    return [*lines, *table(content, words, () if moved_in_vain(content, words) else far_moved(content))]
+    in_step = holdout.included(content) and not moved_in_vain(content, words)  # such a page is long
+    return [*lines, *table(content, words, far_moved(content) if in_step else ())]
 
 
 def table(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[str]:
-    """A row for each dimension that moved, the farthest first, then what to think of them all.
-
-    `but` are those that another table of the page has.
-    """
+    """A row for each dimension that moved but those of `but`, the farthest first, then what to think of them all."""
     sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
     known = [name for name in sorted(sigmas, key=lambda name: -sigmas[name]) if name in content["parameters"]]
     moved = [name for name in known if sigmas[name] >= HARDLY]

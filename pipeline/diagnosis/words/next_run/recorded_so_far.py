@@ -3,11 +3,13 @@
 import itertools
 
 from ...document.content import Verdict, proposal
-from ..language.quantity import duration, number, quantity, times
+from ..language.quantity import duration, ends, listing, number, quantity, times
 from ..language.vocabulary import Vocabulary
 from ..named.missing_signs import ALIKE
 from . import second_load
 
+ANY = "at another speed, under another load and with pauses"  # where an older file does not say what was recorded
+PAUSE_S = 1.0  # a shorter stand is none
 NEW = 0.1  # of a speed or a load: what leaves the recorded ones by less is none
 
 
@@ -69,3 +71,22 @@ def _stands(called: str, longest_s: float) -> str:
     """How long the motor stood at most, in holds or in rests."""
     longest = duration(longest_s)
     return f"no {called}" if longest == duration(0.0) else f"{called} of up to {longest}"
+
+
+def not_yet(content: Verdict, words: Vocabulary) -> str:
+    """What the recording lacks of a second speed, a second load and pauses; else what goes beyond those it has."""
+    known = content["evidence"].get("covered")
+    if known is None:
+        return ANY if words.load is not None else "at another speed and with pauses"
+    slow, fast = known["speed_per_s"]
+    pause_s = max(known["longest_hold_s"], known["longest_rest_s"])
+    lacking = ["at another speed"] * (fast < ALIKE * slow)
+    lacking += ["under another load"] * (words.load is not None and not content["evidence"]["loaded"])
+    lacking += ["with pauses"] * (pause_s < PAUSE_S)
+    if lacking:
+        return listing(lacking)
+    has = [f"speeds of {ends(slow, fast, f'{words.motion_unit}/s', 2)}"]
+    least, most = known["load"]
+    has += [f"loads of {ends(least, most, words.load_unit, 2)}"] * (words.load is not None)
+    has += [f"pauses of up to {duration(pause_s)}"]
+    return f"beyond what it has, as far as it bears that ({listing(has)})"

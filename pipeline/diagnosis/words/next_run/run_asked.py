@@ -7,6 +7,7 @@ from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED, moved_in_vain
 from ..language.quantity import listing, quantity
 from ..language.vocabulary import Vocabulary
+from . import recorded_so_far
 
 NONE_NEEDED = {
     "consistent": "None is needed: nothing is missing that this recording could show. Other speeds, loads and pauses "
@@ -27,8 +28,8 @@ COMES_FIRST = " What comes first stands above, under What to do."
 BOTH = " What comes first, and what then makes sure of a name, stands above, under What to do."
 NONE_WITH_ADOPTED = "None is proposed: beside what was adopted, this recording shows nothing further that can be named."
 NONE_PROPOSED = (
-    "None can be proposed: what is left follows no effect that could be named. Record the rig at another speed, under "
-    "another load and with pauses, and diagnose the runs together (`--together`): more of what is left shows there."
+    "None can be proposed: what is left follows no effect that could be named. Record the rig {other}, and diagnose "
+    "the runs together (`--together`): more of what is left shows there."
 )
 MORE_STROKES = "Record the rig once more, with at least {strokes} strokes{first}, and diagnose all runs together."
 ENOUGH = 8  # strokes: a diagnosis needs so many (docs/record.md)
@@ -55,7 +56,7 @@ def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> lis
     if in_vain.harmful(content, words):
         return [more_strokes(content, words)]
     if verdict in UNNAMED and unseen.left_over(content, words):
-        return [NONE_PROPOSED]
+        return [NONE_PROPOSED.format(other=recorded_so_far.not_yet(content, words))]
     if verdict in UNNAMED and holdout.included(content):
         advised = [adoption.get("against_advice", [])[1:] for adoption in content.get("adopted", [])]
         recordings = " ".join(dict.fromkeys(recording for each in advised for recording in each))

@@ -3,6 +3,7 @@
 from ...document.content import Part, Verdict
 from ..explanations import chances, left_out, probability, rivals
 from ..held_out import holdout, in_vain, unseen
+from ..held_out.without_name import UNNAMED
 from ..language.places import lying
 from ..language.quantity import listing, percent, size
 from ..language.vocabulary import Vocabulary
@@ -28,9 +29,10 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
     if not content["mismatch"]:
         return []
-    left = size(content["mismatch"][f"rms_{words.ending}"], words.unit)
+    beyond = unseen.left_of_whole(content, words) if content["verdict"] in UNNAMED else 0.0
+    left = size(beyond or content["mismatch"][f"rms_{words.ending}"], words.unit)
     missing = f"{left} rms is missing after calibration, noise taken off"
-    if not content["mismatch"][f"rms_{words.ending}"]:
+    if not (beyond or content["mismatch"][f"rms_{words.ending}"]):
         missing = "after calibration nothing is missing beyond the noise"
     missing += _where(content, words) + _beside(content) + _unseen(content, words)
     statements = [

@@ -73,8 +73,7 @@ def asks_to_measure(content: Verdict, words: Vocabulary) -> bool:
     if content["verdict"] in (*NAMED, "unknown") or any(adoption["tied"] for adoption in content.get("adopted", [])):
         return True
     moved_for_nothing = content["verdict"] == "parameters" and moved_in_vain(content, words)
-    adopted = bool(holdout.included(content))
-    return not unseen.left_over(content, words) and (adopted or not moved_for_nothing)
+    return bool(holdout.included(content)) or not moved_for_nothing
 
 
 def _where(short: bool) -> str:
@@ -118,21 +117,27 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bo
             *make_sure.of_what_is_left(content, words),
         ]
     if unseen.left_over(content, words):
-        return [
-            [f"Record the rig in other ways, as it stands {_where(short)} under {RUN}, and diagnose the runs together."]
-        ]
+        record = (
+            f"Record the rig in other ways, as it stands {_where(short)} under {RUN}, and diagnose the runs together."
+        )
+        return [*_first_measure(content, words, folders, short), [record]]
     if holdout.included(content) and far_moved(content):
         return _anew(content, words, folders, short)
     if asks_to_measure(content, words):
-        names = listing([f"the {name_of(name)}" for name in far_moved(content)])
-        return [
-            [
-                f"Measure {names} again, and write what you measured into run.yaml.",
-                *to_measure.table(content, words, short),
-            ]
-        ]
+        return _first_measure(content, words, folders, short)
     open_still = after_adopting.of_adopted(content, words, holdout.included(content), folders, short)
     return [["Nothing needs to be done: this recording shows nothing further."], *open_still]
+
+
+def _first_measure(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
+    """What to measure again where nothing is named; nothing where no step asks for it."""
+    if holdout.included(content):
+        return _anew(content, words, folders, short)
+    if not asks_to_measure(content, words):
+        return []
+    names = listing([f"the {name_of(name)}" for name in far_moved(content)])
+    then = "write what you measured into run.yaml, and diagnose again"
+    return [[f"Measure {names} again, {then}.", *to_measure.table(content, words, short)]]
 
 
 def _advised(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[str]:

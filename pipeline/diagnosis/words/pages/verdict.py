@@ -90,8 +90,8 @@ def _provisional(content: Verdict, words: Vocabulary) -> list[str]:
         their, are = ("its", "it is") if single else ("their", "they are")
         below = " (below)" * to_do.asks_to_measure(content, words)
         lines.append(
-            f"Calibration moved {names} by {_span(moved)} times {their} tolerance; three is the most that it may. "
-            f"Until {are} measured again{below}, {_what(content)} provisional."
+            f"Calibration moved {names} by {_span(moved)} times {their} tolerance. Until {are} measured again{below}, "
+            f"{_what(content)} provisional. Three times is the most that it may."
         )
     if moved and adoption.dimensions_came(content) and adoption.adopted_again(content):
         lines.append("These are the values that were adopted with the effects: nothing new was found about them.")

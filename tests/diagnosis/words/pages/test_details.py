@@ -23,8 +23,8 @@ def test_what_must_be_known_first_stands_first():
         "  beside it (ambiguous).",
         "  Sections: What acts; Explanations; What is missing; How far the simulator is off; Dimensions; What to do; "
         "The run to make next; What tells the open effects apart at the rig; To report it; What the words mean.",
-        "  Calibration moved the radius by 2.9 times its tolerance; three is the most that it may. Until it is "
-        "measured again (below), names, percentages and sizes are provisional.",
+        "  Calibration moved the radius by 2.9 times its tolerance. Until it is measured again (below), names, "
+        "percentages and sizes are provisional. Three times is the most that it may.",
     ]
     worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.107))
     assert "worse than the nominal one" not in worse, "what is named mends it: the first line says so"

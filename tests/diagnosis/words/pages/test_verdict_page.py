@@ -141,7 +141,7 @@ def test_what_calibration_moved_far_is_measured_first_with_how_to_and_what_then(
     assert "- If you find another value: write it into run.yaml, and diagnose again;" in said
     assert "known better than its tolerance: say how well (`tolerance: {radius: …}`) and diagnose again;" in said
     assert "- if the same, no better known: go on with step 2. The percentages do not hold" in said
-    assert "three is the most that it may" in text and "provisional" in text
+    assert "Three times is the most that it may" in text and "provisional" in text
     near = full(content(evidence__moved_sigma=NEAR))
     assert "Measure again" not in near and "provisional" not in near
 
@@ -254,7 +254,7 @@ def test_without_a_name_the_page_says_what_comes_closest_what_moved_and_what_wou
     assert steps(settled) == "Nothing needs to be done: this recording shows nothing further."
     assert "from this size on: 0.0040 mm (backlash) to 0.020 mm (creep) rms" in page(settled)
     far = " ".join(page(content(**NOTHING, mismatch=None)).split())
-    assert "Measure the radius again, and write what you measured into run.yaml." in far
+    assert "Measure the radius again, write what you measured into run.yaml, and diagnose again." in far
     assert "this verdict is provisional" in far
 
 
@@ -1052,7 +1052,9 @@ def test_what_is_to_be_measured_again_below_stands_below():
     alone = content(**NOTHING, mismatch=None)
     left = copy.deepcopy(alone)
     left["fit"]["heldout"] |= {"calibrated_mm": 0.81, "explained_mm": 0.81}
-    for made, below in ((alone, True), (left, False)):
+    in_vain = copy.deepcopy(left)
+    in_vain["evidence"] |= {"nominal_mm": 0.1, "calibrated_mm": 0.1}
+    for made, below in ((alone, True), (left, True), (in_vain, False)):
         text = " ".join(page(made).split())
         assert ("measured again (below)" in text) == below == ("measure to" in text), text
         assert "measured again, this verdict is provisional" in text or below
