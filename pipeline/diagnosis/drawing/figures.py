@@ -147,7 +147,7 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     maps.legend(handles=signs, loc="outside lower center", ncols=len(signs), fontsize=7, frameon=False)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
     compared, single = noises(content, vocabulary)
-    told = content["evidence"][f"floor_{ending}"]  # the noise of the legends
+    noise_band = content["evidence"][f"floor_{ending}"]  # the noise of the legends
     panels.ranking(ranked, content, ending, compared)
     floor_here = content["fit"][f"noise_floor_{ending}"]
     skip = int("as adopted" in simulations)
@@ -160,11 +160,11 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     grid = driver_panels.filled(bottom, len(followed))
     for axes, (label, (signal, counts)) in zip(grid, followed, strict=True):
         slow = label in driver_panels.SLOW
-        if slow and driver_panels.by_stroke(axes, drivers, signal, residuals, told, label):
+        if slow and driver_panels.by_stroke(axes, drivers, signal, residuals, noise_band, label):
             continue
         kept = {name: residual[counts] for name, residual in residuals.items()}
         period = ripple if signal is drivers.motion else 0.0
-        driver_panels.by_driver(axes, signal[counts], kept, told, label, period)
+        driver_panels.by_driver(axes, signal[counts], kept, noise_band, label, period)
     handles = [*grid[0].get_lines()[:2], Patch(fc=panels.BAND, ec="0.6", lw=0.5, label=f"± {compared}")]
     bottom.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7, frameon=False)
     bottom.suptitle(f"Mean residual by driver ({unit})", fontsize=9)

@@ -95,14 +95,19 @@ def known(content: Verdict) -> dict[str, float]:
     return {entry["id"]: entry["confidence"] for entry in content["mechanisms"] if "confidence" in entry}
 
 
-def to_write(content: Verdict, words: Vocabulary) -> list[str]:
-    """Why an effect is only probable, of each whose percentage alone would make it sure."""
+def to_write(content: Verdict, words: Vocabulary, short: bool = False) -> list[str]:
+    """Why an effect is only probable, of each whose percentage alone would make it sure.
+
+    `short`: nothing where the first line of the page says it of all that is named.
+    """
     shares = known(content)
     reasons: dict[str, list[str]] = {}
     for id_ in shares:
         reason = held_back(content, words, id_)
         if reason and is_likely(content, id_):
             reasons.setdefault(reason, []).append(f"{id_} has {percent(shares[id_])}")
+    if short and content["verdict"] == "explained" and list(reasons) == [holdout.settled_otherwise(content)]:
+        reasons = {reason: each for reason, each in reasons.items() if len(each) < len(shares)}
     return [f"{listing(each)}, but {_only(len(each))}probable: {reason}." for reason, each in reasons.items()]
 
 

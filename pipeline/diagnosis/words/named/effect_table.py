@@ -78,7 +78,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
             *([] if certainty.known(content) else [NO_PERCENTAGE]),
             *_in_one([*needed.lines(content), *larger, *([WHOSE] if several else []), *against]),
             *_in_one([*certainty.than_the_explanation(content), *certainty.no_promise(content, words)]),
-            *([] if far_moved(content) else certainty.to_write(content, words)),  # else it is said first
+            *([] if far_moved(content) else certainty.to_write(content, words, short)),  # else it is said first
         ]
     thoughts = " ".join(cell for cells in sizes.values() for cell in cells)
     of_own: list[Part] = content.get("of_your_own", {"mechanisms": []})["mechanisms"]

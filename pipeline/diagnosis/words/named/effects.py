@@ -24,6 +24,7 @@ BETWEEN_RUNS = {
 }  # by the way in which a later run begins
 EVERY = "once in every "  # such a length: it is said in place of the turn, which nobody sees on such a rig
 NO_CONSTANT = "Of {} there is no constant to report: {}."
+LONGER = " or longer (the longest that was tried: a recording of this length does not tell longer ones apart)"
 OF_PARTS = "the fit knows what {} parts do together, not each part"
 BARE = re.compile(r": [0-9.,]+ ")  # a constant without an interval
 CONSTANT = re.compile(r"\d [^()]*\(-?[0-9.,]+ to -?[0-9.,]+\)")  # its unit may have spaces: 114 N s/m
@@ -161,10 +162,9 @@ def time_constants(parameters: Part) -> str:
     if not kept:
         return ""
     longest = parameters.get("slowest_s", {"value": None})["value"]
-    bound = f" ({duration(kept[-1])} is the longest, so it may be longer)" if kept[-1] == longest else ""
-    if len(kept) == 1:
-        return f"best with a time constant of {duration(kept[0])} of those that were tried{bound}"
-    return f"best with time constants of {duration(kept[0])} to {duration(kept[-1])} of those that were tried{bound}"
+    ends = " to ".join(duration(seconds) for seconds in dict.fromkeys((kept[0], kept[-1])))
+    best = f"best with {'a time constant' if len(kept) == 1 else 'time constants'} of {ends}"
+    return f"{best}{LONGER}" if kept[-1] == longest else f"{best} of those that were tried"
 
 
 def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str:

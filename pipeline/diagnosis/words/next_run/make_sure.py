@@ -15,7 +15,7 @@ from ..measured.dimensions import far_moved
 from ..named import certainty
 from ..named.missing_signs import recorded
 from . import commands, recipe, recorded_so_far, second_load, worth
-from .run_asked import beyond_the_first
+from .run_asked import as_many_again, to_settle
 
 OTHER_LOAD = (
     "Better under another load, {half} or {twice}, if the rig bears it: under one load alone no slow effect's name is "
@@ -39,7 +39,7 @@ TIED = "The best explanation leaves it too, and no further effect of the library
 MORE = "Other speeds and loads, diagnosed together, show more of it."
 ABOVE = " (commands: the step before)"
 AS_MANY = (
-    "If what is still missing is too much for your use: record as many strokes again {how}, and "
+    "If what is still missing is too much for your use: record {again}, and "
     "diagnose the runs together{where}. If the error on the {strokes} falls to the noise, there were too few strokes; "
     "else this rig has physics that the library lacks."
 )
@@ -52,21 +52,28 @@ def of_what_is_missing(
     if not unseen.partly(content, words) or content["verdict"] not in ("explained", "ambiguous"):
         return []
     tie = content["verdict"] == "ambiguous"
+    if to_settle(content, words):
+        return []  # that recording shows it too
     if unseen.nothing_new(content, words):
         return [[f"{LEAVE} {TIED if tie else NO_NAME} {MORE}"]]
-    wider = beyond_the_first(content, words)
-    how = f"with {listing(wider)} in the first of them too" if wider else "in the same way"
+    strokes_again = as_many_again(content, words)
     run = content["next_run"]
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
     if short:
         where = f" (commands: {DETAILS}, {RUN})" if shown else f" (commands: {DETAILS})"
-        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where, how=how)]]
+        return [[f"{AS_MANY.partition('. ')[0]}.".format(where=where, again=strokes_again)]]
     again = commands.lines(folders, out, [""])
     printed = {line.strip() for step in of_names(content, words, folders, out, False) for line in step}
     above = set(again) <= printed  # the step before has them
     where = f" (commands: below, {RUN})" if shown else ABOVE if above else ""
     typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1], words)]
-    return [[AS_MANY.format(where=where, how=how, strokes=holdout.strokes(content)), *typed]]
+    return [[AS_MANY.format(where=where, again=strokes_again, strokes=holdout.strokes(content)), *typed]]
+
+
+def of_the_name(content: Verdict, words: Vocabulary, short: bool) -> list[list[str]]:
+    """The recording that can settle the name, where other effects are named without the last strokes."""
+    settles = to_settle(content, words)
+    return [[f"{settles} Commands: {f'{DETAILS}, ' * short}{RUN}."]] if settles else []
 
 
 def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:

@@ -63,6 +63,8 @@ def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> lis
         return [f"{recordings} The commands stand above, under What to do." if recordings else NONE_WITH_ADOPTED]
     if verdict == "parameters" and moved_in_vain(content, words):
         verdict = "consistent"
+    if as_many := to_settle(content, words):
+        return [PROVISIONAL + COMES_FIRST] * bool(at_bound(content["evidence"]["moved_sigma"])) + [as_many]
     if verdict == "explained" and at_bound(content["evidence"]["moved_sigma"]):
         return [PROVISIONAL + (BOTH if sure else COMES_FIRST * first)]
     if verdict == "explained" and in_vain.doubt(content, words):
@@ -73,6 +75,22 @@ def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> lis
     return [NONE_NEEDED[verdict] + above] if verdict in NONE_NEEDED else []
 
 
+def to_settle(content: Verdict, words: Vocabulary) -> str:
+    """The recording that can settle the name where other effects are named without the last strokes; else nothing."""
+    if content["verdict"] != "explained" or not holdout.of_other(content) or in_vain.doubt(content, words):
+        return ""
+    return f"To settle the name, record {as_many_again(content, words)}, and diagnose the runs together."
+
+
+def as_many_again(content: Verdict, words: Vocabulary) -> str:
+    """As many strokes as the recording has, and with which ends of load and motion the first of them are made."""
+    first, last = content["evidence"]["strokes"]
+    strokes = last - first + 1
+    wider = beyond_the_first(content, words, by_name=True)
+    begin = f"; begin with {listing(wider)}" if wider else " in the same way"
+    return f"{strokes} stroke{'s' * (strokes > 1)} again{begin}"
+
+
 def more_strokes(content: Verdict, words: Vocabulary) -> str:
     """The recording to make where names change with the last strokes, and what its first strokes must have too."""
     first, last = content["evidence"]["strokes"]
@@ -81,11 +99,15 @@ def more_strokes(content: Verdict, words: Vocabulary) -> str:
     return MORE_STROKES.format(strokes=max(ENOUGH, last - first + 1), first=among)
 
 
-def beyond_the_first(content: Verdict, words: Vocabulary) -> list[str]:
-    """The ends of loads and of the motion that the last strokes alone have, each with its unit."""
+def beyond_the_first(content: Verdict, words: Vocabulary, by_name: bool = False) -> list[str]:
+    """The ends of loads and of the motion that the last strokes alone have, each with its unit.
+
+    `by_name`: each called low or high too.
+    """
     units = {"load": words.load_unit, "motion": words.motion_unit}
+    called = {"load": "load", "motion": words.motion}
     return [
-        quantity(end, units[name])
+        f"the {'low' if end < seen[0] else 'high'} {called[name]}, " * by_name + quantity(end, units[name])
         for name, (seen, later) in (content["evidence"].get("beyond_seen") or {}).items()
         for end in (later[0] if later[0] < seen[0] else None, later[1] if later[1] > seen[1] else None)
         if end is not None and quantity(end, units[name]) not in [quantity(known, units[name]) for known in seen]

@@ -26,7 +26,7 @@ from ..measured import in_run_yaml, to_measure, tolerances
 from ..measured.dimensions import cautions, has_table, suspicious, table
 from ..named import adopted_table, certainty, effect_table, logged, slow_look_alikes
 from ..next_run import commands, deciding_run, experiment, make_sure, signs, tells, worth
-from ..next_run.run_asked import no_run
+from ..next_run.run_asked import no_run, to_settle
 from . import adoption, error_table, report, spikes, to_do, verdict
 from .headline import headline
 from .spoken import whole
@@ -142,7 +142,8 @@ def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Pat
     if not run:
         sure = bool(make_sure.of_names(content, words, folders, out, False))
         steps = bool(to_do.lines(content, words, folders, out, short=False))
-        again = commands.lines(folders, out, [""]) if in_vain.harmful(content, words) else []
+        records = in_vain.harmful(content, words) or to_settle(content, words)
+        again = commands.lines(folders, out, [""]) if records else []
         to_record = no_run(content, words, sure, steps) + (commands.block(again, folders[-1], words) if again else [])
         return deciding_run.lines(content, words, folders, out) or to_record
     if worth.first(run):

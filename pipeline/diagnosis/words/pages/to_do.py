@@ -58,6 +58,7 @@ def _named(content: Verdict, words: Vocabulary, folders: list[Path], out: Path |
         ]
     return [
         *_measure(content, words, short),
+        *make_sure.of_the_name(content, words, short),
         *to_decide.step(content, words, folders, short),
         *make_sure.of_names(content, words, folders, out, short),
         *make_sure.of_what_is_missing(content, words, folders, out, short),

@@ -7,7 +7,7 @@ from ....systems import System
 from ...document.content import Verdict
 from ...mechanisms.interface import physics
 from ..explanations import chances, closest, rivals, stand_ins, unexplained_pattern
-from ..held_out import holdout, level, unseen, unseen_doubts
+from ..held_out import holdout, in_vain, level, unseen, unseen_doubts
 from ..held_out.without_name import UNNAMED, kept_times
 from ..language.places import lying
 from ..language.quantity import listing, size, times
@@ -16,6 +16,7 @@ from ..language.vocabulary import Vocabulary
 from ..measured import breaks, tolerances
 from ..measured.dimensions import LEAVES, adopted_fit, corrected, far_moved, name_of
 from ..named import adopted_table, effect_table, logged, slow_look_alikes
+from ..next_run.run_asked import to_settle
 from . import adoption, error_table, spikes, to_do
 from .headline import headline
 
@@ -46,8 +47,11 @@ def verdict_text(
         (to_do.HEADING, to_do.lines(content, words, folders, out, short=True)),
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
-    first = [*what_first(content, words, joined(sections)), *slow_look_alikes.doubts(content, words)]
-    first = [shortened(line, LONG) for line in first]
+    above = (
+        in_vain.unsettled(content, words) if to_settle(content, words) else []
+    )  # the headline and the table of errors
+    first = [line for line in what_first(content, words, joined(sections)) if line not in above]
+    first = [shortened(line, LONG) for line in (*first, *slow_look_alikes.doubts(content, words))]
     sections.insert(1, (DOUBTS, [*doubts, *first]))
     return text(sections, (MORE, []))
 

@@ -132,7 +132,8 @@ def test_a_calculated_temperature_is_not_told_as_a_measured_one(measured, said):
 def test_a_time_constant_that_is_the_longest_tried_is_told_as_a_bound(slowest, said):
     made = content()
     made["mechanisms"][1]["parameters"]["slowest_s"] = parameter(slowest, "s")
-    assert ("15 s to 60 s of those that were tried (60 s is the longest, so it may be longer)" in told(made)) is said
+    assert ("15 s to 60 s or longer (the longest that was tried: a recording of this length" in told(made)) is said
+    assert ("15 s to 60 s of those that were tried" in told(made)) is not said
 
 
 def test_effects_that_work_against_each_other_more_are_said_to():

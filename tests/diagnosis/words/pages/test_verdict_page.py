@@ -524,7 +524,7 @@ ALONE = {"verdict": "explained", "alternatives": [], "next_run": None}
 def test_what_is_still_missing_has_a_step_of_its_own_and_its_commands():
     assert "too much for your use" not in full_steps(content(**ALONE))
     changes = full_steps(content(**ALONE, fit__heldout__explained_mm=0.06))
-    assert "If what is still missing is too much for your use: record as many strokes again" in changes
+    assert "If what is still missing is too much for your use: record 12 strokes again" in changes
     assert "python -m pipeline.new_run nylon-3-next --like raw/nylon-3" in changes
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out reports/nylon-3-next" in changes
     made = content(**ALONE, fit__heldout__explained_mm=0.06)
@@ -536,7 +536,7 @@ def test_what_is_still_missing_has_a_step_of_its_own_and_its_commands():
 def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_adopted():
     assert "too much for your use" not in full_steps()
     changes = full_steps(content(fit__heldout__explained_mm=0.06))
-    many = "record as many strokes again in the same way, and diagnose the runs together"
+    many = "record 12 strokes again in the same way, and diagnose the runs together"
     assert f"{many} (commands: below, The run to make next). If the error" in changes
     assert "-next" not in changes, "no command is printed twice"
     without = full_steps(content(fit__heldout__explained_mm=0.06, next_run=None))
