@@ -12,6 +12,7 @@ from ..mechanisms.interface import Nonlinear, physics
 from ..mechanisms.library import mechanisms
 from ..numerics.noise import Noise
 from . import chance
+from .excursions import excursions
 from .judged import UNKNOWN, Judged
 from .search import EXPLAINED, LEAST_EFFECT, Explanation, Search
 
@@ -108,8 +109,9 @@ def decide(
         acting = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
         silent = [chance.act(problem, id_, nonlinear) for id_, nonlinear in new.items() if id_ not in acting]
         best = replace(best, acts=(*best.acts, *silent))
+    gone_off = [] if sets or random else excursions(problem, base)
     if not sets:
-        verdict = "unknown" if not random and mismatch > surely(noise) * floor else "consistent"
+        verdict = "unknown" if gone_off or (not random and mismatch > surely(noise) * floor) else "consistent"
         if verdict == "consistent" and better > (PARAMETERS_FROM * floor) ** 2:
             verdict = "parameters"
     elif (
@@ -124,7 +126,7 @@ def decide(
         verdict = "explained" if len(sets) == 1 else "ambiguous"
     explained = (1.0 - EXPLAINED) * bare(problem, noise) ** 2 if problem.adopted and verdict == "unknown" else 0.0
     # noise, or what an adopted explanation may leave, is nothing unknown
-    if verdict == "unknown" and mismatch**2 <= max((UNKNOWN_FROM * floor) ** 2, explained):
+    if verdict == "unknown" and not gone_off and mismatch**2 <= max((UNKNOWN_FROM * floor) ** 2, explained):
         verdict = "parameters" if better > (PARAMETERS_FROM * floor) ** 2 else "consistent"
     state = best if verdict in ("explained", "ambiguous") else base
     jerks *= bool(new)

@@ -17,6 +17,7 @@ from ..fit import generic, locate
 from ..fit.problem import Problem
 from ..recording.covered import covered
 from . import aspects, extents, mechanism_entries
+from .gone_off import gone_off
 from .look_alikes import look_alikes
 from .recognised import recognised
 from .told_floor import told_floor
@@ -180,6 +181,7 @@ def evidence(study: Study) -> Part:
         "probability_of_none": study.judged.none if study.judged.likely and drivers.levered else None,
         "left_out": left_out(study),
         **recognised(study),
+        **gone_off(study, ending),
         **look_alikes(study, ending),
         f"spans_{ending}": extents.spans(effects),
         f"trends_{ending}": extents.trends(effects),

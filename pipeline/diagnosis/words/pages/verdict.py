@@ -6,7 +6,7 @@ from pathlib import Path
 from ....systems import System
 from ...document.content import Verdict
 from ...mechanisms.interface import physics
-from ..explanations import chances, closest, rivals, stand_ins, unexplained_pattern
+from ..explanations import chances, closest, excursions, rivals, stand_ins, unexplained_pattern
 from ..held_out import holdout, in_vain, level, unseen, unseen_doubts
 from ..held_out.without_name import UNNAMED, kept_times
 from ..language.places import lying
@@ -136,6 +136,7 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
     missing = f"{beyond}, noise taken off ({times(rms / floor)} times the noise)"
     return [
         f"{missing}, {lies}. It follows {mismatch['driver']}.",
+        *excursions.lines(content, words),
         "What comes closest, and does not do:",
         *closest.insufficient(content, words),
         *level.to_reach(content, words),

@@ -1,0 +1,54 @@
+"""Where a reading goes off for a while and comes back: nothing that a string does, and no noise.
+
+A noise that holds such times is told far too loud, and then nothing else seems to be missing.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...ground.kinematics import Array
+from ..fit.problem import Problem, State
+
+FAR = 5.0  # robust spreads of what is left: noise is never so far off for so long
+LASTS_S = 0.5  # at least: what is shorter is a spike
+
+
+@dataclass(frozen=True)
+class Excursion:
+    """When a reading goes off, on the clock of the recording, for how long, and by how much, in the reading's unit."""
+
+    at_s: float
+    lasts_s: float
+    size: float
+
+
+def excursions(problem: Problem, state: State) -> list[Excursion]:
+    """Those in what a state leaves of the rows that a fit sees, in order.
+
+    None of a rig that winds nothing, which has other noise, and none beside adopted effects, which are inexact.
+    """
+    if not problem.drivers.levered or problem.adopted:
+        return []
+    residual = (problem.measured - problem.simulate(state))[: problem.rows]
+    return far_off(residual, problem.record.time_s[: problem.rows])
+
+
+def far_off(residual: Array, time_s: Array) -> list[Excursion]:
+    """The times at which a residual is far from its middle, in order; none where much of it is.
+
+    `residual` has the shape (samples,), in the reading's unit; `time_s` the same, in s.
+    """
+    middle = residual - np.median(residual)
+    far = np.abs(middle) > FAR * 1.4826 * np.median(np.abs(middle))
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], far.astype(int), [0]])))
+    spans = zip(edges[::2].tolist(), (edges[1::2] - 1).tolist(), strict=True)
+    return [
+        Excursion(
+            float(time_s[begin]),
+            float(time_s[end] - time_s[begin]),
+            float(np.max(np.abs(middle[begin : end + 1]))),
+        )
+        for begin, end in spans
+        if time_s[end] - time_s[begin] >= LASTS_S
+    ]
