@@ -18,9 +18,9 @@ from .number_sizes import sizes
 
 
 def without_effects(run: Run, samples: pd.DataFrame, strokes: pd.DataFrame) -> Problem:
-    """The problem of a recording, as if its run.yaml had adopted nothing."""
+    """The problem of a recording, as if its run.yaml had adopted nothing; one stroke will do, for nothing is fitted."""
     recorded = RecordedRun(run.model_copy(update={KEY: []}), samples, strokes)
-    return at_own_rate([recorded], thin=run.system.differentiates)
+    return at_own_rate([recorded], thin=run.system.differentiates, to_fit=False)
 
 
 def explained(folder: Path) -> list[str]:

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-from ..ground.errors import BadInput
 from ..run.description import Run
 from . import faint, verdict
 from .adopted_effects import adopted_effects
@@ -18,6 +17,7 @@ from .facts.not_kept import not_kept
 from .facts.told_floor import told_floor
 from .numerics.judge import Judge
 from .numerics.noise import resolution
+from .one_rig import of_one_rig
 from .prediction import without_last
 from .prediction.simulation import at_its_best_zero, of_run
 from .proposal import apart, expected
@@ -115,32 +115,6 @@ def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:
 def steps_of(recorded: list[RecordedRun]) -> float:
     """The steps that the sensor reads in, the coarsest of the runs, in the channel's unit; 0 where none is seen."""
     return max(resolution(each.samples[each.run.system.channel].to_numpy()) for each in recorded)
-
-
-def of_one_rig(recorded: list[RecordedRun]) -> None:
-    """Raise BadInput unless all runs are of one string on one rig, with the same channels."""
-    first = recorded[0]
-    for each in recorded:
-        if each.run.actuator != first.run.actuator:
-            problem = f"is {each.run.actuator}, not {first.run.actuator}"
-            raise BadInput(each.place, "actuator", problem, "diagnose them apart")
-        for field in ("rig", "string", "tolerance", "simulation"):
-            if described(each.run, field) != described(first.run, field):
-                mend = "diagnose the runs of each string on each rig apart"
-                raise BadInput(each.place, field, f"is not that of {first.run.run}", mend)
-    load = first.run.system.load
-    for each in recorded:
-        if load and (load in each.samples) != (load in first.samples):
-            mend = "diagnose runs with and without it apart"
-            raise BadInput(each.place, load, f"is in {'it' if load in each.samples else first.place} only", mend)
-
-
-def described(run: Run, field: str) -> Any:
-    """What `run.yaml` says of a thing that runs of one rig must share: not load, strokes before and id."""
-    value = getattr(run, field)
-    if field == "rig":
-        return {key: entry for key, entry in value.items() if key != "load_n"}
-    return value.model_copy(update={"strokes_before": 0, "id": None}) if field == "string" and value else value
 
 
 def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:

@@ -5,8 +5,10 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.kinematics import Array
+from ..run.folder import read_run
 from .document.content import Simulated, Verdict
 from .fit.problem import Problem
+from .one_rig import to_take_out
 from .prediction.another_rig import of_same_string
 from .prediction.carried_over import CarriedOver
 from .prediction.home import HOME
@@ -41,7 +43,8 @@ def lines(
     hint = HOME if system.homed and not carried else ""
     same = of_same_string(content, run, folder)
     folders = [shlex.quote(str(place)) for place in [*same, folder]]
-    together = f"{command('diagnose')} {' '.join(folders)} --together --out DIR" if same else ""
+    diagnosed = [f"{command('diagnose')} {' '.join(folders)} --together --out DIR"]
+    adopting = to_take_out([*((read_run(place), place) for place in same), (run, folder)])
     return [
         computed_of(system, recorded.samples, set_at_first, carried is not None),
         f"rms error against the recording{zero}: {size(error, unit)}{of_means}",
@@ -55,6 +58,6 @@ def lines(
             unit,
             taken,
             set_at_first,
-            together,
+            [*adopting, *diagnosed] if same else [],
         ),
     ]

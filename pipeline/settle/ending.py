@@ -9,10 +9,13 @@ from ..ground.command import command
 from ..ground.files import write_text
 from ..ground.verdict_text import MAY_ADOPT, record_asked, to_do
 from .choose import Budget
+from .proposed import StepVerdict
 from .step import Place, Step
+from .tie import probable
 
 NAME = "settled.json"
 OPTIONAL = "Optional"  # begins a step of a verdict that nobody has to take
+ADOPT = "adopt what the last verdict names, for each run:"
 BEFORE = "before adopting, "  # what the steps below it say by their order
 
 
@@ -31,7 +34,7 @@ def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: B
         "spent": {**spent, "minutes": round(budget.minutes - left.minutes, 3)},
     }
     write_text(place.out / NAME, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-    named = f": {' + '.join(mechanisms)}" if mechanisms else ""
+    named = f": {sure_and_large(verdict)}" if mechanisms else ""
     folder = place.folder(steps[-1].number)
     lines = [
         f"settled: {sentence}{named}" if why == "verdict" else f"ended, not settled: {sentence}",
@@ -42,6 +45,13 @@ def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: B
     if why != "verdict" and (more := going_on(sentence, budget)):
         lines.append(f"  or: {more}")
     print("\n".join(lines), flush=True)
+
+
+def sure_and_large(verdict: StepVerdict) -> str:
+    """What a verdict names, with how probable and how large each is: `creep (94 %), 0.14 mm rms`."""
+    sizes = [(entry["id"], entry["rms_mm"]["value"]) for entry in verdict["mechanisms"] if "rms_mm" in entry]
+    large = [f"{f'{id_} ' * (len(sizes) > 1)}{value:.2g} mm rms" for id_, value in sizes]
+    return ", ".join([probable([entry["id"] for entry in verdict["mechanisms"]], verdict), *large])
 
 
 def going_on(sentence: str, budget: Budget) -> str:
@@ -66,9 +76,10 @@ def _next(folder: Path, verdict: str, runs: Sequence[Path]) -> list[str]:
     asked_for = record_asked(text)
     recording = [_recording(asked_for)] if asked_for else []
     if verdict in ("explained", "parameters"):
-        adopt = shlex.join([*command("adopt").split(), str(folder / "diagnosis.json"), str(runs[0])])
+        words = [*command("adopt").split(), str(folder / "diagnosis.json")]
+        adopt = [f"      {shlex.join([*words, str(run)])}" for run in runs]
         lets = MAY_ADOPT in to_do(text) if text else True
-        steps = [*recording, *([f"adopt what the last verdict names, for each run: {adopt}"] if lets else [])]
+        steps = [*recording, *(["\n".join([ADOPT, *adopt])] if lets else [])]
         if len(steps) > 1:
             return ["  next, in this order:", *(f"    {place}. {step}" for place, step in enumerate(steps, start=1))]
         start = "" if recording else "nothing to record; "

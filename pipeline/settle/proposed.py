@@ -52,10 +52,17 @@ class ProposedRun(_Begins, total=False):
     turns_per_s2: float  # of the rig's ramps, as it declared them when the run was proposed
 
 
+class Size(TypedDict):
+    """What is read of a size, in mm."""
+
+    value: float
+
+
 class NamedMechanism(TypedDict):
     """What is read of an entry of `mechanisms`."""
 
     id: str
+    rms_mm: NotRequired[Size]
 
 
 class Explanation(TypedDict):
@@ -65,13 +72,19 @@ class Explanation(TypedDict):
     probability: float | None
 
 
+class Evidence(TypedDict, total=False):
+    """What is read of the `evidence`."""
+
+    explanations: list[Explanation]
+
+
 class StepVerdict(TypedDict):
     """What is read of a step's `diagnosis.json`."""
 
     verdict: str
     mechanisms: list[NamedMechanism]
     alternatives: list[list[str]]
-    explanations: NotRequired[list[Explanation]]
+    evidence: NotRequired[Evidence]
 
 
 def retimed(run: ProposedRun, legs: Sequence[LegJson]) -> ProposedRun:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from .proposed import ProposedRun
+from .proposed import ProposedRun, StepVerdict
 from .step import Place, Step
 
 SETTLED_RIGHTLY = "in tests 33 of 50 ties were settled rightly by such runs (docs/settle.md)"
@@ -11,6 +11,14 @@ SETTLED_RIGHTLY = "in tests 33 of 50 ties were settled rightly by such runs (doc
 def name_of(ids: Sequence[str]) -> str:
     """An explanation by the names of its mechanisms."""
     return " + ".join(ids) or "no mechanism"
+
+
+def probable(ids: Sequence[str], verdict: StepVerdict) -> str:
+    """An explanation by the names of its mechanisms, with its probability where the verdict holds one."""
+    explanations = verdict.get("evidence", {}).get("explanations", [])
+    by_ids = {frozenset(each["ids"]): each.get("probability") for each in explanations}
+    probability = by_ids.get(frozenset(ids))
+    return name_of(ids) + ("" if probability is None else f" ({100.0 * probability:.0f} %)")
 
 
 def closest(run: ProposedRun) -> str:
@@ -30,14 +38,10 @@ def tie(step: Step, place: Place) -> list[str]:
     if not path:
         return []
     try:
-        explanations = place.diagnosis(step.number - 1).get("explanations", [])
+        verdict = place.diagnosis(step.number - 1)
     except (OSError, ValueError):
         return []
-    probable = {frozenset(each["ids"]): each.get("probability") for each in explanations}
-    words = []
-    for ids in step.proposal.get("parts", []):
-        probability = probable.get(frozenset(ids))
-        words.append(name_of(ids) + ("" if probability is None else f" ({100.0 * probability:.0f} %)"))
+    words = [probable(ids, verdict) for ids in step.proposal.get("parts", [])]
     decides = [f"It is to tell apart what ties: {', '.join(words)}."] if words else []
     return [*decides, path]
 

@@ -15,8 +15,8 @@ import yaml
 from pipeline.adoption.block import adopted, bare, with_block, without_block
 from pipeline.diagnosis.document.adopted_run import as_list
 from pipeline.diagnosis.fit.adopt import fitted
-from pipeline.diagnosis.in_memory import described
 from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.one_rig import described
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.next_run import commands
 from pipeline.ground.errors import BadInput
@@ -182,6 +182,18 @@ def test_what_was_adopted_simulates_with_the_dimensions_that_fit_until_one_is_me
     again = programs.run("pipeline.simulate", folder, "--out", out)
     assert "warning: the radius in run.yaml changed since the effects were adopted." in again.stderr
     assert f"pipeline.adopt --remove {folder}" in again.stderr and "and the dimensions of" in again.stdout
+
+
+def test_a_run_of_one_stroke_adopts_what_was_named_with_other_runs(folder: Path, diagnosis: Path) -> None:
+    """What `settle` proposes is one stroke; its last words sent a person to a refusal: what cannot be told of it."""
+    samples = pd.read_parquet(folder / "recording.parquet")
+    few = samples[samples["time_s"] < samples["time_s"].iloc[0] + 15.0]
+    few.to_parquet(folder / "recording.parquet")
+    done = programs.run("pipeline.adopt", named(diagnosis, **DRIFT), folder)
+    assert done.returncode == 0 and "simulation holds sensor_drift now" in flat(done), done.stderr
+    assert "error of pipeline.simulate" in flat(done)
+    explained = programs.run("pipeline.adopt", "--explain", folder)
+    assert explained.returncode == 0 and "straight_mm" in explained.stdout, explained.stderr
 
 
 def test_a_run_that_was_diagnosed_together_adopts_the_zero_of_its_own_motor() -> None:

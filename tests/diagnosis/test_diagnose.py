@@ -24,9 +24,9 @@ from PIL import Image
 from pipeline import diagnose
 from pipeline.diagnosis.drawing import figures
 from pipeline.diagnosis.fit.adopt import acts_from
-from pipeline.diagnosis.in_memory import described
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.numerics.noise import resolution
+from pipeline.diagnosis.one_rig import described, of_one_rig
 from pipeline.diagnosis.prediction.simulation import read_diagnosis, state_of
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
@@ -34,7 +34,7 @@ from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.run import strokes
 from pipeline.run.clean_motion import Motion
-from pipeline.run.samples import read_samples
+from pipeline.run.samples import read_samples, read_strokes
 
 DRAWN = figures.page
 ROOT = Path(__file__).resolve().parents[2]
@@ -309,6 +309,10 @@ def test_what_cannot_be_diagnosed_is_named_and_the_rest_is(conceal, tmp_path, mo
     assert done.returncode == 2 and "Traceback" not in done.stderr
     done = command("pipeline.diagnose", good, other, "--together", "--out", tmp_path / "out")
     assert done.returncode == 2 and f"{good}: string: is not that of other" in done.stderr
+    adopting = edited(good, tmp_path / "adopting", simulation=[{"id": "sensor_drift", "parameters": {"whole_s": 9.0}}])
+    with pytest.raises(BadInput, match=f"adopting has adopted effects, {good.name} has not") as refused:
+        of_one_rig([RecordedRun(*read_strokes(folder), folder) for folder in (adopting, good)])
+    assert refused.value.mend == f"take them out first: python -m pipeline.adopt --remove {adopting}"
     monkeypatch.setattr(diagnose, "read", lambda folder: 1 / 0)
     outcome = diagnose._one(good, tmp_path / "out", diagnose.Options(), note=True)
     assert outcome.fine is None and "ZeroDivisionError" in outcome.text and not (tmp_path / "out").exists()

@@ -24,10 +24,10 @@ More: details.txt
 """
 
 
-def said(tmp_path, capsys, verdict: str, why: str, sentence: str, page: str = "") -> str:
+def said(tmp_path, capsys, verdict: str, why: str, sentence: str, page: str = "", more: dict | None = None) -> str:
     place, ids = Place(tmp_path / "out"), ["creep"] if verdict == "explained" else []
     place.folder(1).mkdir(parents=True)
-    found = {"verdict": verdict, "mechanisms": [{"id": id_} for id_ in ids], "alternatives": []}
+    found = {"verdict": verdict, "mechanisms": [{"id": id_} for id_ in ids], "alternatives": []} | (more or {})
     (place.folder(1) / "diagnosis.json").write_text(json.dumps(found))
     if page:
         (place.folder(1) / "verdict.txt").write_text(page)
@@ -43,6 +43,17 @@ def test_a_settled_tie_ends_with_the_paths_and_the_command_that_adopts_it(tmp_pa
     assert f"pipeline.adopt {out}/step-1/diagnosis.json raw/a\n" in text and "nothing to record" in text
 
 
+def test_the_end_says_how_sure_a_name_is_and_how_large_its_effect(tmp_path, capsys):
+    explanations = [{"ids": ["wear", "creep"], "probability": 0.94}, {"ids": ["creep"], "probability": 0.06}]
+    more = {"mechanisms": [{"id": "creep", "rms_mm": {"value": 0.1412}}], "evidence": {"explanations": explanations}}
+    text = said(tmp_path / "a", capsys, "explained", "verdict", "the verdict is explained", more=more)
+    assert text.startswith("settled: the verdict is explained: creep (6 %), 0.14 mm rms\n")
+    more["mechanisms"] = [{"id": "wear", "rms_mm": {"value": 0.052}}, *more["mechanisms"]]
+    text = said(tmp_path / "b", capsys, "explained", "verdict", "the verdict is explained", more=more)
+    both = "wear + creep (94 %), wear 0.052 mm rms, creep 0.14 mm rms"
+    assert text.startswith(f"settled: the verdict is explained: {both}\n")
+
+
 def test_it_says_nothing_to_record_only_where_its_verdict_asks_for_no_recording(tmp_path, capsys):
     """`next: nothing to record` stood above a verdict whose first step was to record strokes at two speeds."""
     text = said(tmp_path / "a", capsys, "explained", "verdict", "the verdict is explained", ASKS)
@@ -51,7 +62,9 @@ def test_it_says_nothing_to_record_only_where_its_verdict_asks_for_no_recording(
     ordered = text.partition("  next, in this order:\n")[2].splitlines()
     surer = "1. optional, to be surer of a name"
     assert ordered[0] == f"    {surer}: {record} (how: details.txt beside the last verdict)", "no `before adopting`"
-    assert ordered[1].startswith("    2. adopt what the last verdict names, for each run: ") and len(ordered) == 2
+    assert ordered[1] == "    2. adopt what the last verdict names, for each run:"
+    source = tmp_path / "a" / "out" / "step-1" / "diagnosis.json"
+    assert ordered[2:] == [f"      python -m pipeline.adopt {source} raw/{run}" for run in ("a", "a-s1")]
     assert "that verdict" not in text, "which verdict was that?"
     needed = ASKS.replace("Optional, to be surer of a name: before adopting, record", "Record")
     text = said(tmp_path / "c", capsys, "explained", "verdict", "the verdict is explained", needed)

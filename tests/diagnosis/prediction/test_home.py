@@ -65,6 +65,11 @@ def test_of_the_same_string_both_runs_are_to_be_diagnosed_together_and_the_row_i
     assert f"later is of the same string as {first.name} (string.id)" in said
     both = f"pipeline.diagnose {tmp_path / first.name} {tmp_path / 'later'} --together --out DIR"
     assert f"Else diagnose both together: python -m {both}" in said
+    with open(tmp_path / first.name / "run.yaml", "a") as file:
+        file.write("simulation: [{id: sensor_drift, parameters: {whole_s: 200.0, straight_mm: 0.1}}]\n")
+    _, said = simulated(tmp_path / "later", diagnosis, tmp_path / "a.csv")
+    remove = f"python -m pipeline.adopt --remove {tmp_path / first.name}"
+    assert f"Else take out first what was adopted, then diagnose both together: {remove} python -m {both}" in said
     whole = recorded_error.means(0.2, "b", ToCompare(0.01, 0.02, ("a",)), None, "", "mm")
     assert whole[0].startswith("the error is 10 times what was to be expected (0.020 mm)")
 

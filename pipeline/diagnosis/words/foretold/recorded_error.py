@@ -1,5 +1,7 @@
 """The error against a recording whose motion was simulated, in words: the number, and what to set beside it."""
 
+from collections.abc import Sequence
+
 import pandas as pd
 
 from ....systems import System
@@ -45,13 +47,14 @@ def _of(known: ToCompare | None) -> str:
 
 def means(
     error: float, run: str, known: ToCompare | None, content: Verdict | None, home: str, unit: str, taken: bool = True,
-    whole: bool = False, together: str = "",
+    whole: bool = False, together: Sequence[str] = (),
 ) -> list[str]:  # fmt: skip
     """What the error says of a diagnosis: nothing of one that was fitted to the recording; else how far it holds.
 
     `error`: rms, in the reading's `unit`, the zero at its best. `home`: the option that would find another zero of the
     motor. `taken`: whether anything of the diagnosis is simulated. `whole`: whether the whole recording set the zero.
-    `together`: the command that diagnoses `run` with recordings of the same string; empty where none is known.
+    `together`: the commands that diagnose `run` with recordings of the same string, those first that take adopted
+    effects out; empty where none is known.
     """
     if known is None:
         return []
@@ -71,13 +74,14 @@ def means(
     return [*_with_mend(poorly, run, known, together, home), *others]
 
 
-def _with_mend(fault: str, run: str, known: ToCompare, together: str, home: str) -> list[str]:
-    """That a diagnosis holds poorly in another run, and what to do; `together` is the command for both runs, if any."""
+def _with_mend(fault: str, run: str, known: ToCompare, together: Sequence[str], home: str) -> list[str]:
+    """That a diagnosis holds poorly in another run, and what to do; `together` holds the commands for both, if any."""
     switched = f"If the motor was switched off in between, its zero is another: add {home}. " if home else ""
     if not together:
         return [f"{fault}. {switched}{'Else' if home else 'Mend:'} diagnose {run} itself"]
+    first = "take out first what was adopted, then " * (len(together) > 1)
     same = (
         f"{run} is of the same string as {listing(list(known.runs))} (string.id), and is simulated here as if nothing "
-        f"had happened to it before. {switched}{'Else' if home else 'Mend:'} diagnose both together:"
+        f"had happened to it before. {switched}{'Else' if home else 'Mend:'} {first}diagnose both together:"
     )
-    return [f"{fault}. {same}", f"  {together}"]
+    return [f"{fault}. {same}", *(f"  {line}" for line in together)]
