@@ -32,6 +32,22 @@ class Bench:
     measured: np.ndarray
     rows: int = SEEN
     included: tuple[Act, ...] = ()
+    beside: tuple[Act, ...] = ()
+
+    @property
+    def drivers(self) -> SimpleNamespace:
+        """Those of a string."""
+        return SimpleNamespace(levered=True)
+
+    @property
+    def record(self) -> SimpleNamespace:
+        """A sample each tenth of a second."""
+        return SimpleNamespace(time_s=np.arange(SEEN + UNSEEN) * 0.1)
+
+    @property
+    def adopted(self) -> tuple[Act, ...]:
+        """What comes of run.yaml: all that is included."""
+        return self.included
 
     def simulate(self, state: State) -> np.ndarray:
         """The reading of a state."""
@@ -79,6 +95,17 @@ def decided(
         SimpleNamespace(nothing=NOTHING),  # type: ignore[arg-type]
         given.get("random", {}),
     )
+
+
+@pytest.mark.parametrize(("samples", "verdict"), [(5, "consistent"), (7, "unknown")])
+def test_a_reading_that_is_off_for_half_a_second_is_unknown_however_loud_the_noise_is_told(samples, verdict):
+    reading = missing(0.0)
+    reading[100 : 100 + samples] = 5.1 * 1.4826 * FLOOR
+    state = State(reading, np.zeros(1))
+    problem, noise = Bench(np.zeros(SEEN + UNSEEN)), Noise(2.0 * FLOOR, np.zeros(0), FLOOR)
+    search = SimpleNamespace(nothing=NOTHING)
+    found = decide(problem, state, state, noise, state, Judged([], {}, 1.0), search, {})  # type: ignore[arg-type]
+    assert found.verdict == verdict
 
 
 @pytest.mark.parametrize(("beyond", "verdict"), [(0.0, "consistent"), (0.34, "consistent"), (0.36, "unknown")])
