@@ -99,8 +99,8 @@ def decided(
 
 @pytest.mark.parametrize(("samples", "verdict"), [(5, "consistent"), (7, "unknown")])
 def test_a_reading_that_is_off_for_half_a_second_is_unknown_however_loud_the_noise_is_told(samples, verdict):
-    reading = missing(0.0)
-    reading[100 : 100 + samples] = 5.1 * 1.4826 * FLOOR
+    reading = np.random.default_rng(0).normal(0.0, FLOOR, SEEN + UNSEEN)
+    reading[100 : 100 + samples] = 6.0 * FLOOR
     state = State(reading, np.zeros(1))
     problem, noise = Bench(np.zeros(SEEN + UNSEEN)), Noise(2.0 * FLOOR, np.zeros(0), FLOOR)
     search = SimpleNamespace(nothing=NOTHING)
