@@ -38,7 +38,9 @@ STANDINGS = {
 KEPT = ("named", "tied")  # the rows that stand first
 ADOPTED_ALONE, ADOPTED_ROW = "what is adopted, and calibration", "{} (adopted)"  # in place of calibration alone
 STAND_IN = "x_…: fits the data, and is no physics of the library"
-AS_GOOD = "fits too if formulas err by 10 %"  # beside what its diamond has at the noise
+AS_GOOD = "at the noise only if formulas err by 10 %"  # beside what its diamond has there
+MENDS = "likely as well: what red adds may only mend its formula"  # of a part of the best one, without probabilities
+LEFT_OUT = "left out: fits worse, as it should if red is true"  # the rule where no probability is known
 MORE_ALONE = "with a further effect that adds too little"  # where nothing is named
 UNLIKELY, WORSE = "less likely", "fits worse"  # where the details have no table of them, and where nobody is likely
 NOT_NAMED = "leaves least, and is not named"  # where none has to be
@@ -104,6 +106,11 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     meanings |= {"nothing": ADOPTED_ALONE} if adopted else {}
     meanings |= {} if "named" in shown_standings else {"not needed": MORE_ALONE}
     meanings |= {"beaten": UNLIKELY if weighed else WORSE} if unknown or not weighed else {}
+    meanings |= {"beaten": LEFT_OUT} if not weighed and "named" in shown_standings else {}
+    tied = [set(each["ids"]) for each in shown if each["standing"] == "tied"]
+    best = [set(each["ids"]) for each in shown if each["standing"] == "named"]
+    only_parts = not weighed and bool(tied) and all(ids < whole for ids in tied for whole in best)
+    meanings |= {"tied": MENDS} if only_parts and best else {}
     meanings |= {} if unknown else {"not enough": NOT_NAMED}
     handles: list[Any] = [
         Line2D([], [], ls="", marker="o", ms=6, mfc="white", mec=OTHER, mew=1.5, label=meanings[name])
@@ -168,7 +175,7 @@ def held_out(
     for place, value in enumerate(values):
         label = f"{size(value, unit)}\n{times(value / floor)} × noise"
         axes.annotate(label, (place, value), (0, 7), textcoords="offset points", ha="center", fontsize=7.5)
-    below = CLOSEST.replace(" ", "\n", 1) if closest else "named\nwithout" if without else NAMED.replace(" ", "\n")
+    below = CLOSEST.replace(" ", "\n", 1) if closest else "other\neffects" if without else NAMED.replace(" ", "\n")
     lines = 0
     if any(hollow):
         which = f"{CLOSEST}: {closest}" if closest else f"named without these strokes: {without}"

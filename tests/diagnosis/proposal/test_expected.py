@@ -218,7 +218,7 @@ def test_the_page_of_a_tie_says_by_how_much_the_readings_part_in_the_run():
     made = content(next_run__apart={"by_mm": 0.31, "motor_turns": 12.3, "first_mm": 31.42, "second_mm": 31.73})
     text = " ".join(full(made).split())
     both = "friction_hysteresis + creep 31.42 mm friction_hysteresis + thermal 31.73 mm"
-    assert f"it is to tell apart reading in it, near 12 turns {both}" in text
+    assert f"it is to tell apart reading in it, twist near 12 turns {both}" in text
     assert "their difference, if the run follows this one at once 0.31 mm" in text
     assert "their difference" not in full(), "an older file"
 

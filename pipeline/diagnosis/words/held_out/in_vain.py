@@ -84,10 +84,11 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
         return [f"{without} no effect, so the name {best} is not settled, and {error} calibration alone."]
     if other_fails(content, words):
         return [f"{first_upper(error)} {other}, not of {best}. A longer recording can settle the name."]
-    end = f"so {error} that one, not of {best}."
+    of_size = f"{size(unseen_errors[2], words.unit)} on the {holdout.strokes(content)}"
+    end = f"the error of {of_size} belongs to that; {best} was not tested on them."
     if set(other.split(" + ")) in map(set, content["alternatives"]):
-        return [f"{without} {other}, another of the {count} likely explanations, {end}"]
-    return [f"{without} {other}, {end} A longer recording can settle the name."]
+        return [f"{without} {other}, another of the {count} likely explanations: {end}"]
+    return [f"{without} {other}: {end} A longer recording can settle the name."]
 
 
 def other_choice(content: Verdict) -> list[str]:

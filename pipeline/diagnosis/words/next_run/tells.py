@@ -3,12 +3,14 @@
 from ...document.content import NextRun, Verdict, proposal
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
-from ..language.quantity import duration, first_upper, number, percent, place_near, size, times, to_tell
+from ..language.quantity import duration, first_upper, number, percent, place_near, quantity, size, to_tell
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from . import parting, worth
+from .technician import legs_of
 
 SETTLED = "In tests such runs settled 33 of 50 ties rightly and 2 wrongly, and left 15 open"
+STANDS = 0.005  # of a place: who moves by less stands
 NO_OTHER = "no other run that was tried in simulation does better"
 
 
@@ -20,7 +22,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return [purpose] if purpose else []
     more = f"Noise is not all that counts: {SETTLED[0].lower()}{SETTLED[1:]}."
     without = f"Without the run {worth.otherwise(content, words)}."
-    sentences = (parting.sentence(content), _closest(content), _decides(run), more, without)
+    sentences = (_taken(run, words), parting.sentence(content), _closest(content), _decides(run), more, without)
     return [*aligned(_rows(content, run, words)), " ".join(part for part in sentences if part)]
 
 
@@ -30,6 +32,21 @@ def in_short(content: Verdict, words: Vocabulary) -> str:
     name, other = (worth.probable(ids, content) for ids in run["parts"])
     sentences = (f"It is to tell {name} from {other}.", parting.sentence(content), _decides(run), f"{SETTLED}.")
     return " ".join(part for part in sentences if part)
+
+
+def _taken(run: NextRun, words: Vocabulary) -> str:
+    """In which step the reading is taken at which the predictions differ the most; nothing where no file says it."""
+    after_s, place = (run.get("apart") or {}).get("after_s", 0.0), run["legs"][0][words.driver]
+    if after_s <= 0.0:
+        return ""
+    for leg in legs_of(run):
+        to, after_s = leg[words.driver], after_s - float(leg["seconds"])
+        if after_s <= 0.0:
+            stands = abs(to - place) <= STANDS * max(abs(to), abs(place))
+            where = quantity(to, words.motion_unit)
+            return f"The reading is taken {f'while it stands at {where}' if stands else f'on the way to {where}'}."
+        place = to
+    return ""
 
 
 def _closest(content: Verdict) -> str:
@@ -62,7 +79,7 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
         near = place_near(known[words.driver], words.motion_unit, high - low)
         after_s = known.get("after_s", 0.0)
         when = f"after {duration(after_s)}" if after_s > 0.0 else "in it"  # an older file does not say it
-        head.append(f"reading {when}, near {near}")
+        head.append(f"reading {when}, {words.motion} near {near}")
         apart = size(known[f"by_{words.ending}"], words.unit)
         rows.append(["their difference, if the run follows this one at once", *[UNKNOWN] * (len(head) - 2), apart])
     return [head, *rows]
@@ -77,8 +94,8 @@ def _decides(run: NextRun) -> str:
     if worth.decides(run):
         if now <= PLAIN:
             return f"The run can decide: {apart}."
-        more = f"To make as much in the run it would have to be wrong by {times(then / now)} times that."
-        return f"The run can decide. This recording does not, {wrong}: {apart}. {more}"
+        more = f"In the run it would have to be wrong by {number(10.0 * then / now)} % for that."
+        return f"The run can decide. This recording does not, {wrong}. {more}"
     other = "" if worth.raises(run) else f"; {NO_OTHER}"
     if now > PLAIN:
         return f"This recording does not decide, and the run need not either, {wrong}: {apart}{other}."

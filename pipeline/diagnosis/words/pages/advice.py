@@ -67,7 +67,7 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
 def _errs(content: Verdict, words: Vocabulary) -> str:
     """By how much a prediction will err, where that is more than the noise; ends a phrase."""
     unseen_errors = unseen.errors(content, words)
-    if unseen_errors is None or not unseen.partly(content, words) or holdout.other_name(content):
+    if unseen_errors is None or not unseen.partly(content, words) or holdout.other_name(content) == holdout.NO_EFFECT:
         return ""
     return f" (expect errors of about {size(unseen_errors[2], words.unit)} rms)"
 

@@ -40,6 +40,8 @@ def test_a_page_that_lets_adopt_says_by_how_much_predictions_err():
     missed = joined(page(confident(0.93, 0.96, fit__heldout__explained_mm=0.1, **NEAR)))
     assert "like the recorded ones (expect errors of about 0.10 mm rms)." in missed
     assert "expect errors" not in page(confident(0.93, 0.96, **NEAR))
+    other = confident(0.93, 0.96, fit__heldout__explained_mm=0.1, **NEAR, evidence__chosen_without_them=["creep"])
+    assert "(expect errors of about 0.10 mm rms)" in joined(page(other)), "though they are of another name"
 
 
 def test_a_sure_name_is_set_apart_from_a_prediction_that_misses():
@@ -129,9 +131,13 @@ def test_the_run_that_decides_has_the_likeliest_first_and_says_when_its_reading_
     assert table.index("friction_hysteresis + thermal") < table.index("friction_hysteresis + creep")
     row = next(line for line in table.splitlines() if "friction_hysteresis + thermal" in line)
     assert row.endswith("-0.77 mm"), "each keeps its reading"
-    assert "reading in it, near 0 turns" in table
+    assert "reading in it, twist near 0 turns" in table
     made["next_run"]["apart"]["after_s"] = 95.0
-    assert "reading after 95 s, near 0 turns" in full(made)
+    assert "reading after 95 s, twist near 0 turns" in full(copy.deepcopy(made))
+    made["next_run"]["legs"] = [{"seconds": 1.0, "motor_turns": to, "load_n": 10.0} for to in (0.0, 0.0, 12.0, 12.0)]
+    for after_s, taken in ((1.5, "on the way to 12 turns"), (2.5, "while it stands at 12 turns")):
+        made["next_run"]["apart"]["after_s"] = after_s
+        assert f"The reading is taken {taken}." in joined(full(copy.deepcopy(made)))
 
 
 def test_one_turn_is_one():

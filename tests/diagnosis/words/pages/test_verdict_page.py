@@ -413,7 +413,7 @@ def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_i
     assert f"{worse} So the recording is too short to choose" in other
     assert "1. Adopt nothing: the names change when the last 30 % of strokes are left out, so none is proved." in other
     assert "the explanation makes" not in other and "explanation improves" not in other
-    assert "the procedure names slack, so the error on the unseen strokes (4.3 mm) is that of that one, not of" in other
+    assert "the procedure names slack: the error of 4.3 mm on the unseen strokes belongs to that; friction" in other
     made["fit"]["worse_than_nominal"] = ["explained"]
     first = " ".join(page(made).split("\n\n")[0].split())
     assert first.endswith("which failed on them (4.3 mm rms; the nominal simulator: 1.9 mm).")
@@ -462,7 +462,7 @@ def test_a_good_error_of_other_effects_is_said_to_be_of_these():
     shown = " ".join(page(made).split())
     without = "Without the last 30 % of strokes the procedure names thermal"
     error = re.search(
-        rf"{re.escape(without)}, so the error on the unseen strokes \((.+?)\) is that of that one,", shown
+        rf"{re.escape(without)}: the error of (.+?) on the unseen strokes belongs to that; friction", shown
     )
     assert error and re.search(rf"thermal, see below – {error[1]} \([0-9.]+ times the noise\)", shown)
     assert re.search(r"as diagnosed: effects added [0-9.]+ mm \([0-9.]+ times the noise\) – ", shown)
