@@ -16,7 +16,8 @@ SIZE_INCHES, DOTS = (8.0, 7.0), 150
 TITLE_POINTS, TITLE_WIDE = 10, 90  # letters of a line that the width has room for
 LEGEND_COLUMNS = 3
 SAME = 0.01  # of a load: less is no other load
-COLOURS = ("#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b")
+COLOURS = ("#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b", "#8c510a")  # of explanations, as on watch's page
+SIMULATOR = "#d6604d"  # of the simulator of run.yaml, as there
 
 
 def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = None) -> None:
@@ -44,7 +45,7 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
         panel.set_ylabel("load (N)")
     alone = {} if curves["rivals"] else {"the simulator of run.yaml": base_mm}
     for number, (name, curve) in enumerate((curves["rivals"] or alone).items()):
-        colour = COLOURS[number % len(COLOURS)]
+        colour = COLOURS[number % len(COLOURS)] if curves["rivals"] else SIMULATOR
         reading.plot(time_s, curve, color=colour, lw=1.2, label=f"{name}: foretold")
         if apart is not None:
             apart.plot(time_s, np.array(curve) - base_mm, color=colour, lw=1.5)

@@ -12,14 +12,14 @@ from ..settle.loop_lock import at_work
 from ..settle.motion_table import HEAD, begins, size, table, winds
 from ..settle.step import Place, Step
 
-SHOWN = ("proposed", "approved", "recorded")  # while what is foretold is of interest
+MOVES = ("proposed", "approved", "recorded")  # while what moves is of interest
 RIVALS = 6
 CAME = "came"  # the drawing of what came, without its ending
 
 
 def moves(step: Step) -> dict[str, Any] | None:
     """What moves in a run, leg by leg in numbers, and what it is for; None where nothing is proposed, or not whole."""
-    if step.state not in SHOWN or not step.legs:
+    if step.state not in MOVES or not step.legs:
         return None
     try:
         made = winds(step) if step.state != "proposed" else None
@@ -73,7 +73,7 @@ class Settling:
             "verdict": step.verdict,
             "approved_by": step.approved_by,
             "question": question["question"] if working and question and question["step"] == step.number else None,
-            "foretold": self._foretold(step) if step.state in SHOWN else None,
+            "foretold": self._foretold(step),
             "came": self._came(step),
         }
 
@@ -90,6 +90,7 @@ class Settling:
             curves = self.place.proposed_run(step.number)["curves"]
             rivals = curves["rivals"] or {"the simulator of run.yaml": curves["calibrated"]}
             return {
+                "alone": not curves["rivals"],
                 "time_s": curves["time_s"],
                 "motor_turns": curves["motor_turns"],
                 "load": curves["load"],

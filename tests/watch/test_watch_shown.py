@@ -21,14 +21,14 @@ from pipeline.wire import Event, Kind, encode, read_recording
 from pipeline.wire.frames import EVENT
 
 PACE = 5  # times as fast as life
-BLUEST = """((low, high) => {
+DARKEST = """((low, high) => {
   const canvas = document.getElementById("loop"), pen = canvas.getContext("2d");
   const rows = [low, high].map((part) => Math.round(part * canvas.height));
   const dots = pen.getImageData(canvas.width / 2, rows[0], 40, rows[1] - rows[0]).data;
   let most = 0;
-  for (let k = 0; k < dots.length; k += 4) most = Math.max(most, dots[k + 2] - dots[k]);
+  for (let k = 0; k < dots.length; k += 4) most = Math.max(most, dots[k + 3] * (1 - dots[k] / 255));
   return most;
-})"""  # how blue the bluest dot of a strip of the canvas is
+})"""  # how dark, on white, the darkest dot of a strip of the canvas is
 
 
 def strokes(count: int, apart_mm: float) -> bytes:
@@ -54,7 +54,7 @@ def test_older_strokes_fade_so_that_a_person_sees_it(tmp_path: Path):
     with watched(run) as (port, _), browser(tmp_path / "home") as page:
         page.open(f"http://127.0.0.1:{port}/")
         page.until("document.getElementById('samples')?.textContent === '1,200'")
-        newest, before, oldest = (page.run(f"{BLUEST}({low}, {low + 0.14})") for low in (0.0, 0.38, 0.74))
+        newest, before, oldest = (page.run(f"{DARKEST}({low}, {low + 0.14})") for low in (0.0, 0.38, 0.74))
     assert newest > 100 and 0 < before < 0.6 * newest and 0 < oldest < 0.75 * before
 
 
@@ -191,6 +191,8 @@ def test_few_samples_are_drawn_without_teeth_and_the_page_says_what_cannot_be_se
         page.until("document.getElementById('samples')?.textContent === '655'")
         before = page.text("loop-key")
         page.picture(tmp_path / "few.png")
+        assert not page.run("isSeen({ y: (mm) => -30 * mm }, 0.066)"), "a band of 4 px was promised, and hidden by lines"
+        assert page.run("isSeen({ y: (mm) => -30 * mm }, 0.2)")
         other = verdicts.parent / "run-2"
         other.mkdir(parents=True)
         (other / "verdict.txt").write_text("run-2: unknown.\n")

@@ -7,6 +7,7 @@ import pytest
 from settle.settle_bench import LIMITS, described, ended, rig, set_up, state
 from watch.browser import CHROMIUM, Browser, browser
 from watch.test_watch import watched
+from watch.test_watch_loop import BLACK
 
 from pipeline.settle.answers import QUESTION
 from pipeline.settle.loop_lock import alone
@@ -66,8 +67,14 @@ def test_in_each_state_of_a_loop_the_page_shows_all_its_parts_and_no_error(place
         page.open(printed)
         page.until("document.getElementById('jobs')?.textContent.startsWith('1 of 1 done, ended at 2')")
         shown(page, place, "settled")
+        assert page.run(f"{BLACK}('apart')") > 200 and not page.run("document.getElementById('came').hidden")
+        each = "[...document.querySelectorAll('#rivals span')].map((name) => getComputedStyle(name).color)"
+        explanations, below = page.run(each), "getComputedStyle(document.querySelector('#loop-key .{}')).color"
+        others = {page.run(below.format(name)) for name in ("measured", "simulated")}
+        assert len(explanations) >= 2 and not others & {*explanations}, "one colour, one meaning"
+        assert page.run(below.format("measured")) == page.run("getComputedStyle(document.getElementById('came')).color")
         for name, words in (
-            ("proposed", "proposed"),
+            ("proposed", "waits for yes in the terminal where settle runs"),
             ("proposed", "waits for approval"),
             ("approved", "is made now"),
             ("recorded", "is being diagnosed"),
@@ -82,9 +89,8 @@ def test_in_each_state_of_a_loop_the_page_shows_all_its_parts_and_no_error(place
                 came = page.run("[...document.querySelectorAll('#came-file a')].map((link) => link.pathname)")
                 assert came == [f"/reports/settle/poor-1/step-{last}/came.png"]
                 assert page.run(f"fetch('{came[0]}').then((answer) => answer.status)") == 200
-                moves = name != "diagnosed"
-                assert page.run(f"{DRAWN}('#foretold')") == page.run(f"{DRAWN}('#apart')") == moves
-                assert not moves or len(page.text("legs")) > 50, "what moves is said in numbers"
+                assert page.run(f"{DRAWN}('#foretold')") and page.run(f"{DRAWN}('#apart')"), "after the end too"
+                assert name == "diagnosed" or len(page.text("legs")) > 50, "what moves is said in numbers"
                 (place / "out" / QUESTION).unlink(missing_ok=True)
 
 

@@ -54,8 +54,8 @@ function inOrder(one) {
   return [xs, ys];
 }
 
-// Whether a strip can be seen beside the line in its middle.
-function isSeen(plot, half) { return plot.y(-half) - plot.y(half) > 2 * LINE; }
+// Whether a strip can be seen beside the line in its middle and a recorded one close to that.
+function isSeen(plot, half) { return plot.y(-half) - plot.y(half) > 5 * LINE; }
 
 function strip(plot, xs, middle, half, colour) {
   const { pen, x, y } = plot;

@@ -2,6 +2,7 @@
 // The loop that settles a tie: its step and state, what moves, and what each explanation foretells beside what came.
 
 let asked = null;
+const IN_TERMINAL = "waits for yes in the terminal where settle runs"; // of --approve ask: another way asks here, or nobody
 const STATES = { proposed: "proposed", approved: "is made now", recorded: "is being diagnosed", diagnosed: "diagnosed" };
 function loop(d) {
   const l = d.loop;
@@ -10,7 +11,7 @@ function loop(d) {
   if (l.question !== asked) { asked = l.question; at("clear").checked = false; show("said", ""); }
   show("step", `Step ${l.step}: ${l.title || "the runs that were there"}${l.size && ` (${l.size})`}`);
   moves(l.moves);
-  const what = l.stopping ? "stopping" : l.question ? "waits for approval" : STATES[l.state];
+  const what = l.stopping ? "stopping" : l.question ? "waits for approval" : l.at_work && l.state === "proposed" ? IN_TERMINAL : STATES[l.state];
   show("loop-state", l.at_work ? what : l.settled ? "settled" : `${what}; no loop is at work`);
   for (const id of ["clear-label", "approve"]) at(id).hidden = !l.question;
   at("approve").disabled = !token || !at("clear").checked;
@@ -37,7 +38,7 @@ function moves(m) {
 function foretold(f, d) {
   at("foretold-part").hidden = !f;
   if (!f) return;
-  const rivals = Object.entries(f.rivals), colour = (k) => COLOURS[k % COLOURS.length];
+  const rivals = Object.entries(f.rivals), colour = (k) => f.alone ? SIMULATOR : COLOURS[k % COLOURS.length];
   at("rivals").replaceChildren(...rivals.map(([name], k) => {
     const one = document.createElement("span");
     one.textContent = name; one.style.color = colour(k);

@@ -1,6 +1,6 @@
 "use strict";
 const EVERY_MS = 500, STALE_S = 3, BAND = 2 /* sigma */, OTHER_PACE = 0.1, FADES = 0.35 /* to, from stroke to stroke */;
-const COLOURS = ["#d6604d", "#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b"];
+const COLOURS = ["#2166ac", "#4d9221", "#762a83", "#b8860b", "#008b8b", "#8c510a"], SIMULATOR = "#d6604d"; // as came.png has them
 const ZONED = { year: "numeric", month: "2-digit", day: "2-digit", hour: "2-digit", minute: "2-digit", second: "2-digit", timeZoneName: "short" };
 const KEY = "watch-token", BLACK = "#111";
 const at = (id) => document.getElementById(id);
@@ -55,7 +55,7 @@ function draw(d) {
   d.channels.forEach((one, k) => {
     const shown = axes(box.children[k], [d.time_s], [one.low, one.high], k === d.channels.length - 1 ? "time (s)" : "", label(one.name));
     const [times, values] = inOrder(one);
-    line(shown, times, values, "#2166ac", 1);
+    line(shown, times, values, BLACK, 1);
   });
 }
 
@@ -63,12 +63,12 @@ function drawLoops(loops, d) {
   const plot = axes(at("loop"), loops.map((one) => one.motor_turns), loops.flatMap((one) => [one.displacement_mm, one.simulated_mm]), "twist (turns)", "displacement (mm)");
   loops.forEach((one, k) => {
     const shade = FADES ** (loops.length - 1 - k);
-    line(plot, one.motor_turns, one.displacement_mm, "#2166ac", shade);
-    if (d.noise_mm) strip(plot, one.simulated_turns, one.simulated_mm, BAND * d.noise_mm, "#d6604d");
-    line(plot, one.simulated_turns, one.simulated_mm, "#d6604d", 0.8 * shade);
+    line(plot, one.motor_turns, one.displacement_mm, BLACK, shade);
+    if (d.noise_mm) strip(plot, one.simulated_turns, one.simulated_mm, BAND * d.noise_mm, SIMULATOR);
+    line(plot, one.simulated_turns, one.simulated_mm, SIMULATOR, 0.8 * shade);
   });
   const twice = d.noise_mm && `± ${round(BAND * d.noise_mm, 2)} mm`;
-  show("noise", !twice ? "" : isSeen(plot, BAND * d.noise_mm) ? `noise band ${twice}: twice the noise of one reading` : `noise band ${twice}: too thin to draw`);
+  show("noise", !twice || !loops.some((one) => one.simulated_mm.length) ? "" : isSeen(plot, BAND * d.noise_mm) ? `noise band ${twice}: twice the noise of one reading` : `noise band ${twice}: too thin to draw`);
 }
 
 // No name of an element's: a name that nothing here defines is that element, in each page.
