@@ -191,7 +191,7 @@ def test_few_samples_are_drawn_without_teeth_and_the_page_says_what_cannot_be_se
         page.until("document.getElementById('samples')?.textContent === '655'")
         before = page.text("loop-key")
         page.picture(tmp_path / "few.png")
-        assert not page.run("isSeen({ y: (mm) => -30 * mm }, 0.066)"), "a band of 4 px was promised, and hidden by lines"
+        assert not page.run("isSeen({ y: (mm) => -30 * mm }, 0.066)"), "4 px were promised, and hidden by lines"
         assert page.run("isSeen({ y: (mm) => -30 * mm }, 0.2)")
         other = verdicts.parent / "run-2"
         other.mkdir(parents=True)
