@@ -31,4 +31,8 @@ def explained(folder: Path) -> list[str]:
     problem, words = without_effects(run, samples, strokes), Vocabulary.of(run.system)
     state = state_of(of_run(run), problem, path, run.run)
     does = {entry["id"]: entry["sentence"] for entry in adopted_effects(problem, run, words.ending)}
-    return coefficients.lines(state.acts, problem.drivers, words, sizes(problem, state), does)
+    dimensions = {
+        parameter.name: (float(value), parameter.nominal)
+        for parameter, value in zip(problem.parameters, state.values, strict=True)
+    }
+    return coefficients.lines(state.acts, problem.drivers, words, sizes(problem, state), does, dimensions)

@@ -86,6 +86,8 @@ class Mechanism:
     letters: dict[str, str] = field(default_factory=dict)  # of the equation, that mean nothing or otherwise elsewhere
     meanings: dict[str, str] = field(default_factory=dict)  # of its nonlinear parameters, by their names
     strengths: tuple[str, ...] = ()  # letters of the equation that are the coefficients of the terms
+    rows: dict[str, str] = field(default_factory=dict)  # what is in the names of a letter's coefficients, as a pattern
+    scale_units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters whose names do not end in it
     variants: dict[str, str] = field(default_factory=dict)  # other equations, by the nonlinear parameter of their kind
     plain_equation: str = ""  # where nothing is twisted, if `equation` is one of a string
     twisted: bool = False  # of a string alone: where nothing is wound it is no candidate, and worth no word

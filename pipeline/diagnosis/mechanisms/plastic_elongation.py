@@ -47,6 +47,7 @@ MECHANISM = Mechanism(
         "m": "load_power",
     },
     strengths=("P_L", "k"),
+    rows={"P_L": "within|steady", "k": "new_highest"},
     source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (bedding-in)",
     confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
     told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",

@@ -57,8 +57,25 @@ MECHANISM = Mechanism(
         "s": "the power of the load",
     },
     strengths=("k", "s"),
+    rows={"k": "tangent|within|settled|stage|closing|ordering", "s": "log_load"},
     meanings={
         "highest_pressure": "the highest load x tan(helix angle)^2 of the recording, {scale}",
+    },
+    scale_units={"highest_pressure": "10N"},
+    names={
+        "tangent_*": "minus tan(helix angle) to the power in its name",
+        "load_tangent_*": "minus the load x tan(helix angle) to the power in its name",
+        "within_*": "exp(-s/w) - 1: s is tan(helix angle) as a share of `steepest`, w the number in its name",
+        "settled_*": "exp(-(s/w)^2) - 1: s is tan(helix angle) as a share of `steepest`, w the number in its name",
+        "stage_at_*": "a soft step from 0 to -1, where tan(helix angle) as a share of `steepest` is as in its name",
+        "closing_at_*": (
+            "exp(-p/w) - 1: p is load x tan(helix angle)^2 as a share of `highest_pressure`, w the number in its name"
+        ),
+        "ordering_at_*": (
+            "exp(-(p/w)^2) - 1: p is load x tan(helix angle)^2 as a share of `highest_pressure`, "
+            "w the number in its name"
+        ),
+        "log_load": "minus the logarithm of the load",
     },
     source="Popov, Gaponov and Ryu, A study on twisted string actuation systems, IEEE/RSJ IROS 2012 (variable radius)",
     confused_with="a wrong radius, shaft_windup, jam",

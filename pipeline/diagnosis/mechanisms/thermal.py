@@ -12,7 +12,6 @@ TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)  # in which the string takes on heat
 LEAST_RANGE_K = 0.3  # of a logged temperature: one that moves less tells nothing
 MOVING = 0.05  # of the highest rate: faster is moving, for heat that comes whenever the motor turns
 BEHIND_S = 30.0  # of the node between what heats and the string, where there are two
-USUAL = "how much of what heats there usually is, {scale}"
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -78,7 +77,17 @@ MECHANISM = Mechanism(
     strengths=("a",),
     meanings={
         "measured": "1 means: it follows the measured temperature, and 0: one that is calculated from the motion",
-        **{f"usual_{power}": USUAL for power in ("friction", "speed", "current", "moving", "torque")},
+        "usual_friction": "the mean of speed x load, {scale}",
+        "usual_speed": "the mean of the speed squared, {scale}",
+        "usual_current": "the mean of the motor's current squared, {scale}",
+        "usual_moving": "about the share of the time in which it moves, {scale}",
+        "usual_torque": "the mean of speed x load x sin(helix angle), {scale}",
+    },
+    scale_units={
+        "usual_friction": "10N turns/s",
+        "usual_speed": "turns2/s2",
+        "usual_current": "A2",
+        "usual_torque": "10N turns/s",
     },
     source=(
         "Landau and Lifshitz, Theory of Elasticity, 1959 (thermal expansion); "

@@ -27,10 +27,11 @@ def change(moved: Size, words: Vocabulary) -> str:
     return f"change {_way(moved, words)}"
 
 
-def moves(moved: Size, words: Vocabulary) -> str:
-    """What something does to the reading, without a full stop."""
+def moves(moved: Size, words: Vocabulary, loops: bool = False) -> str:
+    """What something does to the reading, without a full stop; of what makes a loop both ends say nothing."""
     typical, by = size(moved.rms, words.unit), cells(moved, words, moved.rms)[1]
-    return f"moves the reading by {typical} rms{f', and by {by} {_way(moved, words)}' if by != UNKNOWN else ''}"
+    ends = "" if loops or by == UNKNOWN else f", and by {by} {_way(moved, words)}"
+    return f"moves the reading by {typical} rms{ends}"
 
 
 def cells(moved: Size, words: Vocabulary, whole_rms: float) -> list[str]:

@@ -8,13 +8,13 @@ from ...mechanisms.interface import Mechanism
 from ...mechanisms.library import mechanisms
 from ...recording.drivers import Drivers
 from ..language.explained_words import meaning, on_rig
-from ..language.quantity import listing, number, quantity, said_unit
+from ..language.quantity import listing, number, said_unit
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.moved_reading import Size, cells, change, moves, not_added_up
 from . import formulas
 from .formulas import direction, does, formula, of_strings_alone
-from .nonlinear_parameters import LOAD, meaning_of, measurable, on_this_rig, unit_of_parameter
+from .nonlinear_parameters import meaning_of, measurable, on_this_rig, unit_of_parameter, with_its_unit
 
 HEAD = (
     "What each number under simulation means, if you are curious: nobody needs them to predict. What a number does is "
@@ -22,6 +22,8 @@ HEAD = (
     "Sources of the formulas: docs/physics.md."
 )
 NO_SENTENCES: Mapping[str, str] = {}
+NO_DIMENSIONS: Mapping[str, tuple[float, float]] = {}
+LOOP = "{loop}"  # in the sentence of an effect that moves the reading otherwise on the way up and down
 OF_NAME = "that share"  # a factor that is said once, above the table: the share is in the name
 BRANCH = re.compile(r"(?:^|_)([0-9.]+)_s_")
 DOES = {
@@ -50,21 +52,27 @@ def lines(
     words: Vocabulary,
     sizes: Sequence[Sequence[Size]],
     sentences: Mapping[str, str] = NO_SENTENCES,
+    dimensions: Mapping[str, tuple[float, float]] = NO_DIMENSIONS,
 ) -> list[str]:
     """Each effect with what it does, then a table with a row for each of its numbers, the equation last.
 
     `sizes` has of each act the size of all of it, then that of each coefficient that is not 0; `sentences` says by its
-    id what an effect does in this recording.
+    id what an effect does in this recording; `dimensions` has by name each as it was adopted, and as run.yaml has it.
     """
     act_lines = [
         line
         for act, own in zip(acts, sizes, strict=True)
-        for line in _block(act, drivers, words, own, sentences.get(act.id) or on_rig(meaning(act.id), words))
+        for line in _block(
+            act, drivers, words, own, sentences.get(act.id) or on_rig(meaning(act.id), words), dimensions
+        )
     ]
     return [HEAD, *act_lines] if act_lines else []
 
 
-def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size], does_here: str) -> list[str]:
+def _block(
+    act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size], does_here: str,
+    dimensions: Mapping[str, tuple[float, float]],
+) -> list[str]:  # fmt: skip
     """An effect: what it does, of how many elements it is made, the table, and its formula letter by letter."""
     mechanism, (whole, *each) = mechanisms()[act.id], sizes
     coefficients, moved = iter(act.coefficients), iter(each)
@@ -87,12 +95,9 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
         for key, value in nonlinear.items():
             if of_strings_alone(meaning_of(key, mechanism), words):
                 continue
-            name, kept = drivers.units.name(key), ""
-            spelled = f"{number(value, 3)} {unit_of_parameter(key, name)}".strip()
-            if key.endswith(LOAD):
-                spelled = f"{number(drivers.units.load_size * value, 3)} {drivers.units.load}"
-                counted = quantity(drivers.units.load_size, drivers.units.load)
-                kept = f"; run.yaml has it as {number(value, 3)}, in {counted}"
+            name = drivers.units.name(key)
+            spelled, kept = with_its_unit(key, value, mechanism, drivers.units)
+            spelled = spelled or f"{number(value, 3)} {unit_of_parameter(key, name)}".strip()
             others.setdefault(key, []).append(spelled)
             rows.append([name, spelled, "", ""])
             described.append(f"{on_this_rig(key, mechanism, words)}{kept}")
@@ -101,14 +106,16 @@ def _block(act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size],
     head, *table = aligned([row[:shown] for row in (heads, *rows)])
     made = f" {listing(shares)} are weights, which need not add up to 1." * (len(shares) == len(names))
     several = [f"    It is made of {len(names)} elements: the first {len(names)} rows.{made}"] * (len(names) > 1)
-    written = [f"  {act.id}: {does_here} In all it {moves(whole, words)}.", *several, *_shares(mechanism, names)]
+    loops = LOOP in mechanism.sentence
+    written = [f"  {act.id}: {does_here} In all it {moves(whole, words, loops)}.", *several, *_shares(mechanism, names)]
     written += not_added_up(whole, each, words)
     written.append(f"    {head}")
     for row, what in zip(table, described, strict=True):
         written += [f"    {row}", f"      {what}"]
     written += measurable(act, drivers, words)
     equation = formula(mechanism, words, [key for nonlinear in act.nonlinear for key in nonlinear])
-    above = formulas.Numbers(tuple(strengths), {key: listing(values) for key, values in others.items()}, whole.rms)
+    spellings = {key: listing(values) for key, values in others.items()}
+    above = formulas.Numbers(tuple(strengths), spellings, whole.rms, tuple(names), dimensions)
     in_equation = formulas.lines(equation, mechanism, words, drivers, above)
     return [*written, f"    Its formula: {formulas.split(equation)[0]}", *(f"    {line}" for line in in_equation)]
 

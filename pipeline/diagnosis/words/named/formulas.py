@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,11 +11,13 @@ from ...recording.drivers import Drivers
 from ..language.quantity import number, quantity, said_unit, size, span
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
+from ..measured.adopted_numbers import UNUSED, Numbers, adopted, rows
 from .nonlinear_parameters import MEANT, meaning_of, on_this_rig
 
 LETTER = re.compile(r"(?<![A-Za-z0-9_])[A-Za-z]+(?:_[A-Za-z0-9]+)?[0-9]?'*(?![A-Za-z0-9_])")
 OWN = re.compile(r"(?:^|, )([A-Za-z][A-Za-z0-9_']*): ")  # in the rest of an equation, which says what its letters are
-CALCULATED, DIMENSION, UNUSED = "calculated", "see run.yaml", "not in this one"
+CALCULATED, DIMENSION = "calculated", "see run.yaml"
+DIMENSIONS = {"r": "radius_mm", "d": "torsion_zone_mm"}  # of a string, by their letters
 ALWAYS = " | "  # in what a letter is: before a value that is always the same
 KEYS = {"reach": "reach_mm", "theta_c": "critical_turns"}  # numbers of the table above, by their letter
 FUNCTIONS = {
@@ -36,18 +37,6 @@ SIGNS = {
 
 RESISTS = "resists the motion"  # where the reading is a force
 SCALED = re.compile(r"\btan\(|\bhelix\b")  # what only a string has
-
-
-@dataclass(frozen=True)
-class Numbers:
-    """What stands in the table above the letters: its strengths in their order, its other numbers by their keys.
-
-    Each as it is said, with its unit. `rms` is that of the whole effect, in the unit of the reading.
-    """
-
-    strengths: tuple[str, ...]
-    others: Mapping[str, str]
-    rms: float
 
 
 def formula(mechanism: Mechanism, words: Vocabulary, shape: Iterable[str] = ()) -> str:
@@ -132,8 +121,7 @@ def _value(
     if meaning_of(meaning, mechanism):
         return UNUSED
     if letter in mechanism.strengths:
-        count = len(numbers.strengths)
-        return numbers.strengths[0] if count == 1 else f"rows 1 to {count} above"
+        return rows(mechanism.rows.get(letter, ""), numbers)
     named = next((other for other in numbers.others if re.search(rf"\b{other}\b", meaning)), "")
     if named:
         return f"by {named}"
@@ -141,6 +129,8 @@ def _value(
         return f"{size(numbers.rms, words.unit)} rms"
     if letter in mechanism.letters:
         return CALCULATED
+    if letter in DIMENSIONS and DIMENSIONS[letter] in numbers.dimensions:
+        return adopted(*numbers.dimensions[DIMENSIONS[letter]])
     return _of_recording(letter, words, drivers) or CALCULATED
 
 

@@ -7,6 +7,7 @@ from ...mechanisms.interface import Mechanism
 from ...mechanisms.library import mechanisms
 from ...mechanisms.shared_meanings import MEANINGS
 from ...recording.drivers import Drivers
+from ...recording.system_units import Units
 from ..language.quantity import number, quantity, said_unit
 from ..language.vocabulary import Vocabulary
 
@@ -59,6 +60,19 @@ def on_this_rig(key: str, mechanism: Mechanism, words: Vocabulary) -> str:
 def unit_of_parameter(key: str, name: str) -> str:
     """Unit of the nonlinear parameter `key`, which is called `name` on this rig; empty where it has none."""
     return said_unit(unit_of(name)) if unit_of_nonlinear(key) != "1" else ""
+
+
+def with_its_unit(key: str, value: float, mechanism: Mechanism, units: Units) -> tuple[str, str]:
+    """A nonlinear parameter with the unit that its name does not end in, and how run.yaml has what counts loads.
+
+    Nothing of one whose name says its unit, or which has none.
+    """
+    unit = units.unit(mechanism.scale_units.get(key, "10N" if key.endswith(LOAD) else ""))
+    counted = units.unit("10N")
+    if counted not in unit:
+        return (f"{number(value, 3)} {said_unit(unit)}" if unit else ""), ""
+    spelled = f"{number(units.load_size * value, 3)} {said_unit(unit.replace(counted, units.load))}"
+    return spelled, f"; run.yaml has it as {number(value, 3)}, in {said_unit(unit)}"
 
 
 def measurable(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:

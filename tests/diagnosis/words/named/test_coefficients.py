@@ -224,3 +224,69 @@ def test_every_word_that_is_explained_stands_in_a_name_of_its_mechanism(problem,
     for word in one.names:
         there = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
         assert any(there.search(name) for name in named), word
+
+
+def explained(problem, act: Act, dimensions: dict | None = None) -> dict[str, str]:
+    """The lines that `--explain` has of an act, by their first word; each with the line below it."""
+    words, size = Vocabulary.of(problem.system), moved_reading.Size(0.1, 0.1, (0.0, 20.0))
+    count = sum(value != 0.0 for value in act.coefficients)
+    said = coefficients.lines([act], problem.drivers, words, [[size] * (1 + count)], {}, dimensions or {})
+    return {
+        line.split()[0]: f"{line.strip()} {below.strip()}" for line, below in zip(said, [*said[1:], ""], strict=True)
+    }
+
+
+def with_all(problem, id_: str, nonlinear: dict[str, float]) -> Act:
+    """An act of a mechanism all of whose coefficients are at work."""
+    return Act(id_, (nonlinear,), (0.1,) * len(mechanisms()[id_].terms(problem.drivers, nonlinear)))
+
+
+def test_each_coefficient_of_a_radius_that_falls_says_what_it_multiplies(problem) -> None:
+    """Five rows said no more than "changes the radius, as a share of it"."""
+    shape = {"loaded": 0.0, "steepest": 0.4, "highest_pressure": 0.517}
+    said = explained(problem, with_all(problem, "radius_compaction", shape), {"radius_mm": (0.428, 0.4)})
+    names = [term.name for term in mechanisms()["radius_compaction"].terms(problem.drivers, shape)]
+    assert len(names) > 10 and all("; it multiplies " in said[name] for name in names)
+    assert "minus tan(helix angle) to the power in its name" in said["tangent_2"]
+    assert said["highest_pressure"].startswith("highest_pressure") and " 5.17 N " in said["highest_pressure"]
+    assert "run.yaml has it as 0.517, in 10 N" in said["highest_pressure"]
+    assert f"rows 1 to {len(names)} above" in said["k"] and "not used here: the load did not vary" in said["s"]
+    assert "0.428 mm, as adopted (measured 0.4)" in said["r"]
+    varied = explained(problem, with_all(problem, "radius_compaction", shape | {"loaded": 1.0}))
+    assert f"0.1, row {len(names) + 3} above" in varied["s"] and f"rows 1 to {len(names) + 2} above" in varied["k"]
+    assert "see run.yaml" in varied["r"]
+
+
+def test_a_letter_has_the_rows_of_its_own_strengths_alone(problem) -> None:
+    """`P_L: rows 1 to 6` and `k: rows 1 to 6` stood above, and only row 6 grew with the tension."""
+    shape = {"load_power": 1.0, "work": 5.0, "loaded": 0.0}
+    act = with_all(problem, "plastic_elongation", shape)
+    said, last = explained(problem, act), len(act.coefficients)
+    assert f"rows 1 to {last - 1} above" in said["P_L"] and f", row {last} above" in said["k"]
+
+
+def test_what_usually_heats_says_which_heat_it_is_with_its_unit(problem) -> None:
+    """Five numbers without a unit had one sentence: "how much of what heats there usually is"."""
+    shape = next(each for each in mechanisms()["thermal"].candidates(problem.drivers) if not each["measured"])
+    shape |= {"usual_friction": 2.0, "usual_speed": 3.0}
+    said = explained(problem, Act("thermal", (shape,), with_all(problem, "thermal", shape).coefficients))
+    assert " 20 N turns/s " in said["usual_friction"] and "the mean of speed x load, " in said["usual_friction"]
+    assert "run.yaml has it as 2, in 10 N turns/s" in said["usual_friction"]
+    assert " 3 turns²/s² " in said["usual_speed"] and "speed squared" in said["usual_speed"]
+    meanings = {said[f"usual_{heat}"].partition(" the ")[2] for heat in ("friction", "speed", "current", "torque")}
+    assert len(meanings) == 4
+
+
+def test_of_a_loop_both_ends_of_the_motion_are_not_compared(problem) -> None:
+    """A loop closes: `by -0.0706 mm from 0 to 27.2 turns` told nothing of friction."""
+    words, moved = Vocabulary.of(problem.system), moved_reading.Size(0.1, 0.1, (0.0, 20.0))
+    shape = {"play_turns": 0.04, "usual_load": 2.0}
+    (_, loop, *_), (_, jam, *_) = (
+        coefficients.lines([act], problem.drivers, words, [[moved, moved]])
+        for act in (
+            Act("friction_hysteresis", (shape,), (0.42, 0.0)),
+            Act("jam", ({"critical_turns": 1.0, "softness_turns": 0.1},), (0.4, 0.0)),
+        )
+    )
+    assert loop.endswith("In all it moves the reading by 0.10 mm rms.")
+    assert ", and by +0.100 mm from 0 to 20 turns." in jam
