@@ -9,7 +9,8 @@ from . import chances, closest, left_out, less_likely, probability, rivals
 
 SHOWN = 8  # of those that are not kept
 LEAST = 1e-6  # what a probability of nothing is said as: less than 1 %
-NO_LESS = "as much as no effect"
+NO_LESS, NOTHING = "as much as no effect", "nothing"
+ROUNDED = 1e-9  # noise floors: a smaller difference is one of the last digits of a float
 
 
 def heading(content: Verdict) -> str:
@@ -24,7 +25,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     known = probability.known(content)
     kept = [*named, *probability.likeliest(rivals.entries(content, "tied"))]
-    rows = dict(enumerate([*kept, *others_shown(content)], start=1))
+    rows = numbered(content)
     return [
         *within(_rows(content, rows, words), 0),
         *([f"Kept: {less_likely.numbers(list(rows)[: len(kept)])}."] if len(kept) > 1 and not known else []),
@@ -33,6 +34,12 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *less_likely.remarks(content, rows, len(kept), words),
         *left_out.lines(content),
     ]
+
+
+def numbered(content: Verdict) -> less_likely.Numbered:
+    """The rows of the table by their numbers, the kept ones first."""
+    kept = [*rivals.entries(content, "named"), *probability.likeliest(rivals.entries(content, "tied"))]
+    return dict(enumerate([*kept, *others_shown(content)], start=1))
 
 
 def others_shown(content: Verdict) -> list[Part]:
@@ -55,6 +62,7 @@ def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> li
         leaves = NO_LESS if no_less else f"{of_column(left, words.unit, most)} ({times(left / floor)})"
         probable = UNKNOWN if share is None else percent(share or LEAST)
         differs = of_column(gap, words.unit, farthest) if gap is not None and number > 1 else UNKNOWN
+        differs = NOTHING if number > 1 and gap is not None and gap < ROUNDED * floor else differs
         called = rivals.called(each["ids"]) + ", left out" * (each["ids"] in out)
         cells.append([_name(str(number), called), probable, leaves, differs])
     if known:

@@ -33,7 +33,7 @@ def remarks(content: Verdict, rows: Numbered, kept: int, words: Vocabulary) -> l
         *_where(worth, content, words),
         *_nearly_as_good(worth, words),
         *_larger(content, rows, words),
-        *_allowed(content, dict(list(rows.items())[:kept]), words),
+        *_allowed(content, dict(list(rows.items())[:kept]), rows, words),
     ]
 
 
@@ -143,13 +143,35 @@ def _adds(larger: Part, rows: Numbered, content: Verdict, words: Vocabulary) -> 
     return f"{takes}: too little for {'one effect' if len(larger['ids']) - len(base['ids']) == 1 else 'so many'} more"
 
 
-def _allowed(content: Verdict, kept: Numbered, words: Vocabulary) -> list[str]:
-    """What each kept explanation would leave if its formulas were a little wrong; nothing where that is no less."""
+def _allowed(content: Verdict, kept: Numbered, rows: Numbered, words: Vocabulary) -> list[str]:
+    """What each kept explanation would leave if its formulas were a little wrong, and which others come to the noise.
+
+    Nothing where that is no less.
+    """
     if rivals.all_below_noise(content, words.ending):
         return []
     ratios = {number: rivals.with_discrepancy(each, content, words) for number, each in kept.items()}
     leaves = [f"{number} leaves {times(ratio)}" for number, ratio in ratios.items() if ratio is not None]
-    return [f"{rivals.ALLOWED}, {listing(leaves)} times the noise."] if leaves else []
+    allowed = [f"{rivals.ALLOWED}, {listing(leaves)} times the noise."] if leaves else []
+    near = only_if_wrong(content, rows, words)
+    if near:
+        leave = f"{numbers(near)} {'leave' if len(near) > 1 else 'leaves'} no more than about the noise"
+        stays = f"{leave}: {'they are' if len(near) > 1 else 'it is'} left out all the same"
+        allowed.append(f"Then {stays}." if allowed else f"{rivals.ALLOWED}, {stays}.")
+    return allowed
+
+
+def only_if_wrong(content: Verdict, rows: Numbered, words: Vocabulary) -> list[int]:
+    """The rows that leave the noise only if formulas err by 10 % and are left out; of a rig without probabilities."""
+    if probability.known(content) or rivals.all_below_noise(content, words.ending):
+        return []
+    floor = content["evidence"][f"floor_{words.ending}"]
+    return [
+        number
+        for number, each in rows.items()
+        if each["standing"] == "beaten"
+        and left_with_discrepancy(each, words.ending) <= rivals.NOISY * floor < each[f"left_{words.ending}"]
+    ]
 
 
 def _no_common(content: Verdict) -> list[str]:

@@ -11,6 +11,7 @@ from .vocabulary import ANGLES, Vocabulary
 USUAL = ("nominal", "calibrated", "as diagnosed", "mismatch", "noise floor", "rms")
 NAMED = re.compile(r"^\w+ {2,}named\b", re.M)  # how sure an effect is, in the table of them
 GROWS, NO_STRING = " that grows with load or twist", "on rigs without string"
+ANY_READING = "force or angle"  # to which an offset is added
 TURN, DRIVEN = "once a turn", "once in every turn of what drives it (a screw, a motor)"
 
 
@@ -48,6 +49,7 @@ def tells(id_: str, words: Vocabulary) -> str:
 
 def on_rig(sentence: str, words: Vocabulary) -> str:
     """A meaning, which is written for a string, in the words of a rig."""
+    sentence = sentence.replace(ANY_READING, words.reading)
     if words.twisted:
         return sentence
     sentence = sentence.replace(GROWS, "") if words.differentiates else sentence

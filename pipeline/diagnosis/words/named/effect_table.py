@@ -16,6 +16,7 @@ HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
 OF_IT = ("share no dimension", "can imitate")  # the head of a column, on two lines where the page is too narrow
+AT_A_STAND = ", and is gone as soon as the motor stands"  # of a loss, by its law
 INDENT = 2  # of a section's lines
 WHOSE = "Sizes are those of the best explanation."
 NO_PERCENTAGE = "No percentage is known on this rig."
@@ -63,7 +64,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
     head, *table = aligned([columns, *rows])
     heads = [head] if len(head) <= WIDE - INDENT else _on_two_lines(head)
-    does = {entry["id"]: of_effect(entry, words) if short else entry["sentence"] for entry in entries}
+    does = {entry["id"]: of_effect(entry, words) if short else _sentence(entry, content) for entry in entries}
     between = {} if short else {entry["id"]: effects.between_runs(entry, words) for entry in entries}
     table_lines = heads
     for (id_, *_), row in zip(rows, table, strict=True):
@@ -99,6 +100,13 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         *([SOME_TAKEN_BACK.format(_missing(content, words))] if PARTLY in thoughts else []),
         *([TAKEN_BACK.format(_missing(content, words))] if HIDDEN in thoughts else []),
     ]
+
+
+def _sentence(entry: Part, content: Verdict) -> str:
+    """What an effect does; not what it does at a stand, where the motor never stood long enough to show it."""
+    tried = content["evidence"].get("not_kept")
+    never = tried is not None and bool(tried) and not tried[0]["stands"]
+    return str(entry["sentence"]).replace(AT_A_STAND, "") if never else str(entry["sentence"])
 
 
 def _on_two_lines(head: str) -> list[str]:

@@ -2,7 +2,7 @@
 
 from ...document.bounds import at_bound
 from ...document.content import Verdict
-from ..explanations import probability
+from ..explanations import explanation_table, less_likely, probability
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED, moved_in_vain
 from ..language.quantity import listing, quantity
@@ -72,6 +72,9 @@ def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> lis
     if verdict == "explained" and unseen.partly(content, words):
         return [TO_CHOOSE + (MISSING_TOO if sure else MISSING_ALONE)]
     above = MAKES_SURE * (sure and verdict == "explained")
+    near = less_likely.only_if_wrong(content, explanation_table.numbered(content), words)
+    if verdict == "explained" and near:
+        above = f" Only if formulas err by 10 %, no. {less_likely.numbers(near)} would.{above}"
     return [NONE_NEEDED[verdict] + above] if verdict in NONE_NEEDED else []
 
 

@@ -14,11 +14,13 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     whole = sum(entry["count"] for entry in entries)
     if whole == 1:
         (entry,) = entries
-        alone = f"the single sample at {_at(entry)} stands far from its neighbours"
-        return [f"A spike of {_channel(entry, words, several)} does not count: {alone}."]
-    each = listing([f"{_many(entry, whole)}of {_of(entry, words, several)}" for entry in entries])
-    far = "single samples that stand far from their neighbours"
-    return [f"{number(whole, 9)} spikes do not count, {far}, {each}."]
+        return [f"1 single sample of {_channel(entry, words, several)} (a spike, at {_at(entry)}) was left out."]
+    if len(entries) == 1:
+        (entry,) = entries
+        of_channel = f"of {_channel(entry, words, several)} (spikes, the first at {_at(entry)})"
+        return [f"{number(whole, 9)} single samples {of_channel} were left out."]
+    each = listing([f"{number(entry['count'], 9)} of {_of(entry, words, several)}" for entry in entries])
+    return [f"{number(whole, 9)} single samples (spikes) were left out: {each}."]
 
 
 def _of(entry: Part, words: Vocabulary, several: bool) -> str:
@@ -37,8 +39,3 @@ def _channel(entry: Part, words: Vocabulary, several: bool) -> str:
 def _at(entry: Part) -> str:
     """The time stamp of the first spike of an entry, to a hundredth of a second."""
     return f"{number(round(entry['first_s'], 2), 12).replace(',', '')} s"
-
-
-def _many(entry: Part, whole: int) -> str:
-    """How many of the spikes are of this channel."""
-    return "all " if entry["count"] == whole else f"{number(entry['count'], 9)} "

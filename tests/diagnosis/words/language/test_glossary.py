@@ -29,3 +29,10 @@ def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
         said = MEANING[id_]
         assert said == mechanism.meaning and f"## {id_}\n\n{said[:1].upper()}{said[1:]}\n" in physics, id_
     assert "no physics is missing" not in MEANING["parameters"]
+
+
+def test_an_offset_is_of_what_the_rig_reads():
+    """`a constant force or angle is added` stood on the page of a rig that reads a force."""
+    for ending, reading in (("n", "force"), ("deg", "jaw angle")):
+        words = Vocabulary.of(SYSTEMS[ending])
+        assert on_rig(meaning("sensor_offset"), words) == f"a constant {reading} is added."

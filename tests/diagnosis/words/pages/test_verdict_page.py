@@ -789,18 +789,18 @@ def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page():
     first = {"run": "nylon-3", "column": "displacement_mm", "count": 4, "first_s": 12.34567}
     few = content(evidence__spikes=[first, {**first, "column": "motor_turns", "count": 1, "first_s": 1234.5}])
     told = (
-        "5 spikes do not count, single samples that stand far from their neighbours, 4 of the displacement (the first "
+        "5 single samples (spikes) were left out: 4 of the displacement (the first at 12.35 s) and 1 of the twist (at"
     )
-    told += "at 12.35 s) and 1 of the twist (at 1234.5 s)."
     assert told in details(copy.deepcopy(few)) and told in " ".join(page(few).split()), "both alike"
     many = content(evidence__spikes=[first, {**first, "column": "load_n", "count": 2}])
     assert "2 of the load (the first at" in " ".join(page(many).split())
-    assert "neighbours, all of the displacement (the first at" in details(content(evidence__spikes=[first]))
+    alone = "4 single samples of the displacement (spikes, the first at 12.35 s) were left out."
+    assert alone in details(content(evidence__spikes=[first]))
     single = content(evidence__spikes=[{**first, "count": 1}])
-    assert "A spike of the displacement does not count: the single sample at 12.35 s stands" in details(
-        copy.deepcopy(single)
+    assert "1 single sample of the displacement (a spike, at 12.35 s) was left out." in details(copy.deepcopy(single))
+    assert page(single).index("1 single sample") > page(copy.deepcopy(single)).index("How far the simulator"), (
+        "not first"
     )
-    assert page(single).index("A spike") > page(copy.deepcopy(single)).index("How far the simulator"), "not first"
 
 
 def test_the_commands_make_a_run_as_the_recorded_one_was_made(tmp_path):
