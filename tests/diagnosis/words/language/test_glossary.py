@@ -2,9 +2,11 @@
 
 from pathlib import Path
 
-from made_content import told
+from made_content import SYSTEMS, told
 
 from pipeline.diagnosis.mechanisms.library import mechanisms
+from pipeline.diagnosis.words.language.explained_words import meaning, on_rig
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.ground.glossary import MEANING
 
 
