@@ -75,7 +75,7 @@ MECHANISM = Mechanism(
             "exp(-(p/w)^2) - 1: p is load x tan(helix angle)^2 as a share of `highest_pressure`, "
             "w the number in its name"
         ),
-        "log_load": "minus the logarithm of the load",
+        "log_load": "minus ln(load / 10 N)",
     },
     source="Popov, Gaponov and Ryu, A study on twisted string actuation systems, IEEE/RSJ IROS 2012 (variable radius)",
     confused_with="a wrong radius, shaft_windup, jam",

@@ -33,7 +33,7 @@ def rows(pattern: str, numbers: Numbers) -> str:
         return UNLOADED if "load" in pattern and numbers.others.get("loaded") == "0" else UNUSED
     if len(places) == 1:
         return f"{numbers.strengths[places[0] - 1]}{f', row {places[0]} above' if count > 1 else ''}"
-    if places[-1] - places[0] == len(places) - 1:
+    if len(places) > 2 and places[-1] - places[0] == len(places) - 1:
         return f"rows {places[0]} to {places[-1]} above"
     return f"rows {listing([str(place) for place in places])} above"
 

@@ -263,6 +263,8 @@ def test_a_letter_has_the_rows_of_its_own_strengths_alone(problem) -> None:
     act = with_all(problem, "plastic_elongation", shape)
     said, last = explained(problem, act), len(act.coefficients)
     assert f"rows 1 to {last - 1} above" in said["P_L"] and f", row {last} above" in said["k"]
+    two = explained(problem, Act(act.id, act.nonlinear, (*act.coefficients[:2], *(0.0,) * (last - 2))))
+    assert "rows 1 and 2 above" in two["P_L"] and "not in this one" in two["k"]
 
 
 def test_what_usually_heats_says_which_heat_it_is_with_its_unit(problem) -> None:
