@@ -28,12 +28,32 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     rows = numbered(content)
     return [
         *within(_rows(content, rows, words), 0),
-        *([f"Kept: {less_likely.numbers(list(rows)[: len(kept)])}."] if len(kept) > 1 and not known else []),
+        *(
+            [f"Kept: {less_likely.numbers(list(rows)[: len(kept)])}.{_though(rows)}"]
+            if len(kept) > 1 and not known
+            else []
+        ),
         *closest.stand_ins([each["ids"] for each in rows.values()]),
         *probability.rule(content),
         *less_likely.remarks(content, rows, len(kept), words),
         *left_out.lines(content),
     ]
+
+
+def _though(rows: less_likely.Numbered) -> str:
+    """Why parts of the best explanation are kept though they leave more; nothing where none are."""
+    parts = [number for number, each in rows.items() if each["standing"] == "tied" and _within(each, rows[1])]
+    if not parts:
+        return ""
+    are, them = ("are", "them") if len(parts) > 1 else ("is", "it")
+    return (
+        f" {less_likely.numbers(parts)} {are} kept though 1 leaves less: what 1 adds to {them} may only mend a formula."
+    )
+
+
+def _within(smaller: Part, larger: Part) -> bool:
+    """Whether an explanation is a part of a larger one."""
+    return set(smaller["ids"]) < set(larger["ids"])
 
 
 def numbered(content: Verdict) -> less_likely.Numbered:

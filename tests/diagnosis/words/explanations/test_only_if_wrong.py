@@ -44,3 +44,12 @@ def test_no_page_says_what_goes_on_at_a_stand_where_the_motor_never_stood():
     assert AT_A_STAND in joined(full(copy.deepcopy(made)))
     made["evidence"]["not_kept"] = [{"id": None, "left_mm": 0.03, "stands": {}, "tied": []}]
     assert AT_A_STAND not in joined(full(made))
+
+
+def test_a_part_of_the_best_is_kept_for_a_reason():
+    made = shown(explanation(["creep"], "tied", 0.2))
+    made |= {"verdict": "ambiguous", "alternatives": [["creep"]]}
+    text = joined(full(copy.deepcopy(made)))
+    assert "Kept: 1 and 2. 2 is kept though 1 leaves less: what 1 adds to it may only mend a formula." in text
+    made["evidence"]["explanations"][1]["ids"] = ["wear"]
+    assert "Kept: 1 and 2. 2 is kept" not in joined(full(made))
