@@ -13,6 +13,7 @@ from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..prediction.simulation import at_its_best_zero
+from ..words.explanations import excursions
 from ..words.held_out import holdout, unseen
 from ..words.held_out.holdout import closest, heading, included, other_name, settled_otherwise
 from ..words.held_out.unseen import noises
@@ -82,9 +83,9 @@ def _kept(content: Verdict, held: list[str]) -> str:
 def warning(content: Verdict, words: Vocabulary) -> str:
     """A run.yaml not to predict with, that nothing is to be adopted, and which dimensions moved far, a line each."""
     lines = [textwrap.fill(sentence.rstrip("."), WIDEST) for sentence in against_advice(content)]
-    lines += [sentence] if (sentence := unfit(content, words)) else []
+    lines += [sentence for sentence in (unfit(content, words), excursions.in_short(content, words)) if sentence]
     if against := advice.against(content, words):
-        lines.append(against[0].lower() + against[1:].rstrip("."))
+        lines.append(against[0].lower() + against[1:].partition(". ")[0].rstrip("."))
     names = [name_of(name) for name in to_measure(content)]
     if names:
         them = "it" if len(names) == 1 else "them"

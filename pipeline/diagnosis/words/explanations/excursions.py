@@ -9,16 +9,42 @@ MOST = 4  # that are named by when they begin
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """One line on all of them; nothing where there is none."""
-    entries: list[Part] = content["evidence"].get("excursions", [])
+    entries = _entries(content)
     if not entries:
         return []
     ends = [min(entry["lasts_s"] for entry in entries), max(entry["lasts_s"] for entry in entries)]
     largest = size(max(entry[f"size_{words.ending}"] for entry in entries), words.unit)
-    begin = [number(round(entry["at_s"]), 9).replace(",", "") for entry in entries[:MOST]]
-    when = f"at {listing(begin)} s{' and later' * (len(entries) > MOST)}"
-    often = f"{number(len(entries), 9)} times" if len(entries) > 1 else "once"
     long = " to ".join(dict.fromkeys(map(duration, ends)))
     return [
-        f"The {words.reading} goes off {often} for {long}, by up to {largest}, and comes back ({when}): look at the "
-        "rig and the sensor there. The noise holds some of it, so it is told too large."
+        f"The {words.reading} goes off {_often(entries)} for {long}, by up to {largest}, and comes back "
+        f"({_when(entries)}). The noise holds some of it, so it is told too large."
     ]
+
+
+def in_short(content: Verdict, words: Vocabulary) -> str:
+    """That it does so, as a sentence without a full stop; nothing where it does not."""
+    entries = _entries(content)
+    return f"the {words.reading} goes off {_often(entries)} and comes back" if entries else ""
+
+
+def step(content: Verdict, words: Vocabulary) -> list[list[str]]:
+    """What to do about them; nothing where there is none."""
+    entries = _entries(content)
+    if not entries:
+        return []
+    look = f"Look at the rig and at the sensor {_when(entries)} of the recording, where the {words.reading} goes off"
+    return [[f"{look}. Record again without that, and diagnose again: it bends dimensions, too."]]
+
+
+def _entries(content: Verdict) -> list[Part]:
+    entries: list[Part] = content["evidence"].get("excursions", [])
+    return entries
+
+
+def _often(entries: list[Part]) -> str:
+    return f"{number(len(entries), 9)} times" if len(entries) > 1 else "once"
+
+
+def _when(entries: list[Part]) -> str:
+    begin = [number(round(entry["at_s"]), 9).replace(",", "") for entry in entries[:MOST]]
+    return f"at {listing(begin)} s{' and later' * (len(entries) > MOST)}"

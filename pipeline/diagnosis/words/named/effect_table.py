@@ -1,6 +1,7 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
 from ...document.content import Part, Verdict, mismatch_of
+from ...mechanisms.library import mechanisms
 from ..explanations import probability
 from ..held_out import holdout
 from ..language.explained_words import meaning, of_effect, on_rig
@@ -64,7 +65,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
     head, *table = aligned([columns, *rows])
     heads = [head] if len(head) <= WIDE - INDENT else _on_two_lines(head)
-    does = {entry["id"]: of_effect(entry, words) if short else _sentence(entry, content) for entry in entries}
+    does = {entry["id"]: _in_a_line(entry, words) if short else _sentence(entry, content) for entry in entries}
     between = {} if short else {entry["id"]: effects.between_runs(entry, words) for entry in entries}
     table_lines = heads
     for (id_, *_), row in zip(rows, table, strict=True):
@@ -107,6 +108,13 @@ def _sentence(entry: Part, content: Verdict) -> str:
     tried = content["evidence"].get("not_kept")
     never = tried is not None and bool(tried) and not tried[0]["stands"]
     return str(entry["sentence"]).replace(AT_A_STAND, "") if never else str(entry["sentence"])
+
+
+def _in_a_line(entry: Part, words: Vocabulary) -> str:
+    """What an effect does; of a temperature that is calculated, that nobody measured it."""
+    does, mechanism = of_effect(entry, words), mechanisms()[entry["id"]]
+    calculated = "a temperature that is calculated from the motion, not measured"
+    return does.replace("the temperature", calculated) if effects.calculated(mechanism, entry) else does
 
 
 def _on_two_lines(head: str) -> list[str]:

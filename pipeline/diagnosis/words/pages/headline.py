@@ -3,7 +3,7 @@
 from ...choice.judged import UNKNOWN
 from ...document.bounds import at_bound
 from ...document.content import Verdict
-from ..explanations import left_out, rivals
+from ..explanations import excursions, left_out, rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
 from ..language.quantity import first_upper, listing, percent, size, times
@@ -52,6 +52,8 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         sentence = PARTLY
     elif verdict == "parameters" and moved_in_vain(content, words):
         sentence = HARDLY_MOVED
+    elif gone_off := excursions.in_short(content, words):
+        sentence = f"{gone_off}, which no explanation of the library does{{lacks}}."
     otherwise = _otherwise(content, words) if verdict == "explained" else ""
     if otherwise:
         sentence = UNSETTLED

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from ....ground.command import command
 from ...document.content import Verdict
+from ..explanations import excursions
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing
@@ -98,8 +99,9 @@ def _measure(content: Verdict, words: Vocabulary, short: bool, then: str = "go o
 def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
     """The steps where nothing is named."""
     if content["verdict"] == "unknown":
-        again = _measure(content, words, short, "go on")
-        return [*again, *to_decide.to_see_more(content, words, short), [advice.nothing_named(content)], [SUSPECT]]
+        look, again = excursions.step(content, words), _measure(content, words, short, "go on")
+        more = to_decide.to_see_more(content, words, short) if not look else []
+        return [*look, *again, *more, [advice.nothing_named(content)], [SUSPECT]]
     if advised := _advised(content, words, folders, short):
         return [*_anew(content, words, folders, short), advised, *make_sure.of_what_is_left(content, words)]
     tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
