@@ -26,4 +26,4 @@ def mark_from(text: str, option: str = "--made-by") -> MadeBy:
 def write_page(path: Path, text: str, mark: MadeBy) -> None:
     """Write a page as Markdown with the mark beneath, and beside it as HTML with the mark above."""
     write_text(path, f"{text.rstrip()}\n\n{note(mark)}\n")
-    write_text(path.with_suffix(".html"), web_page(text, mark, path.parent))
+    write_text(path.with_suffix(".html"), web_page(text, mark))

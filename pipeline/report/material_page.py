@@ -9,7 +9,7 @@ from .marks import add_mark, mark_from
 from .materials import part
 from .recorded_strings import recorded_strings
 from .web.glossary import glossary
-from .web.markdown import to_index
+from .web.markdown import INDEX
 from .web.page import document, together
 
 
@@ -24,7 +24,7 @@ def main() -> None:
     folder: Path = arguments.folder
     strings = [recorded_strings(arguments.dataset, folder.name)] if arguments.dataset else []
     body = together([*strings, part(folder.parent, folder.name, up="../"), glossary()])
-    text = document(folder.name, body, mark_from(arguments.made_by), above=to_index(folder))
+    text = document(folder.name, body, mark_from(arguments.made_by), above=INDEX)
     write_text(folder / "index.html", text)
 
 

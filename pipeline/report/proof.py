@@ -50,7 +50,7 @@ def main() -> None:
     if not (folder / "proof.md").is_file():
         raise BadInput(folder / "proof.md", "file", "is not there", "run snakemake proof")
     text = (folder / "proof.md").read_text(encoding="utf-8").rstrip().removesuffix(note(mark))
-    write_text(folder / "proof.html", web_page(text, mark, folder))
+    write_text(folder / "proof.html", web_page(text, mark))
     for name, title in TABLES.items():
         if (folder / f"{name}.csv").is_file():
             describe(folder / f"{name}.csv", title, columns(folder / f"{name}.csv"), mark)

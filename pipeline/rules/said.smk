@@ -5,7 +5,6 @@ from pipeline.ground.errors import BadInput
 from pipeline.report.stale_reports import remove_stale, rewrite, unmade
 from pipeline.report.failures import told, without
 from pipeline.report.left_out import noted_in
-from pipeline.report.web.markdown import INDEX_COMES
 
 
 # What a second start in this folder is told while a first one holds its files.
@@ -52,8 +51,6 @@ onstart:
     if workflow.execution_settings.keep_going:
         os.environ[handed.REFUSALS] = "--note-refusals"  # for nodes; here the prefix says so
         shell.prefix(f"{PREFIX} NOTE_REFUSALS=--note-refusals; ")
-    if any(job.rule.name == "index" for job in workflow.dag.jobs):
-        os.environ[INDEX_COMES] = "yes"  # pages lead to the index, though it is made after them
     gone = remove_stale(KNOWN.notes.get("reports", []), REPORTS)
     for name in gone:
         print(f"{name}: removed, its run is gone")

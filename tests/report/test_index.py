@@ -29,7 +29,7 @@ from pipeline.report.recorded_strings import by_stroke, recorded_strings, rows, 
 from pipeline.report.summary import summary
 from pipeline.report.to_take import LATER, Models, materials_table
 from pipeline.report.usual_model import RULE, RULES, uses
-from pipeline.report.web.markdown import INDEX_COMES, web_page
+from pipeline.report.web.markdown import web_page
 from pipeline.report.web.page import anchor
 from pipeline.run.left_out import LeftOut, to_json
 
@@ -175,7 +175,7 @@ def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_p
 ):
     """Nothing but the material's folder is made by that command. The one link out of it says which command makes it."""
     shutil.copytree(reports / MATERIAL, tmp_path / MATERIAL)
-    words = "All reports: a page that the main job makes (snakemake --cores 2)"
+    words = '<a href="../index.html">All reports</a>, a page that only the main job makes (snakemake --cores 2)'
     for path, text in pages_of(tmp_path).items():
         addresses = [each for each in Seen(text).addresses if not each.startswith("#") and each != "../index.html"]
         assert addresses or path.name != "index.html"
@@ -183,16 +183,13 @@ def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_p
         assert words in text, path
 
 
-def test_a_page_leads_to_the_index_where_that_is_there_or_the_job_makes_it(tmp_path, monkeypatch):
-    """After a quick job the link led nowhere."""
-    folder, linked = tmp_path / "nylon", '<a href="../index.html">All reports</a>'
-    assert "<a" not in web_page("# a\n", None, folder).partition("All reports: a page that the main job makes")[0][-40:]
-    assert linked not in web_page("# a\n", None, folder)
-    monkeypatch.setenv(INDEX_COMES, "yes")
-    assert linked in web_page("# a\n", None, folder)
-    monkeypatch.delenv(INDEX_COMES)
+def test_a_page_is_the_same_whatever_lies_beside_it_and_says_which_job_makes_the_index(tmp_path, monkeypatch):
+    """It led to the index only where that was there: one job on a cluster and one here made other bytes."""
+    monkeypatch.chdir(tmp_path)
+    before = web_page("# a\n", None)
     (tmp_path / "index.html").write_text("")
-    assert linked in web_page("# a\n", None, folder)
+    assert web_page("# a\n", None) == before
+    assert '<a href="../index.html">All reports</a>, a page that only the main job makes' in before
 
 
 def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):

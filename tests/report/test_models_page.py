@@ -298,9 +298,7 @@ def test_a_leak_that_is_larger_than_the_whole_error_is_explained():
 
 
 def test_the_spread_of_the_seeds_stands_on_a_line_of_its_own():
-    shown = web_page(
-        "# a\n\n| model | all |\n| --- | --- |\n| INN (2–3) | **0.120** (0.118–0.125) |\n", None, Path("made")
-    )
+    shown = web_page("# a\n\n| model | all |\n| --- | --- |\n| INN (2–3) | **0.120** (0.118–0.125) |\n", None)
     assert "<strong>0.120</strong><br><small>(0.118\u2060–\u20600.125)</small></td>" in shown
     assert shown.count("<small>") == 1
 
@@ -311,7 +309,7 @@ def test_every_table_fits_a_page_of_1200_pixels_even_where_every_cell_has_a_spre
     some = made_metrics(seeds)
     metrics = pd.concat([some, some[some["stroke"] == "1"].assign(stroke="5")])
     titles = {"inn": "Conditional INN", "mlp": "MLP model", "diagnosed": "Diagnosed simulator"}
-    (tmp_path / "models.html").write_text(web_page(page(numbers(metrics, titles, ["mlp"]), "made"), None, tmp_path))
+    (tmp_path / "models.html").write_text(web_page(page(numbers(metrics, titles, ["mlp"]), "made"), None))
     script = """<script>
       const all = [...document.querySelectorAll(".scroll")];
       const wide = all.filter(table => table.scrollWidth > table.clientWidth);

@@ -1,9 +1,7 @@
 """Markdown → an HTML page: the same words, tables that sort, contents, links to pages instead of to Markdown."""
 
-import os
 import re
 from collections.abc import Sequence
-from pathlib import Path
 
 from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererHTML
@@ -14,9 +12,9 @@ from markupsafe import Markup
 from ..made_by import MadeBy
 from .page import anchor, document
 
-ALL_REPORTS = "All reports"
-MADE_BY_MAIN_JOB = f"{ALL_REPORTS}: a page that the main job makes (snakemake --cores 2)"
-INDEX_COMES = "TWISTBENCH_INDEX"  # set by the workflow where the job that runs makes index.html too
+INDEX = Markup(
+    '<a href="../index.html">All reports</a>, a page that only the main job makes (snakemake --cores 2)'
+)  # the same from whatever job, so that a page is the same bytes
 RANGE, UNBROKEN = re.compile(r"(?<=\d)–(?=\d)"), "\u2060–\u2060"  # no line ends between lowest and highest
 SPREAD = re.compile(rf"(\d(?:</strong>)?) (\([\d.]+{UNBROKEN}[\d.]+\))</td>")  # behind a number: on a line of its own
 DEEPEST = 2  # headings below are not in the contents
@@ -62,15 +60,8 @@ def _align(tokens: list[Token]) -> None:
                     row[column][0].attrSet("class", "text")
 
 
-def to_index(folder: Path) -> Markup:
-    """What leads from a page in `folder` to index.html above it: a link, or words where that is not made."""
-    if (folder.parent / "index.html").is_file() or os.environ.get(INDEX_COMES):
-        return Markup('<a href="../index.html">{}</a>').format(ALL_REPORTS)
-    return Markup("{}").format(MADE_BY_MAIN_JOB)
-
-
-def web_page(text: str, mark: MadeBy | None, folder: Path) -> str:
-    """The page of a Markdown text whose first line is its title; `folder`, its place, is one below index.html."""
+def web_page(text: str, mark: MadeBy | None) -> str:
+    """The page of a Markdown text whose first line is its title; it lies one folder below index.html."""
     markdown = parser()
     tokens = markdown.parse(text)
     _align(tokens)
@@ -93,4 +84,4 @@ def web_page(text: str, mark: MadeBy | None, folder: Path) -> str:
                 child.attrSet("href", address.removesuffix(".md") + ".html")
     rendered = SPREAD.sub(r"\1<br><small>\2</small></td>", markdown.renderer.render(tokens, markdown.options, {}))
     body = Markup(rendered)
-    return document(title, body, mark, places, above=to_index(folder))
+    return document(title, body, mark, places, above=INDEX)
