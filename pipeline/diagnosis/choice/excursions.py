@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...ground.kinematics import Array
+from ...ground.spans import of_mask
 from ..fit.problem import Problem, State
 
 FAR = 5.0  # robust spreads of what is left: noise is never so far off for so long
@@ -39,16 +40,9 @@ def far_off(residual: Array, time_s: Array) -> list[Excursion]:
 
     `residual` has the shape (samples,), in the reading's unit; `time_s` the same, in s.
     """
-    middle = residual - np.median(residual)
-    far = np.abs(middle) > FAR * 1.4826 * np.median(np.abs(middle))
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], far.astype(int), [0]])))
-    spans = zip(edges[::2].tolist(), (edges[1::2] - 1).tolist(), strict=True)
+    size = np.abs(residual - np.median(residual))
     return [
-        Excursion(
-            float(time_s[begin]),
-            float(time_s[end] - time_s[begin]),
-            float(np.max(np.abs(middle[begin : end + 1]))),
-        )
-        for begin, end in spans
-        if time_s[end] - time_s[begin] >= LASTS_S
+        Excursion(float(time_s[begin]), float(time_s[end - 1] - time_s[begin]), float(size[begin:end].max()))
+        for begin, end in of_mask(size > FAR * 1.4826 * np.median(size))
+        if time_s[end - 1] - time_s[begin] >= LASTS_S
     ]

@@ -12,7 +12,7 @@ from ..mechanisms.interface import Nonlinear, physics
 from ..mechanisms.library import mechanisms
 from ..numerics.noise import Noise
 from . import chance
-from .excursions import excursions
+from .excursions import Excursion, excursions
 from .judged import UNKNOWN, Judged
 from .search import EXPLAINED, LEAST_EFFECT, Explanation, Search
 
@@ -43,6 +43,7 @@ class Study:
     random_rms: float
     judged: Judged  # how likely each explanation is
     closest: State | None = None  # of an unknown mismatch, what foretells it better by far than dimensions alone
+    gone_off: tuple[Excursion, ...] = ()  # of a reading that nothing explains
     spreads: dict[str, float] = field(default_factory=dict)  # least sigma of dimensions, where not all left is noise
 
     @property
@@ -109,7 +110,7 @@ def decide(
         acting = {act.id for act in best.acts}  # an explanation that holds it needs no second, silent one
         silent = [chance.act(problem, id_, nonlinear) for id_, nonlinear in new.items() if id_ not in acting]
         best = replace(best, acts=(*best.acts, *silent))
-    gone_off = [] if sets or random else excursions(problem, base)
+    gone_off = () if sets or random else tuple(excursions(problem, base))
     if not sets:
         verdict = "unknown" if gone_off or (not random and mismatch > surely(noise) * floor) else "consistent"
         if verdict == "consistent" and better > (PARAMETERS_FROM * floor) ** 2:
@@ -132,7 +133,7 @@ def decide(
     jerks *= bool(new)
     return Study(
         problem, nominal, base, noise, verdict, state, best, sets, search, share, mismatch, floor, new, jerks,
-        judged,
+        judged, gone_off=gone_off,
     )  # fmt: skip
 
 

@@ -117,12 +117,10 @@ def _draw(axes: Axes, places: Array, means: dict[str, Array], floor: float, labe
     """Means over their places, by simulator, over the noise floor's band."""
     axes.axhspan(-floor, floor, color=BAND)
     axes.margins(y=MARGIN)
-    for name, mean, (wide, large) in zip(means, means.values(), ((1.8, 1.6), (0.8, 1.0)), strict=False):
-        size, shade = (
-            large * (3 if joined else 5),
-            SHADES[name],
-        )  # the one that is drawn first stays seen below the other
-        axes.plot(places, mean, ".-" if joined else ".", ms=size, lw=wide, color=shade, label=name)
+    style, size = (".-", 3) if joined else (".", 5)
+    widths = ((1.8, 1.6), (0.8, 1.0))  # the one that is drawn first stays seen below the other
+    for (name, mean), (wide, large) in zip(means.items(), widths, strict=False):
+        axes.plot(places, mean, style, ms=large * size, lw=wide, color=SHADES[name], label=name)
     axes.set_xlabel(label, fontsize=8)
     axes.tick_params(labelsize=7)
     axes.ticklabel_format(axis="x", useOffset=False)

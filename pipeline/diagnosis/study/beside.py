@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...ground.kinematics import Array
+from ..choice.cross_validation import STRETCHES
 from ..choice.outcome import Study
 from ..fit.calibrate import calibrate
 from ..fit.problem import Act, Problem, State
@@ -15,7 +16,6 @@ from ..mechanisms.interface import Mechanism, Nonlinear
 
 NAMED = ("explained", "ambiguous")  # verdicts after which something can be left of what is named
 FORETOLD = 0.9  # of the error of named effects on left-out stretches: a curve that leaves more of it is as well chance
-STRETCHES = 5  # of the recording, each left out once
 
 
 def with_stand_ins(study: Study) -> Problem | None:

@@ -117,7 +117,9 @@ def study(problem: Problem, say: Progress = lambda _: None) -> Study:
     """
     first = with_homes(problem, say)
     taken = with_stand_ins(first)
-    again = with_homes(taken, say) if taken else first
+    if taken is None:
+        return first
+    again = with_homes(taken, say)
     return replace(again, nominal=first.nominal) if clearer(again, first) else first
 
 
