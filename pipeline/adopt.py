@@ -7,9 +7,9 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from .adoption import before_after
-from .adoption.block import KEY, ORIGIN, adopted, bare
-from .adoption.explain import explained, without_effects
+from .diagnosis.adoption import before_after
+from .diagnosis.adoption.block import KEY, ORIGIN, adopted, bare
+from .diagnosis.adoption.explain import explained, without_effects
 from .diagnosis.document.content import Verdict
 from .diagnosis.fit.adopt import acts_from, adoptions, checked
 from .diagnosis.prediction.simulation import of_run, read_diagnosis

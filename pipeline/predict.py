@@ -28,6 +28,7 @@ from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.given_table import opened
+from .ground.jump_notes import NAME, read_jumps
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
 from .models.interface import about, usual
@@ -42,7 +43,6 @@ from .models.parts.saved_files import check_own, datasets, listed
 from .models.parts.thinned import thinned
 from .models.parts.unanswered import first_of, reasons
 from .stages.train import configured, fitting, seed
-from .string.jump_notes import NAME, read_jumps
 
 
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:

@@ -3,8 +3,8 @@
 import numpy as np
 import pandas as pd
 
-from pipeline.campaign.points import SCHEMA, labelled
 from pipeline.ground.kinematics import Geometry
+from pipeline.stages.campaign.points import SCHEMA, labelled
 
 NOISE_MM = 0.05
 TOP_TURNS, LOAD_N = 20.0, 15.0

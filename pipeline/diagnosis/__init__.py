@@ -10,7 +10,7 @@ A room imports only rooms that stand above it in this picture; what ties them to
         study    facts              the whole pass, also with strokes held out · sizes, places, loops, look-alikes
     proposal    prediction          the run to record next · the improved simulator alone
             words                   every sentence, from the content of diagnosis.json
-           drawing                  the page of figures
+      drawing    adoption           the page of figures · what was found, in run.yaml
 
 `in_memory` goes from recordings to the content of diagnosis.json, which `verdict` puts together; `written` writes it.
 """

@@ -9,7 +9,7 @@ from typing import Any, TypeVar, cast
 
 from ..run.description import Run
 from . import faint, verdict
-from .adopted_effects import adopted_effects
+from .adoption.adopted_effects import adopted_effects
 from .choice.outcome import Study, rms
 from .document.content import Adoption, Verdict
 from .document.tidy import tidy

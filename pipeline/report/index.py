@@ -14,10 +14,10 @@ from markupsafe import Markup
 
 from ..ground.errors import program
 from ..ground.files import write_text
+from ..ground.jump_notes import read_jumps
+from ..ground.left_out import LeftOut
 from ..ground.names import SYNTHETIC
 from ..ground.words_by_file import SIGN
-from ..run.left_out import LeftOut
-from ..string.jump_notes import read_jumps
 from . import diagnoses, jumps, left_out
 from .index_head import glance
 from .made_by import MadeBy

@@ -9,8 +9,8 @@ from markupsafe import Markup
 from ..ground import schemas
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
+from ..ground.left_out import LeftOut, from_json, read_left_out, to_json
 from ..ground.words_by_file import SIGN
-from ..run.left_out import LeftOut, from_json, read_left_out, to_json
 from .plain_markdown import plain
 from .web.page import paragraph, together
 from .web.table import table

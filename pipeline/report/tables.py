@@ -9,8 +9,8 @@ import pandas as pd
 from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
-from ..run.left_out import LeftOut
-from ..string.jump_notes import read_jumps
+from ..ground.jump_notes import read_jumps
+from ..ground.left_out import LeftOut
 from . import jumps, left_out, paper
 from .left_out import quoted
 from .made_by import MadeBy, sentence, warning

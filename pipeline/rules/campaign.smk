@@ -11,7 +11,7 @@ def campaign_settings(wildcards):
 
 
 def code_of_learner(wildcards):
-    return fingerprint("pipeline.campaign.few_shot", f"pipeline.models.{wildcards.learner}")
+    return fingerprint("pipeline.stages.campaign.few_shot", f"pipeline.models.{wildcards.learner}")
 
 
 wildcard_constraints:
@@ -45,11 +45,11 @@ rule campaign_points:
     resources:
         **NEEDS["campaign_points"],
     params:
-        code=fingerprint("pipeline.campaign.points"),
+        code=fingerprint("pipeline.stages.campaign.points"),
     message:
         "gather the points of the campaign's strings"
     shell:
-        "exec python -m pipeline.campaign.points {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.stages.campaign.points {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule campaign_floor:
@@ -62,11 +62,11 @@ rule campaign_floor:
     resources:
         **NEEDS["campaign_floor"],
     params:
-        code=fingerprint("pipeline.campaign.floor"),
+        code=fingerprint("pipeline.stages.campaign.floor"),
     message:
         "ask what no model of the campaign's strings can beat"
     shell:
-        "exec python -m pipeline.campaign.floor {input:q} --out {output:q} > {log:q} 2>&1"
+        "exec python -m pipeline.stages.campaign.floor {input:q} --out {output:q} > {log:q} 2>&1"
 
 
 rule few_shot:
@@ -87,7 +87,7 @@ rule few_shot:
     message:
         "ask {wildcards.learner} about new strings, from few of their strokes"
     shell:
-        "exec python -m pipeline.campaign.few_shot {input:q} --model {wildcards.learner:q}"
+        "exec python -m pipeline.stages.campaign.few_shot {input:q} --model {wildcards.learner:q}"
         " --settings {params.settings:q} --out {output:q} > {log:q} 2>&1"
 
 
@@ -107,11 +107,11 @@ rule coverage:
         model=CAMPAIGN["coverage"]["model"],
         strings=CAMPAIGN["coverage"]["strings"],
         settings=json.dumps(CAMPAIGN["coverage"]["settings"], sort_keys=True),
-        code=fingerprint("pipeline.campaign.coverage", f"pipeline.models.{CAMPAIGN['coverage']['model']}"),
+        code=fingerprint("pipeline.stages.campaign.coverage", f"pipeline.models.{CAMPAIGN['coverage']['model']}"),
     message:
         "hold the intervals of {params.model} against what came, on {params.strings} strings"
     shell:
-        "exec python -m pipeline.campaign.coverage {input:q} --model {params.model:q} --settings {params.settings:q}"
+        "exec python -m pipeline.stages.campaign.coverage {input:q} --model {params.model:q} --settings {params.settings:q}"
         " --strings {params.strings:q} --out {output:q} > {log:q} 2>&1"
 
 

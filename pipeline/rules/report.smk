@@ -1,6 +1,6 @@
 from pipeline.ground.words_by_file import by_file
 from pipeline.report.stale_reports import WORDS
-from pipeline.run.left_out import to_json
+from pipeline.ground.left_out import to_json
 
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
 OF_MATERIAL = [*SHOWN, "index.html"]  # what is made of every material

@@ -11,14 +11,13 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
+from ..ground import jump_notes, schemas
 from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
+from ..ground.left_out import LeftOut, to_json
 from ..ground.outputs import file_to_write
 from ..run.folder import checked_info
-from ..run.left_out import LeftOut, to_json
 from ..run.lossy import all_lossy, moving_strokes, touched
-from ..string import jump_notes
 from ..string.history import Recorded, by_string, read_usable
 from ..string.not_compared import not_compared
 from ..string.rests import Rests

@@ -10,9 +10,9 @@ from ..ground import schemas
 from ..ground.counts import counted
 from ..ground.errors import program
 from ..ground.files import whole
+from ..ground.left_out import noted
 from ..ground.outputs import file_to_write
 from ..run.folder import recording_path
-from ..run.left_out import noted
 from ..run.plausible_dimensions import dimension_questions
 from ..run.read_ahead import forget, taken_over
 from ..run.samples import questions, stored_strokes

@@ -14,11 +14,11 @@ import pandas as pd
 from ..ground import quantiles, schemas
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
+from ..ground.left_out import LeftOut
 from ..ground.rows import Rows, opened, rows_of
 from ..ground.spans import blocks
 from ..run.description import Run
 from ..run.folder import read_run, started_utc
-from ..run.left_out import LeftOut
 from ..run.samples import geometry
 
 LEVEL = ("motor_turns", "load_n", "displacement_mm")

@@ -5,8 +5,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from ..ground import jump_notes
 from ..ground.configuration import ModelPlan
 from ..ground.errors import BadInput
+from ..ground.left_out import LeftOut
 from ..ground.model_names import NOMINAL, PAPER
 from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, checked, run_name
 from ..ground.regular_file import read_regular
@@ -14,8 +16,6 @@ from ..ground.strict_yaml import LARGEST, read_yaml
 from ..ground.unfinished import mend_of_unfinished
 from ..run.description import STRING_ACTUATORS
 from ..run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinished
-from ..run.left_out import LeftOut
-from ..string import jump_notes
 
 # The material in a run.yaml that cannot be read as a whole, such as one with a NaN: on a line that is no comment.
 NAMED = re.compile(r"""^[^#\n]*\bmaterial: *(["']?)([A-Za-z0-9][A-Za-z0-9_-]*)\1 *([,}\n#]|$)""", re.MULTILINE)

@@ -12,11 +12,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ..ground import seal
+from ..ground import jump_notes, left_out, seal
 from ..ground.errors import BadInput
 from ..ground.files import sha256, write_text
-from ..run import left_out
-from ..string import jump_notes
 
 SETTLED_S = 2.0  # a file that changed this lately may change again under the same times
 

@@ -12,7 +12,7 @@ import programs
 import pytest
 import yaml
 
-from pipeline.adoption.block import adopted, bare, with_block, without_block
+from pipeline.diagnosis.adoption.block import adopted, bare, with_block, without_block
 from pipeline.diagnosis.document.adopted_run import as_list
 from pipeline.diagnosis.fit.adopt import fitted
 from pipeline.diagnosis.mechanisms.library import mechanisms

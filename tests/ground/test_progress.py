@@ -119,7 +119,7 @@ def on_a_terminal(command: list[str]) -> str:
 def test_lifespan_and_a_campaign_show_theirs(make_run, tmp_path: Path) -> None:
     folder = make_run("a-1", recording(13, rate_hz=10.0))
     words = {"lifespan": [str(folder), "--out", f"{tmp_path}/life"]}
-    words["campaign.points"] = [str(folder.parent), "--out", f"{tmp_path}/points.parquet"]
+    words["stages.campaign.points"] = [str(folder.parent), "--out", f"{tmp_path}/points.parquet"]
     for program in words:
         said = on_a_terminal([sys.executable, "-m", f"pipeline.{program}", *words[program]])
         assert re.search(r"\rstring 1 of 1", said) and "\n" not in said and said.endswith("\r\x1b[K")

@@ -139,10 +139,10 @@ GOOD = {  # command lines that work, or end soon; every try spoils at least one 
     "simulate": "raw/a-1 --simulation simulation.json --out out/s.parquet",
     "adopt": "simulation.json raw/a-3",
     "diagnose": "raw/short-1 --out out/d --jobs 1",
-    "campaign.points": "locked --out out/c.parquet",
-    "campaign.few_shot": "dataset.parquet --model polynomial --settings {} --seed 0 --out out/f.parquet",
-    "campaign.coverage": "dataset.parquet --model polynomial --settings {} --seed 0 --strings 2 --out out/f.parquet",
-    "campaign.floor": "dataset.parquet --out out/f.parquet",
+    "stages.campaign.points": "locked --out out/c.parquet",
+    "stages.campaign.few_shot": "dataset.parquet --model polynomial --settings {} --seed 0 --out out/f.parquet",
+    "stages.campaign.coverage": "dataset.parquet --model polynomial --settings {} --seed 0 --strings 2 --out o.parquet",
+    "stages.campaign.floor": "dataset.parquet --out out/f.parquet",
 }
 OTHERS = ("junk", "empty", "locked", "nowhere/at/all", "dataset.parquet", "raw/a-1", "questions.csv", "junk/under")
 
@@ -191,7 +191,7 @@ def test_where_nothing_can_be_written_is_said_before_the_work(place: Path, wrong
         ),
         ("predict", "dataset.parquet questions.csv --model polynomial --out", "./questions.csv"),
         ("predict", "dataset.parquet questions.csv --model polynomial --out", "linked.parquet"),
-        ("campaign.floor", "dataset.parquet --out", "dataset.parquet"),
+        ("stages.campaign.floor", "dataset.parquet --out", "dataset.parquet"),
         ("export.__main__", "spline/within-0.model --format c --out", "spline/within-0.model"),
         ("export.__main__", "spline/within-0.model --format c --out", "dataset.parquet"),
     ],

@@ -54,7 +54,6 @@ ROOMS = {
     "capture": "ground wire run string",
     "rig": "ground wire run",
     "diagnosis": "ground systems run",
-    "adoption": "ground run diagnosis",
     "models": "ground formats run diagnosis",
     "stages": "ground run string models",
     "export": "ground models stages",
@@ -62,11 +61,10 @@ ROOMS = {
     "lifespan": "ground run string",
     "settle": "ground wire run string capture diagnose new_run",
     "watch": "ground wire run capture settle",
-    "campaign": "ground run string models stages",
     "proof": "ground systems run rig diagnosis",
     "real": "ground run string diagnosis diagnose import_run",
-    "report": "ground run string campaign real",
-    "workflow": "ground run string",
+    "report": "ground stages real",
+    "workflow": "ground run",
     "pack": "ground workflow",
 }
 PROGRAMS = {"__main__", "adopt", "diagnose", "import_run", "new_run", "predict", "simulate"}
@@ -141,6 +139,7 @@ ROOMS_OF_DIAGNOSIS = {
     "prediction": "document recording mechanisms fit choice study",
     "words": "document recording mechanisms fit choice study facts proposal prediction",
     "drawing": "document recording choice prediction words",
+    "adoption": "document recording mechanisms fit choice study facts prediction words",
 }
 # the same of the words; at their top are the two programs that make a page of docs/ from sources
 WORDS = f"{DIAGNOSIS}.words"
@@ -379,7 +378,7 @@ def test_tests_mirror_the_rooms():
     folders = {path.relative_to(tests).parts[0] for path in tests.rglob("*.py") if path.parent != tests} | {"data"}
     assert not folders - set(ROOMS) - set(NO_ROOMS), "a folder of tests is a room's, or NO_ROOMS says what it tests"
     assert set(NO_ROOMS) <= folders - set(ROOMS), "NO_ROOMS names a folder that is a room or is not there"
-    assert not set(ROOMS) - folders - {"adoption"}, "a room without tests; adoption's are diagnosis/test_adopt.py"
+    assert not set(ROOMS) - folders, "a room without tests"
     of_programs = {path.stem.removeprefix("test_") for path in tests.glob("test_*.py")}
     assert of_programs <= PROGRAMS, "a test beside the folders is a program's"
 

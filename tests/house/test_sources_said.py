@@ -33,7 +33,7 @@ METHODS = [
     *named("lifespan", "fit", "law_choice", "laws", "strokes_left"),
     *named("models/parts", "growth", "prediction_intervals", "marquardt", "rational", "training"),
     *named("models", "coupling"),
-    *named("campaign", "adapt"),
+    *named("stages/campaign", "adapt"),
 ]
 
 

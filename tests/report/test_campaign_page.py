@@ -7,12 +7,12 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
 
-from pipeline.campaign.points import SCHEMA
-from pipeline.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
 from pipeline.ground import schemas
 from pipeline.report.campaign import figures, page
 from pipeline.report.campaign.results import pooled
 from pipeline.report.campaign.words import CALLED, leaders, nearest, untold, without_others
+from pipeline.stages.campaign.points import SCHEMA
+from pipeline.stages.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
 
 TITLES = {"inn": "INN model", "spline": "Spline model", "calibrated": "Calibrated model"}
 STRINGS = ["a", "b", "c", "d"]

@@ -20,6 +20,7 @@ from test_tables import made_metrics as made_table_metrics
 from pipeline.diagnosis.study.heldout import LAST
 from pipeline.ground import schemas
 from pipeline.ground.kinematics import usual_stiffness
+from pipeline.ground.left_out import LeftOut, to_json
 from pipeline.report.index import page
 from pipeline.report.index_head import glance, runs_table, shortened
 from pipeline.report.made_by import MadeBy
@@ -31,7 +32,6 @@ from pipeline.report.to_take import LATER, Models, materials_table
 from pipeline.report.usual_model import RULE, RULES, uses
 from pipeline.report.web.markdown import web_page
 from pipeline.report.web.page import anchor
-from pipeline.run.left_out import LeftOut, to_json
 
 HOSTILE = "<img src=x onerror=alert(1)>"
 SMALL = MadeBy(f"{HOSTILE}.yaml", "abc1234", "small", f"{HOSTILE} 2 seeds", ())

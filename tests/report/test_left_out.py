@@ -11,12 +11,11 @@ import programs
 import pytest
 from made_recording import recording
 
-from pipeline.ground import schemas
+from pipeline.ground import jump_notes, schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.left_out import LeftOut, from_json, noted, to_json
 from pipeline.ground.words_by_file import by_file
 from pipeline.report import left_out, stale_reports
-from pipeline.run.left_out import LeftOut, from_json, noted, to_json
-from pipeline.string import jump_notes
 from pipeline.workflow.dag import Plan, stored
 from pipeline.workflow.known_files import KnownFiles
 

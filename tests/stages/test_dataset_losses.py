@@ -11,7 +11,7 @@ import pytest
 from made_recording import content, recording
 
 from pipeline.ground import schemas
-from pipeline.run.left_out import from_json
+from pipeline.ground.left_out import from_json
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import touched
 

@@ -15,11 +15,11 @@ from stages.nine_strokes import recorded, string
 
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.jump_notes import read_jumps
 from pipeline.lifespan.from_folders import strings
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
 from pipeline.string.history import Recorded
-from pipeline.string.jump_notes import read_jumps
 from pipeline.string.jumps_beside import Beside, _last, advice_on, jumps_into
 from pipeline.string.not_compared import not_compared
 from pipeline.string.rests import Rests

@@ -12,7 +12,7 @@ from snakemake.utils import update_config, validate
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.fingerprint import fingerprint, reachable
-from pipeline.run.left_out import LeftOut
+from pipeline.ground.left_out import LeftOut
 from pipeline.workflow.dag import fits, make_plan, recorded_files, table_order
 
 ROOT = Path(__file__).parents[2]

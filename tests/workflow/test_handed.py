@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.run.left_out import LeftOut
+from pipeline.ground.left_out import LeftOut
 from pipeline.workflow import handed
 from pipeline.workflow.dag import Plan
 from pipeline.workflow.storage import copy_of_storage

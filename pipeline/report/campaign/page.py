@@ -6,11 +6,11 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from ...campaign.points import SCHEMA
-from ...campaign.tables import COVERAGE, FEW_SHOT, FLOOR
 from ...ground import schemas
 from ...ground.errors import program
 from ...ground.files import write_text
+from ...stages.campaign.points import SCHEMA
+from ...stages.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
 from ..drawing import STYLE, save
 from ..marks import add_mark, mark_from, write_page
 from ..plain_markdown import plain

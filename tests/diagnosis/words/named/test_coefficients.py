@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.adoption.number_sizes import sizes
+from pipeline.diagnosis.adoption.number_sizes import sizes
 from pipeline.diagnosis.choice.outcome import rms
 from pipeline.diagnosis.facts.mechanism_entries import effect_of, unit_of_nonlinear
 from pipeline.diagnosis.fit.problem import Act

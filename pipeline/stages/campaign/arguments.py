@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground.given_table import opened
-from ..ground.outputs import file_to_write
-from ..stages.train import configured, seed
+from ...ground.given_table import opened
+from ...ground.outputs import file_to_write
+from ..train import configured, seed
 from .points import SCHEMA
 
 
@@ -26,4 +26,4 @@ def points_of(arguments: argparse.Namespace) -> pd.DataFrame:
     """The campaign's points (`points.SCHEMA`); raises BadInput for these or the model before anything is fitted."""
     configured(arguments.model, arguments.settings)
     file_to_write(arguments.out, reads=[arguments.points])
-    return opened(arguments.points, SCHEMA, "make it: python -m pipeline.campaign.points")
+    return opened(arguments.points, SCHEMA, "make it: python -m pipeline.stages.campaign.points")

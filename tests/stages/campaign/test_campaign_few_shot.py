@@ -4,16 +4,16 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.campaign import coverage, few_shot, floor
-from pipeline.campaign.adapt import Adaptation
-from pipeline.campaign.coverage import LEFT_OUT, LEVELS, of_string
-from pipeline.campaign.few_shot import ASKED_AFTER, SHOTS, asked_and_shown, curves, fitted, reads
-from pipeline.campaign.floor import floors
-from pipeline.campaign.points import SCHEMA
-from pipeline.campaign.tables import COVERAGE, FEW_SHOT
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.models.interface import about, make_model
+from pipeline.stages.campaign import coverage, few_shot, floor
+from pipeline.stages.campaign.adapt import Adaptation
+from pipeline.stages.campaign.coverage import LEFT_OUT, LEVELS, of_string
+from pipeline.stages.campaign.few_shot import ASKED_AFTER, SHOTS, asked_and_shown, curves, fitted, reads
+from pipeline.stages.campaign.floor import floors
+from pipeline.stages.campaign.points import SCHEMA
+from pipeline.stages.campaign.tables import COVERAGE, FEW_SHOT
 
 
 @pytest.fixture(scope="module")

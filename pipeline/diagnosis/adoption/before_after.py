@@ -3,26 +3,26 @@
 import math
 from pathlib import Path
 
-from ..diagnosis.document.content import Simulated, Verdict
-from ..diagnosis.fit.adopt import fitted, is_number
-from ..diagnosis.fit.problem import Problem
-from ..diagnosis.prediction.later_run import names_before
-from ..diagnosis.prediction.simulation import off, tared
-from ..diagnosis.study import heldout
-from ..diagnosis.words.explanations.rivals import called
-from ..diagnosis.words.held_out import holdout
-from ..diagnosis.words.language.quantity import listing, number, percent, said_unit, size
-from ..diagnosis.words.language.table import aligned
-from ..diagnosis.words.language.vocabulary import Vocabulary
-from ..diagnosis.words.measured.dimensions import LEAVES, name_of
-from ..diagnosis.words.measured.exactness import assumed
-from ..diagnosis.words.measured.to_measure import BESIDE
-from ..diagnosis.words.pages.advice import contrary
-from ..ground.command import program_name
-from ..ground.complaint import key_name
-from ..ground.errors import BadInput
-from ..ground.units import unit_of
-from ..run.description import Run
+from ...ground.command import program_name
+from ...ground.complaint import key_name
+from ...ground.errors import BadInput
+from ...ground.units import unit_of
+from ...run.description import Run
+from ..document.content import Simulated, Verdict
+from ..fit.adopt import fitted, is_number
+from ..fit.problem import Problem
+from ..prediction.later_run import names_before
+from ..prediction.simulation import off, tared
+from ..study import heldout
+from ..words.explanations.rivals import called
+from ..words.held_out import holdout
+from ..words.language.quantity import listing, number, percent, said_unit, size
+from ..words.language.table import aligned
+from ..words.language.vocabulary import Vocabulary
+from ..words.measured.dimensions import LEAVES, name_of
+from ..words.measured.exactness import assumed
+from ..words.measured.to_measure import BESIDE
+from ..words.pages.advice import contrary
 
 NEXT = (
     f"The next {program_name('diagnose')} starts from here: with these effects, and with the dimensions as you "

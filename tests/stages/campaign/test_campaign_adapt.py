@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from made_strings import NOISE_MM
 
-from pipeline.campaign.adapt import Adaptation, terms
-from pipeline.campaign.few_shot import SHOTS, asked_and_shown, errors
 from pipeline.models.interface import make_model
+from pipeline.stages.campaign.adapt import Adaptation, terms
+from pipeline.stages.campaign.few_shot import SHOTS, asked_and_shown, errors
 
 
 @pytest.fixture(scope="module")

@@ -12,13 +12,13 @@ import numpy as np
 import pandas as pd
 import pyarrow as pa
 
-from ..ground import schemas
-from ..ground.errors import BadInput, program
-from ..ground.outputs import file_to_write
-from ..ground.progress import steps
-from ..run.folder import find_runs, read_run
-from ..stages.dataset import make_dataset
-from ..string.from_raw import read
+from ...ground import schemas
+from ...ground.errors import BadInput, program
+from ...ground.outputs import file_to_write
+from ...ground.progress import steps
+from ...run.folder import find_runs, read_run
+from ...string.from_raw import read
+from ..dataset import make_dataset
 
 SCHEMA = pa.unify_schemas(
     [schemas.DATASET, pa.schema([pa.field(n, pa.string(), nullable=False) for n in ("material", "strings")])]

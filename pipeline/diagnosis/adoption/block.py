@@ -8,11 +8,11 @@ from typing import Any
 
 import yaml
 
-from ..diagnosis.document.content import Adoption
-from ..diagnosis.fit.adopt import block
-from ..ground.errors import BadInput
-from ..ground.strict_yaml import parse_yaml
-from ..run.description import Included, parse_run
+from ...ground.errors import BadInput
+from ...ground.strict_yaml import parse_yaml
+from ...run.description import Included, parse_run
+from ..document.content import Adoption
+from ..fit.adopt import block
 
 KEY, ORIGIN = "simulation", "adopted"
 

@@ -5,12 +5,12 @@ import json
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
-from ..ground.errors import BadInput, program
-from ..ground.progress import steps
-from ..models.interface import make_model
-from ..models.parts.prediction_intervals import Intervals, TooFew
-from ..stages.train import fitting
+from ...ground import schemas
+from ...ground.errors import BadInput, program
+from ...ground.progress import steps
+from ...models.interface import make_model
+from ...models.parts.prediction_intervals import Intervals, TooFew
+from ..train import fitting
 from .arguments import parser, points_of
 from .tables import COVERAGE
 

@@ -3,18 +3,18 @@
 from dataclasses import replace
 from pathlib import Path
 
-from ..ground.kinematics import Array
-from ..run.description import Run
-from .choice.outcome import rms
-from .document.content import Part
-from .facts import extents, loops
-from .facts.mechanism_entries import parameters_of
-from .fit.problem import Act, Problem
-from .mechanisms.library import mechanisms
-from .prediction.simulation import of_run, state_of
-from .recording.system_units import Units
-from .words.language.vocabulary import Vocabulary
-from .words.named.effects import sentence
+from ...ground.kinematics import Array
+from ...run.description import Run
+from ..choice.outcome import rms
+from ..document.content import Part
+from ..facts import extents, loops
+from ..facts.mechanism_entries import parameters_of
+from ..fit.problem import Act, Problem
+from ..mechanisms.library import mechanisms
+from ..prediction.simulation import of_run, state_of
+from ..recording.system_units import Units
+from ..words.language.vocabulary import Vocabulary
+from ..words.named.effects import sentence
 
 
 def adopted_effects(problem: Problem, run: Run, ending: str) -> list[Part]:

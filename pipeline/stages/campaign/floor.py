@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
-from ..ground.errors import program
-from ..ground.given_table import opened
-from ..ground.outputs import file_to_write
-from ..ground.progress import steps
-from ..stages.floor import FLOORS, residuals
+from ...ground import schemas
+from ...ground.errors import program
+from ...ground.given_table import opened
+from ...ground.outputs import file_to_write
+from ...ground.progress import steps
+from ..floor import FLOORS, residuals
 from .few_shot import asked_and_shown
 from .points import SCHEMA
 from .tables import FLOOR
@@ -34,7 +34,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the file of the floor, Parquet; required")
     arguments = parser.parse_args()
     file_to_write(arguments.out, reads=[arguments.points])
-    points = opened(arguments.points, SCHEMA, "make it: python -m pipeline.campaign.points")
+    points = opened(arguments.points, SCHEMA, "make it: python -m pipeline.stages.campaign.points")
     table = pd.DataFrame(list(floors(points)), columns=FLOOR.names)
     schemas.write(table, FLOOR, arguments.out)
     print(table[["forward_mm", "inverse_turns"]].median().to_string(float_format="%.4f"))

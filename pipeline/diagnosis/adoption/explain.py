@@ -4,15 +4,15 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..diagnosis.adopted_effects import adopted_effects
-from ..diagnosis.fit.problem import Problem
-from ..diagnosis.prediction.simulation import of_run, state_of
-from ..diagnosis.recording.recorded_run import RecordedRun
-from ..diagnosis.study.own_rate import at_own_rate
-from ..diagnosis.words.language.vocabulary import Vocabulary
-from ..diagnosis.words.named import coefficients
-from ..run.description import Run
-from ..run.samples import read_strokes
+from ...run.description import Run
+from ...run.samples import read_strokes
+from ..fit.problem import Problem
+from ..prediction.simulation import of_run, state_of
+from ..recording.recorded_run import RecordedRun
+from ..study.own_rate import at_own_rate
+from ..words.language.vocabulary import Vocabulary
+from ..words.named import coefficients
+from .adopted_effects import adopted_effects
 from .block import KEY
 from .number_sizes import sizes
 

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..diagnosis.choice.outcome import rms
-from ..diagnosis.fit.problem import Act, Problem, State
-from ..diagnosis.words.measured.moved_reading import Size
-from ..ground.kinematics import Array
+from ...ground.kinematics import Array
+from ..choice.outcome import rms
+from ..fit.problem import Act, Problem, State
+from ..words.measured.moved_reading import Size
 
 NEAR = 0.02  # of the motion's range: what is nearer to its highest or lowest value is at it
 

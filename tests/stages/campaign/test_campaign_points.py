@@ -8,15 +8,15 @@ import programs
 import pytest
 import yaml
 
-from pipeline.campaign.points import MOST_POINTS, SCHEMA, campaign_points, labelled, string_points
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_samples
 from pipeline.run.strokes import segment
+from pipeline.stages.campaign.points import MOST_POINTS, SCHEMA, campaign_points, labelled, string_points
 from pipeline.stages.dataset import points_of
 from pipeline.string.history import Recorded, tare_mm
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 
 @pytest.fixture(scope="module")

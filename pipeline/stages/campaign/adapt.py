@@ -10,8 +10,8 @@ Source: Lindley and Smith, "Bayes estimates for the linear model", Journal of th
 import numpy as np
 import pandas as pd
 
-from ..ground.kinematics import Array, point_contraction_mm
-from ..models.interface import Model
+from ...ground.kinematics import Array, point_contraction_mm
+from ...models.interface import Model
 
 TOP = 0.15  # contraction over torsion zone of a string wound far, so that terms are of size 1
 INDEPENDENT = 12  # points of a winding whose errors count as independent: neighbours err alike
