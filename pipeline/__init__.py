@@ -37,14 +37,14 @@ _NOTEBOOK = {
     "load": "models",
     "model_names": "models",
     "Diagnosis": "diagnosis",
-    "Mechanism": "diagnosis",
-    "Interval": "diagnosis",
+    "Mechanism": "mechanism",
+    "Interval": "mechanism",
 }
 if _TYPE_CHECKING:
     from .ground.errors import BadInput as BadInput
     from .notebook.diagnosis import Diagnosis as Diagnosis
-    from .notebook.diagnosis import Interval as Interval
-    from .notebook.diagnosis import Mechanism as Mechanism
+    from .notebook.mechanism import Interval as Interval
+    from .notebook.mechanism import Mechanism as Mechanism
     from .notebook.models import fit as fit
     from .notebook.models import load as load
     from .notebook.models import model_names as model_names

@@ -9,60 +9,28 @@ import json
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-
+from ..diagnosis import written
 from ..diagnosis.choice.outcome import Study
 from ..diagnosis.document.content import Verdict
-from ..diagnosis.drawing import figures
-from ..diagnosis.in_memory import diagnosed
+from ..diagnosis.in_memory import Say, diagnosed
+from ..diagnosis.numerics.judge import Judge
 from ..diagnosis.prediction.simulation import read_diagnosis
 from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.words.pages.details import details_text
 from ..diagnosis.words.pages.verdict import verdict_text
 from ..ground.errors import BadInput
-from ..ground.files import write_text
 from ..ground.units import unit_of
+from ..string.history import in_order
 from ..systems import System, systems
+from .mechanism import Interval, Mechanism, interval
 from .recording import Recording
 
+if TYPE_CHECKING:  # what draws takes 40 MB, and is imported when the search has let go of more
+    from matplotlib.figure import Figure
+
 SHOWN_DOTS = 80  # an inch, of the page in a notebook
-
-
-@dataclass(frozen=True)
-class Interval:
-    """A number with its 90 % interval.
-
-    `value`: the number. `low`, `high`: the ends of the interval; None where none is told. `unit`: the unit of all
-    three, "" for a share or a count.
-    """
-
-    value: float
-    low: float | None = None
-    high: float | None = None
-    unit: str = ""
-
-
-@dataclass(frozen=True)
-class Mechanism:
-    """One effect that the diagnosis names.
-
-    `id`: its name in the library. `confidence`: the probability that it is there, from 0 to 1. `size`: the rms of what
-    it adds to the prediction, in the unit of the predicted channel. `parameters`: its coefficients by name, each in its
-    own `unit`. `sentence`: what it does, in words.
-    """
-
-    id: str
-    confidence: float
-    size: Interval
-    parameters: dict[str, Interval]
-    sentence: str
-
-
-def _interval(entry: dict[str, Any], unit: str = "") -> Interval:
-    return Interval(entry["value"], entry.get("low"), entry.get("high"), str(entry.get("unit", unit)))
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,18 +42,27 @@ class Diagnosis:
     _found: Study | None = field(default=None, compare=False)
 
     @classmethod
-    def of(cls, *recordings: Recording, without: frozenset[str] = frozenset()) -> Diagnosis:
-        """The diagnosis of one recording, or of several of one rig together; the library lacks those in `without`.
+    def of(
+        cls,
+        *recordings: Recording,
+        without: frozenset[str] = frozenset(),
+        by: Judge | None = None,
+        say: Say = lambda _: None,
+    ) -> Diagnosis:
+        """The diagnosis of one recording, or of several of one rig together, in the order of their recording.
 
-        Raises BadInput for recordings that are not of one rig, and for one too poor to decide anything.
+        The library lacks the mechanisms in `without`; `by` judges in place of the library's own judge; `say` is told
+        each step. Raises BadInput for recordings that are not of one rig, and for one too poor to decide anything.
         """
         if not recordings:
             raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
-        recorded = [RecordedRun(each.run, each.samples, each.strokes, each.folder) for each in recordings]
-        content, study = diagnosed(recorded, without)
-        if len(recordings) > 1:
-            content["run"] = [each.run.run for each in recordings]
-        return cls(content, recordings[0].run.actuator, study)
+        ordered = in_order([each.recorded() for each in recordings])
+        content, study = diagnosed(
+            [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in ordered], without, by, say
+        )
+        if len(ordered) > 1:
+            content["run"] = [each.run.run for each in ordered]
+        return cls(content, ordered[0].run.actuator, study)
 
     @classmethod
     def read(cls, path: Path | str, actuator: str = "separator") -> Diagnosis:
@@ -110,8 +87,8 @@ class Diagnosis:
             Mechanism(
                 entry["id"],
                 float(entry["confidence"]),
-                _interval(entry[f"rms_{unit}"], unit),
-                {name: _interval(each) for name, each in entry["parameters"].items()},
+                interval(entry[f"rms_{unit}"], unit),
+                {name: interval(each) for name, each in entry["parameters"].items()},
                 entry["sentence"],
             )
             for entry in self.content["mechanisms"]
@@ -125,7 +102,7 @@ class Diagnosis:
     @cached_property
     def parameters(self) -> dict[str, Interval]:
         """The rig's dimensions as calibrated, by name, each in the unit that its name ends with."""
-        return {name: _interval(entry, unit_of(name)) for name, entry in self.content["parameters"].items()}
+        return {name: interval(entry, unit_of(name)) for name, entry in self.content["parameters"].items()}
 
     @property
     def words(self) -> str:
@@ -147,22 +124,28 @@ class Diagnosis:
 
         Raises ValueError for a diagnosis that was read from a file: it holds no recording.
         """
+        from ..diagnosis.drawing import figures
+
+        return figures.drawn(self.study, self.content)
+
+    @property
+    def study(self) -> Study:
+        """What it was made from. Raises ValueError for a diagnosis that was read from a file: it holds no recording."""
         if self._found is None:
             raise ValueError("a diagnosis read from a file has no recording to draw; diagnose the recording again")
-        return figures.drawn(self._found, self.content)
+        return self._found
 
     def to_json(self) -> str:
         """It as `diagnosis.json` holds it."""
         return json.dumps(self.content, indent=1, ensure_ascii=False) + "\n"
 
     def save(self, folder: Path | str) -> None:
-        """Write `diagnosis.json`, `verdict.txt` and `details.txt`, each whole; of one made here the figures, too."""
+        """Write what the program writes, each file whole: json, words, what can be adopted; if made here, figures."""
         folder = Path(folder)
-        write_text(folder / "diagnosis.json", self.to_json())
-        write_text(folder / "details.txt", self.details + "\n")
-        write_text(folder / "verdict.txt", self.words + "\n")
         if self._found is not None:
-            figures.page(self._found, self.content, folder / "diagnosis")
+            written.draw(self._found, self.content, folder / "diagnosis")
+        written.write_block(self.content, self.system, folder)
+        written.write_words(self.content, self.system, self._folders, folder, [])
 
     def __repr__(self) -> str:
         named = " + ".join(mechanism.id for mechanism in self.mechanisms) or "nothing named"
@@ -174,6 +157,8 @@ class Diagnosis:
         shown = f"<pre style='white-space: pre-wrap'>{html.escape(self.words)}</pre>"
         if self._found is None:
             return shown
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+
         drawn = io.BytesIO()
         page = self.figure()
         page.set_dpi(SHOWN_DOTS)

@@ -53,7 +53,11 @@ class Recording:
     @classmethod
     def read(cls, folder: Path | str) -> Recording:
         """The recording in a run folder, `run.yaml` and all, checked as the pipeline checks it; raises BadInput."""
-        recorded = from_raw.read(Path(folder))
+        return cls.of_run(from_raw.read(Path(folder)))
+
+    @classmethod
+    def of_run(cls, recorded: Recorded) -> Recording:
+        """A recording of a run that a stage has read."""
         return cls(recorded.run, recorded.table, recorded.folder, recorded.started_utc, recorded.strokes)
 
     @classmethod

@@ -3,14 +3,15 @@
 import argparse
 from pathlib import Path
 
-from ..diagnose import Options, diagnose
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
+from ..notebook.of_folders import Options, diagnose
+from ..string.from_raw import read
 from ..string.jumps_beside import Beside, Reader
 from .bring import REFUSED, usable
 
 
-def ask(folders: list[Path], out: Path, reader: Reader | None = None, beside: Beside | None = None) -> str:
+def ask(folders: list[Path], out: Path, reader: Reader = read, beside: Beside | None = None) -> str:
     """Diagnose runs into `out`, together when they are several, and return the words, or why there is no verdict.
 
     Of several, those that could not be imported are left out. `reader` and `beside` are as `diagnose` takes them.

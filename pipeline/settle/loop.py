@@ -1,15 +1,12 @@
 """The loop itself: each turn takes the last step one state further, so that it goes on wherever it was killed."""
 
-from dataclasses import dataclass, field
-from functools import cache
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from ..capture.motion_program import as_legs
-from ..diagnose import Options, diagnose
 from ..ground.errors import BadInput
+from ..notebook.of_folders import Options, diagnose, once_read
 from ..run.folder import read_run
-from ..string.from_raw import read
-from ..string.jumps_beside import Reader
 from . import move
 from .answers import Answers
 from .approve import approved, told
@@ -31,7 +28,7 @@ DONE, FAULT, STOPPED = 0, 1, 130
 class Loop:
     """What the loop was asked for; the folder of its steps, and what may move and be spent.
 
-    Its `reader` reads each recording once, however many steps are diagnosed with it.
+    By its `options` each recording is read once, however many steps are diagnosed with it.
     """
 
     runs: list[Path]
@@ -40,7 +37,7 @@ class Loop:
     way: str
     budget: Budget
     answers: Answers = field(init=False)
-    reader: Reader = field(default_factory=lambda: cache(read))
+    options: Options = field(default_factory=lambda: Options(rivals=True, reader=once_read()))
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "answers", Answers(self.place.out))
@@ -113,7 +110,7 @@ class Loop:
         out = self.place.folder(step.number)
         if step.legs and step.used:
             self._draw(step, Path(step.run_dir or ""))
-        diagnose(folders, out, Options(together=len(folders) > 1, rivals=True, reader=self.reader))
+        diagnose(folders, out, replace(self.options, together=len(folders) > 1))
         verdict = self.place.diagnosis(step.number)["verdict"]
         print(
             f"step {step.number}: the verdict of {len(folders)} run{'s' * (len(folders) > 1)} is {verdict}", flush=True
@@ -125,7 +122,7 @@ class Loop:
         who = "each explanation" if step.number else "the simulator of run.yaml"
         what = f"what {who} foretold, and what came" if came else f"what {who} foretells"
         title = f"Step {step.number}, {Path(step.run_dir or '').name}, {step.proposal['title']}: {what}"
-        draw(self.place.proposed_run(step.number), path, title, self.reader(came).table if came else None)
+        draw(self.place.proposed_run(step.number), path, title, self.options.reader(came).table if came else None)
 
     def _proposed(self, steps: list[Step]) -> Step | None:
         """The next run, drawn before it is made; None, and settled.json, where there is none."""

@@ -8,11 +8,11 @@ import once
 import otherhand
 import pytest
 
-from pipeline import diagnose
 from pipeline.diagnosis import in_memory
 from pipeline.diagnosis.drawing import figures
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
+from pipeline.notebook import diagnosis as in_a_notebook
 from pipeline.run.samples import read_samples
 
 
@@ -48,7 +48,7 @@ def kept(found):
 @pytest.fixture(scope="session")
 def remembered(tmp_path_factory):
     """Within it `diagnose` takes what another test was told of the same recording by the same library."""
-    shared, plain = once.place(tmp_path_factory), diagnose.diagnosed
+    shared, plain = once.place(tmp_path_factory), in_memory.diagnosed
 
     @contextmanager
     def remember():
@@ -66,7 +66,7 @@ def remembered(tmp_path_factory):
             return once.made_once(shared, (known.hexdigest(), sorted(without)), made)
 
         with pytest.MonkeyPatch.context() as patch:
-            for module in (diagnose, in_memory):  # the program may be run anew
+            for module in (in_a_notebook, in_memory):  # the program may be run anew
                 patch.setattr(module, "diagnosed", diagnosed)
             yield
 

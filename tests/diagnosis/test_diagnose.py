@@ -32,6 +32,7 @@ from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.notebook import of_folders
 from pipeline.run import strokes
 from pipeline.run.clean_motion import Motion
 from pipeline.run.samples import read_samples, read_strokes
@@ -313,7 +314,7 @@ def test_what_cannot_be_diagnosed_is_named_and_the_rest_is(conceal, tmp_path, mo
     with pytest.raises(BadInput, match=f"adopting has adopted effects, {good.name} has not") as refused:
         of_one_rig([RecordedRun(*read_strokes(folder), folder) for folder in (adopting, good)])
     assert refused.value.mend == f"take them out first: python -m pipeline.adopt --remove {adopting}"
-    monkeypatch.setattr(diagnose, "read", lambda folder: 1 / 0)
+    monkeypatch.setattr(diagnose, "decide", lambda *_: 1 / 0)
     outcome = diagnose._one(good, tmp_path / "out", diagnose.Options(), note=True)
     assert outcome.fine is None and "ZeroDivisionError" in outcome.text and not (tmp_path / "out").exists()
     assert command("pipeline.diagnose", good, "--out", tmp_path / "out").returncode == 1  # no bad input
@@ -371,8 +372,8 @@ def test_runs_of_one_string_are_cut_once_each_and_told_of_each_others_zeros(
     strings_runs, remembered, cuts, tmp_path, monkeypatch
 ) -> None:
     *asked, beside = strings_runs
-    verdicts, write_words = [], diagnose.write_words
-    monkeypatch.setattr(diagnose, "write_words", lambda *given: verdicts.append(given[3]) or write_words(*given))
+    verdicts, write_words = [], of_folders.write_words
+    monkeypatch.setattr(of_folders, "write_words", lambda *given: verdicts.append(given[3]) or write_words(*given))
     with remembered():
         assert command("pipeline.diagnose", *asked, "--out", tmp_path / "out").returncode == 0
     assert len(cuts) == 3

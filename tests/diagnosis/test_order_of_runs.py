@@ -9,6 +9,7 @@ from programs import run
 from stages.nine_strokes import string
 
 from pipeline import diagnose
+from pipeline.notebook import diagnosis as in_a_notebook
 
 
 def folders(place: Path) -> list[Path]:
@@ -31,7 +32,7 @@ def test_runs_together_are_taken_in_the_order_of_their_recording(tmp_path, monke
         taken.extend(each.run.run for each in recorded)
         raise InterruptedError
 
-    monkeypatch.setattr(diagnose, "diagnosed", diagnosed)
+    monkeypatch.setattr(in_a_notebook, "diagnosed", diagnosed)
     with pytest.raises(InterruptedError):
         diagnose.decide(folders(tmp_path), tmp_path / "out", diagnose.Options(together=True))
     assert taken == ["r-9", "r-10"]

@@ -102,11 +102,13 @@ def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, found, tmp_path
     if anew:
         subprocess.run([sys.executable, "-m", *words], check=True, capture_output=True, cwd=ROOT)
     else:
-        monkeypatch.setattr(in_memory, "diagnosed", lambda *_: pickle.loads(made_from))
+        monkeypatch.setattr(in_a_notebook, "diagnosed", lambda *_: pickle.loads(made_from))
         assert programs.run(*words).returncode == 0
     assert (tmp_path / "out" / "recording" / "diagnosis.json").read_text() == diagnosis.to_json()
+    program = tmp_path / "out" / "recording"
     diagnosis.save(tmp_path / "kept")
     assert (tmp_path / "kept" / "diagnosis.pdf").is_file()  # its bytes depend on what else a process has drawn
+    assert {path.name for path in (tmp_path / "kept").iterdir()} == {path.name for path in program.iterdir()}
     for name in ("diagnosis.json", "diagnosis.png"):
         assert (tmp_path / "kept" / name).read_bytes() == (tmp_path / "out" / "recording" / name).read_bytes(), name
 
@@ -162,3 +164,19 @@ def test_models_fit_answer_and_come_back_by_name(nylon: tb.Recording, tmp_path: 
         tb.points([])
     with pytest.raises(tb.BadInput, match=r"p\.model"):
         tb.load("spline", tmp_path / "p.model")
+
+
+def test_recordings_together_are_taken_in_the_order_of_their_recording(monkeypatch) -> None:
+    """As the program takes the folders: what creeps and wears goes on from run to run."""
+    table, taken = recording(2), []
+    of_rig = {**DESCRIPTION, "string": {**DESCRIPTION["string"], "id": "a"}}
+
+    def diagnosed(recorded, *others):
+        taken.extend(each.run.run for each in recorded)
+        raise InterruptedError
+
+    monkeypatch.setattr(in_a_notebook, "diagnosed", diagnosed)
+    later = tb.Recording.of(table.assign(time_s=table["time_s"] + 400.0), {**of_rig, "run": "r-10"})
+    with pytest.raises(InterruptedError):
+        tb.Diagnosis.of(later, tb.Recording.of(table, {**of_rig, "run": "r-9"}))
+    assert taken == ["r-9", "r-10"]
