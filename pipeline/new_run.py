@@ -6,93 +6,21 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import pandas as pd
-
-from .foreign.as_options import by_look
-from .formats.stored import read_table
+from .foreign.made_run import make_run
 from .ground.command import command
-from .ground.errors import BadInput, program
-from .ground.files import write_text
-from .ground.folders import whole_folder
-from .ground.names import checked, own_material, run_name
+from .ground.errors import program
 from .ground.parser import Parser
-from .ground.strict_yaml import parse_yaml, write_yaml
-from .run.columns_read import read_as
+from .ground.strict_yaml import parse_yaml
 from .run.copied_run import as_in, with_given
-from .run.description import STRING_ACTUATORS, Run, parse_run
-from .run.file_lines import FileLines, Where
-from .run.folder import has_recording, recording_path, unfinished
+from .run.description import STRING_ACTUATORS, parse_run
+from .run.folder import has_recording
 from .run.needed_options import lacking, load_taken
 from .run.next_command import following
-from .run.option_mend import by_option
-from .run.plausible_dimensions import dimension_questions
-from .run.read_log import copy_log, read_log, recording_name, rows_left
-from .run.recorded_table import read_recording
 from .run.run_dir import run_dir
-from .run.samples import check, questions
 from .run.tolerances_given import read_back
 from .string.jumps_beside import advice_on
 from .string.known_strings import string_id
 from .string.same_string import others_recorded, tares
-
-
-def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool, where: Where) -> pd.DataFrame:
-    """The samples that count; raises BadInput where ingest would, and, unless `sure`, for what is likely a mistake."""
-    checked_samples, _ = check(run, samples, path, where)
-    _question(questions(run, checked_samples, path), sure)
-    return checked_samples
-
-
-def _question(doubts: list[BadInput], sure: bool) -> None:
-    """Refuse what is likely a mistake, or say it where a person is `sure`; raises BadInput."""
-    for question in doubts:
-        if not sure:
-            mend = f"{question.mend}; if it is right as it is, add --sure"
-            raise BadInput(question.file, question.field, question.problem, mend)
-        print(f"warning: {question}", file=sys.stderr)
-
-
-def make_run(
-    content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False, known: bool = False
-) -> Path:
-    """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput.
-
-    `known`: the material is that of a run that is there already: a reserved name is right until something is recorded.
-    """
-    name = checked(run_name, str(content["run"]), out / "run.yaml", "run")
-    folder, path = out / name, out / name / "run.yaml"
-    run = parse_run(content, path)
-    if run.string and not (known and recording is None):
-        checked(own_material, run.string.material, path, "string.material")
-    taken = "choose another name; runs are never overwritten"
-    try:
-        _question(dimension_questions(run, path), sure)
-    except BadInput as error:
-        raise by_option(error, content) from None
-    if path.exists() or (folder.exists() and recording is not None):
-        raise BadInput(folder, "run", "is there already", taken)
-    if recording is not None:
-        kept = recording_name(recording)
-        try:
-            log = read_log(run, recording, path, lambda: read_table(recording, run.file))
-            counting = check_samples(run, log.samples, recording, sure, log.where)
-            print(read_as(run, counting, recording, len(log.samples)))
-        except BadInput as error:
-            raise by_look(error, recording, run) or by_option(error, content) from None
-    if folder.exists():  # recorded before it was described
-        if has_recording(folder) and not unfinished(folder):
-            recorded = recording_path(folder)
-            check_samples(run, read_recording(run, folder), recorded, sure, FileLines(recorded, run.file))
-        write_text(path, write_yaml(content))
-        return folder
-    with whole_folder(folder, "run", taken) as temporary:
-        text = write_yaml(content)
-        if recording is not None:
-            rows = rows_left(log)
-            file = {"file": {**content["file"], "rows": rows}} if rows else {}
-            text = copy_log(log, temporary / kept) + write_yaml({**content, **file})
-        (temporary / "run.yaml").write_text(text, encoding="utf-8")
-    return folder
 
 
 def arguments_to_content(arguments: argparse.Namespace) -> dict[str, Any]:

@@ -3,9 +3,9 @@
 import argparse
 from pathlib import Path
 
+from ..foreign.imported import import_run
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
-from ..import_run import import_run
 
 REFUSED = "refused.txt"
 

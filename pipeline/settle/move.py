@@ -9,9 +9,9 @@ from typing import Any
 from ..capture.commit import recover
 from ..capture.log import NAME, in_use
 from ..capture.stream import PERSON
+from ..foreign.made_run import make_run
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import read_yaml
-from ..new_run import make_run
 from ..run.copied_run import as_in, with_given
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
 from .step import Step

@@ -12,11 +12,10 @@ BARE = re.compile(r"(dict|Mapping)\[str, (Any|object)\]")
 ALIASES = {"diagnosis.document.content.Part": "keys of it end in the unit of the rig's reading"}
 # whose form another program or a person decides: it is read where it comes in, and made a type there
 DOCUMENTS = {
-    "foreign.axes.each_axis": "a mapping that a person writes",
+    "foreign.made_run.make_run": "run.yaml",
     "models.parts.diagnosed_run.Simulator": "what its `saved` writes, its `from_saved` alone reads",
     "models.parts.training.read_weights": "weights and settings, of each network's own kinds",
     "models.parts.training.write_weights": "weights and settings, of each network's own kinds",
-    "new_run.make_run": "run.yaml",
     "rig.authors.interface.HiddenEffect": "parameters of a law by another hand, never installed",
     "rig.campaign.specimen.Specimen": "effects' parameters, of their own kinds, and run.yaml",
     "rig.concealed.Concealed": "an effect's parameters, of its own kinds",

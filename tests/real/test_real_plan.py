@@ -8,10 +8,10 @@ import yaml
 from downloaded import SOURCES, files, folder
 from made_recording import content, recording
 
+from pipeline.foreign.imported import read_mapping
 from pipeline.foreign.origin import origin
 from pipeline.ground.errors import BadInput
 from pipeline.ground.names import run_name
-from pipeline.import_run import read_mapping
 from pipeline.real.bring import REFUSED, bring, usable
 from pipeline.real.plan import RealPlan, make_real_plan, plan_of
 from pipeline.real.rigs import MAPPINGS, expected_of, read_rigs
