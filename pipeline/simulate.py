@@ -77,7 +77,7 @@ def plan_of(arguments: argparse.Namespace) -> Plan:
     if arguments.after_recording and not has_samples:
         mend = f"record the run first, or leave {AFTER_RECORDING} out"
         raise BadInput(arguments.run_dir, AFTER_RECORDING, "needs a recording, and there is none", mend)
-    recorded = RecordedRun(*read_strokes(arguments.run_dir)) if has_samples else None
+    recorded = RecordedRun(*read_strokes(arguments.run_dir), arguments.run_dir) if has_samples else None
     run = recorded.run if recorded else read_run(arguments.run_dir)
     samples, drawn = planned(run, arguments.motion, recorded and recorded.samples)
     content = to_simulate(read_diagnosis(source), run.run) if arguments.simulation else of_run(run)
@@ -118,10 +118,11 @@ def main() -> None:
     if plan:
         run, samples, content, before = plan.run, plan.samples, plan.content, plan.before
         problem, predicted = plan.problem, plan.predicted
+        all_read = [each for each in (plan.recorded, *plan.beside) if each]
         if arguments.simulation:
             warn_of_another(content, run, arguments.run_dir)
     else:
-        recorded = RecordedRun(*read_strokes(arguments.run_dir))
+        recorded = RecordedRun(*read_strokes(arguments.run_dir), arguments.run_dir)
         run, samples = recorded.run, recorded.samples
         content = to_simulate(read_diagnosis(source), run.run) if arguments.simulation else of_run(run)
         problem = at_own_rate([recorded], thin=False, to_fit=False)
@@ -134,6 +135,7 @@ def main() -> None:
             show([*of_carried_over(carried, run.run, unit), of_home(carried, unit)])
         before = simulated_before(content, run.run, arguments.run_dir)
         predicted = predicted_after(before, recorded, problem, content, source)
+        all_read = [recorded, *before]
     called = Vocabulary.of(problem.system)
     columns, words = planned_columns(plan, arguments) if plan else ({}, [])
     words += [*said_of(content, run.run, before, source), *said_of_no_name(content, called.ending)]
@@ -143,7 +145,8 @@ def main() -> None:
         learnt = f"was learnt beside all of the diagnosis, of which {run.run} takes a part"
         raise BadInput(source, RESIDUAL, learnt, "leave it out, or diagnose this run itself")
     if arguments.residual:
-        more, more_words = black_box(problem, run, plan, arguments.run_dir, source if arguments.simulation else None)
+        given = source if arguments.simulation else None
+        more, more_words = black_box(problem, run, plan, arguments.run_dir, given, all_read)
         columns, words = columns | more, words + more_words
     columns = {"time_s": samples["time_s"].to_numpy(), problem.system.channel: predicted} | columns
     columns |= plan.inputs if plan else {}

@@ -30,11 +30,11 @@ def diagnose_once() -> None:
 
     from pipeline.diagnosis.in_memory import diagnosed
     from pipeline.diagnosis.recording.recorded_run import RecordedRun
-    from pipeline.run.samples import read_samples
+    from pipeline.run.samples import read_strokes
 
     with tempfile.TemporaryDirectory() as folder:
         run = Path(folder) / "short"
         run.mkdir()
         (run / "run.yaml").write_text(yaml.safe_dump(content(run.name)))
         recording(strokes=6, rate_hz=10.0).to_csv(run / "recording.csv", index=False)
-        diagnosed([RecordedRun(*read_samples(run), folder=run)])
+        diagnosed([RecordedRun(*read_strokes(run), folder=run)])

@@ -1,8 +1,6 @@
 """Record a rig: PORT → RUN_DIR/recording.frames, then capture.json. Ctrl-C ends it in good order: what came is used."""
 
-import io
 import math
-from contextlib import redirect_stderr
 from pathlib import Path
 
 from ..ground.command import command
@@ -81,34 +79,20 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
     """Say whether the sensor's zero moved since the run of the same string before, and what comes next."""
     from ..string.jumps_beside import Beside, advice_on  # it needs pandas, for which no rig should wait
     from ..string.next_steps import next_steps
+    from .use_after_fault import once, strokes_of_use
 
-    beside = Beside()
+    reader = once(folder)
+    beside = Beside(reader=reader)
     for sentence in advice_on(folder, beside):
         print(f"{folder}: {sentence}")
     if not info["samples"]["received"]:
         return
     hello = info.get("hello")
     whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
-    if info["exit_status"] == "fault" and (whole := strokes_of_use(folder)) == 0:
+    if info["exit_status"] == "fault" and (whole := strokes_of_use(folder, reader)) == 0:
         return
     anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
     print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
-
-
-def strokes_of_use(folder: Path) -> int:
-    """Say of a run that a fault ended whether its samples can be used, and why not; how many strokes, or 0."""
-    from ..run.samples import read_strokes  # it needs pandas, for which no rig should wait
-
-    try:
-        with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
-            _, samples, strokes = read_strokes(folder)
-    except BadInput as error:
-        print(f"{error} Until then nothing can use this run.")
-        return 0
-    count = int(strokes["stroke"].max())
-    kept = f"{counted(len(samples), 'sample')} in {counted(count, 'stroke')}"
-    print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")
-    return count
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

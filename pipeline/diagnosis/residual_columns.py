@@ -1,6 +1,7 @@
 """What a black box adds to a simulated motion, as columns of the answer, and what is said of it."""
 
 import shlex
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..ground.command import command
@@ -13,23 +14,30 @@ from .prediction.prediction_band import adopted_diagnosis
 from .prediction.residual import residual
 from .prediction.simulation import read_diagnosis
 from .recording.made_of import recordings_of
+from .recording.recorded_run import RecordedRun
 from .words.foretold.residual import RESIDUAL, columns_of, of_residual
 
 
 def black_box(
-    problem: Problem, run: Run, plan: Plan | None, folder: Path, given: Path | None
+    problem: Problem,
+    run: Run,
+    plan: Plan | None,
+    folder: Path,
+    given: Path | None,
+    held: Sequence[RecordedRun] = (),
 ) -> tuple[dict[str, Array], list[str]]:
     """Columns of a black box beside a reading, each of shape (samples,) in its unit; and what is said of them.
 
     `problem` is what was simulated of a run in `folder`, of which a plan's rows are the last; `given` is its
-    diagnosis.json, else the adopted one counts. Raises BadInput where a diagnosis does not hold what that takes.
+    diagnosis.json, else the adopted one counts; what is `held` of its recordings is not read again. Raises BadInput
+    where a diagnosis does not hold what that takes.
     """
     place, diagnosis = (given, read_diagnosis(given)) if given else adopted_diagnosis(run)
     again = f"{command('diagnose')} {shlex.quote(str(folder))} --out DIR"
     mend = f"diagnose again, {again}, and give its diagnosis.json by --simulation"
     if diagnosis is None:
         raise BadInput(place, RESIDUAL, "needs the diagnosis.json that was adopted, and there is none", mend)
-    answer = residual(problem, diagnosis, place, recordings_of(diagnosis, place, folder), mend)
+    answer = residual(problem, diagnosis, place, recordings_of(diagnosis, place, folder, held), mend)
     answer = answer.within(plan.inside()) if plan else answer
     columns = dict(zip(columns_of(run.system.channel), (answer.added, answer.low, answer.high), strict=True))
     return columns, of_residual(answer, run.system.channel, problem.drivers.units.reading)

@@ -47,7 +47,7 @@ def noise_free(case: Case) -> tuple[Problem, Array]:
     if case.thermocouple:
         channels["temperature_c"] = shown.temperature_c
     run = parse_run(bench.described("twin", load=False), Path("twin/run.yaml").resolve())
-    problem = engine.make_problem([RecordedRun(run, pd.DataFrame(channels))], most=len(shown.time_s))
+    problem = engine.make_problem([RecordedRun.cut(run, pd.DataFrame(channels))], most=len(shown.time_s))
     return frozen(problem, problem.nominal()), shown.displacement_mm - bare.displacement_mm
 
 

@@ -88,6 +88,17 @@ def of_samples(strokes: pd.DataFrame) -> tuple[Places, Phases]:
     return np.repeat(strokes["stroke"].to_numpy(np.intp), times), np.repeat(strokes["phase"].to_numpy(), times)
 
 
+def stretches(stroke: Places, phase: Phases) -> pd.DataFrame:
+    """The strokes of samples of which each has its number and its phase: what `of_samples` gives back.
+
+    Both of shape (samples,). A row each stretch, its columns those of `schemas.STROKES` that need no motion.
+    """
+    change = np.append(True, (np.diff(stroke) != 0) | (phase[1:] != phase[:-1]))[: len(stroke)]
+    first = np.flatnonzero(change)
+    last = np.append(first, len(stroke))[1:] - 1
+    return pd.DataFrame({"stroke": stroke[first], "phase": phase[first], "first_sample": first, "last_sample": last})
+
+
 def segment(samples: pd.DataFrame | Rows, driver: str, where: Path | str) -> pd.DataFrame:
     """Strokes of a run, one row for each stretch of one phase of one stroke; columns of `schemas.STROKES`.
 

@@ -80,7 +80,9 @@ def studied(conceal, tmp_path_factory):
 
     def find(*kinds: str):
         run, samples = read_samples(conceal(*kinds)[0])
-        found = once.made_once(shared, ("study", kinds), lambda: kept(study(make_problem([RecordedRun(run, samples)]))))
+        found = once.made_once(
+            shared, ("study", kinds), lambda: kept(study(make_problem([RecordedRun.cut(run, samples)])))
+        )
         return found, run, samples
 
     return find
@@ -90,11 +92,11 @@ def studied(conceal, tmp_path_factory):
 def problem(conceal):
     """A problem with nothing concealed in it."""
     run, samples = read_samples(conceal()[0])
-    return make_problem([RecordedRun(run, samples)])
+    return make_problem([RecordedRun.cut(run, samples)])
 
 
 @pytest.fixture(scope="session")
 def one_load(conceal):
     """A problem recorded under one load at one speed without pauses, and its run."""
     run, samples = read_samples(conceal("creep", rich=False)[0])
-    return make_problem([RecordedRun(run, samples)]), run
+    return make_problem([RecordedRun.cut(run, samples)]), run

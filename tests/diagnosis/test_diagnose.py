@@ -438,4 +438,4 @@ def test_a_coarse_sensor_does_not_stick(conceal) -> None:
     said = samples["displacement_mm"].to_numpy()
     coarse = samples.assign(displacement_mm=np.round(said / 0.1) * 0.1)
     assert resolution(coarse["displacement_mm"].to_numpy()) == pytest.approx(0.1, rel=1e-3)
-    assert study(make_problem([RecordedRun(run, coarse)])).verdict in ("consistent", "parameters")
+    assert study(make_problem([RecordedRun.cut(run, coarse)])).verdict in ("consistent", "parameters")

@@ -36,7 +36,7 @@ def recorded(rows: int = ROWS) -> pd.DataFrame:
 def test_what_is_scored_are_own_samples_at_most_so_many(monkeypatch, most, rows):
     monkeypatch.setattr(own_rate, "SCORED_SAMPLES", most)
     made = recorded()
-    scored = own_rate.to_score([RecordedRun(described(), made)])
+    scored = own_rate.to_score([RecordedRun.cut(described(), made)])
     assert len(scored.record) == rows
     np.testing.assert_array_equal(scored.measured, made["displacement_mm"].to_numpy()[:: ROWS // rows])
 
@@ -48,12 +48,12 @@ def test_a_system_that_follows_derivatives_is_scored_on_all_it_has(monkeypatch):
     monkeypatch.setattr(own_rate, "SCORED_SAMPLES", 10)
     monkeypatch.setattr(own_rate, "at_own_rate", lambda runs: asked.append(len(runs[0].samples)))
     run = type("Told", (), {"system": followers[0]})()
-    own_rate.to_score([RecordedRun(run, recorded())])  # type: ignore[arg-type]
+    own_rate.to_score([RecordedRun.cut(run, recorded())])  # type: ignore[arg-type]
     assert asked == [ROWS]
 
 
 def test_a_long_recording_is_polished_on_averages_and_a_short_one_as_it_is(monkeypatch):
-    runs = [RecordedRun(described(), recorded())]
+    runs = [RecordedRun.cut(described(), recorded())]
     fine: Problem = own_rate.to_score(runs)
     assert own_rate.to_polish(runs, fine) is fine
     monkeypatch.setattr(own_rate, "POLISHED_SAMPLES", 1_000)
@@ -67,7 +67,7 @@ def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
     from pipeline.diagnosis.fit import problem as module
     from pipeline.diagnosis.mechanisms.library import mechanisms
 
-    problem = own_rate.to_score([RecordedRun(described(), recorded())])
+    problem = own_rate.to_score([RecordedRun.cut(described(), recorded())])
     options = [(one, nonlinear) for one in mechanisms().values() for nonlinear in one.candidates(problem.drivers)][:5]
     numbers = [ROWS * len(problem.terms(mechanism, nonlinear)) for mechanism, nonlinear in options]
     problem._terms.clear()

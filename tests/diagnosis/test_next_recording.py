@@ -146,7 +146,7 @@ def test_a_loop_that_was_recorded_is_evidence_and_no_row_of_what_is_to_come():
 
 def test_the_loop_of_a_recording_is_that_of_its_effect(conceal):
     run, samples = read_samples(conceal("backlash", kappa=3.0, rich=False)[0])
-    known = diagnosed([RecordedRun(run, samples)])[0]["evidence"]["expected"]
+    known = diagnosed([RecordedRun.cut(run, samples)])[0]["evidence"]["expected"]
     best, shown = known["explanations"][0], known["recorded"]["loop_mm"]
     assert shown == pytest.approx(best["recorded"]["loop_mm"], abs=best["plus_minus"]["loop_as_before_mm"])
     assert shown == pytest.approx(best["loop_as_before_mm"], abs=2.0 * best["plus_minus"]["loop_as_before_mm"])

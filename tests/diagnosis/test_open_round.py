@@ -26,7 +26,7 @@ def outcomes() -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for case in json.loads((ROUND / "truth.json").read_text(encoding="utf-8")):
         run, samples = read_samples(ROUND / f"case-{case['case']:03d}")
-        result = study(make_problem([RecordedRun(run, samples)]))
+        result = study(make_problem([RecordedRun.cut(run, samples)]))
         truth, sets = set(case["effects"]), [set(one.ids) for one in result.sets]
         outcome = result.verdict
         if outcome in ("explained", "ambiguous"):

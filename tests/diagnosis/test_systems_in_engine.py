@@ -35,7 +35,7 @@ def studied(tmp_path: Path, case: str, seed: int):
     made = cases.make(case, seed)
     write_run(made, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
-    return study(make_problem([RecordedRun(run, samples)])), made.truth
+    return study(make_problem([RecordedRun.cut(run, samples)])), made.truth
 
 
 HIDDEN = [
@@ -145,8 +145,8 @@ def test_the_sense_of_a_gear_changes_no_verdict(tmp_path):
     write_run(made, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
     turned = run.model_copy(update={"rig": {"gear_ratio": -run.rig["gear_ratio"]}})
-    one = study(make_problem([RecordedRun(run, samples)]))
-    other = study(make_problem([RecordedRun(turned, samples.assign(motor_deg=-samples["motor_deg"]))]))
+    one = study(make_problem([RecordedRun.cut(run, samples)]))
+    other = study(make_problem([RecordedRun.cut(turned, samples.assign(motor_deg=-samples["motor_deg"]))]))
     assert {"friction_hysteresis", "axial_elasticity"} in [set(found.ids) for found in other.sets]
     assert np.std(other.problem.simulate(other.best) - other.problem.measured) == pytest.approx(
         np.std(one.problem.simulate(one.best) - one.problem.measured), rel=0.25
@@ -193,7 +193,7 @@ def test_what_acts_through_a_memory_is_linearised_through_it(tmp_path):
     made = cases.make("mass-two", 311)
     write_run(made, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     slow, state = Slow(), problem.nominal()
     remembering = Slow()
     remembering.remembers = True
@@ -209,7 +209,7 @@ def test_a_true_zero_is_not_fitted_away(tmp_path):
     made = cases.make("mass-offset", 311)
     write_run(made, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     fit = Linear(problem, problem.nominal(), white(1.0), {})
     assert fit.fit(fit.columns_of(())).coefficients[0] == 0.0
     assert (problem.nominal().zeros == 0.0).all()

@@ -373,6 +373,33 @@ NO_ROOMS = {
 }
 
 
+# who cuts a motion into strokes: the door, and what makes a motion that came through none
+CUTTERS = {
+    "run.samples": "every recording, at its door",
+    "notebook.recording": "a recording that was made in memory, without the door",
+    "diagnosis.recording.recorded_run": "offers it as `RecordedRun.cut`",
+    "diagnosis.prediction.planned_motion": "a planned motion, alone or behind a recording",
+    "proof.twins": "a bench without noise, which lies in no folder",
+}
+
+
+def test_who_cuts_a_motion_into_strokes_says_why():
+    """Whatever else needs strokes is given them: a recording is cut once in a process."""
+    cutters = set()
+    for module, path in MODULES.items():
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        taken = {
+            alias.name
+            for node in ast.walk(tree)
+            if isinstance(node, ast.ImportFrom) and (node.module or "").endswith("strokes")
+            for alias in node.names
+        }
+        calls = {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+        if taken & {"label", "segment"} or "RecordedRun.cut" in calls:
+            cutters.add(module.removeprefix("pipeline."))
+    assert cutters == set(CUTTERS)
+
+
 def test_tests_mirror_the_rooms():
     tests = ROOT / "tests"
     folders = {path.relative_to(tests).parts[0] for path in tests.rglob("*.py") if path.parent != tests} | {"data"}

@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 from made_dataset import LOAD_N, STRING, ZONE, made_dataset
 
+from pipeline.diagnosis.recording.working_samples import PHASES
 from pipeline.ground.kinematics import Geometry
 from pipeline.models.diagnosed import SAMPLES, Diagnosed, run_of
 from pipeline.models.interface import make_model
@@ -14,6 +15,7 @@ from pipeline.models.parts.diagnosed_problem import along, holed, plain
 from pipeline.models.parts.filled_motion import Motion, one_way
 from pipeline.models.parts.saved import read_json
 from pipeline.models.traditional import Traditional
+from pipeline.run import strokes
 
 NOISE_MM = 0.03  # of made_dataset
 QUICK = ("clamp_slip", "count_slip", "load_swing", "overtwist", "stick_slip", "thermal")
@@ -151,10 +153,38 @@ def test_a_mechanism_that_does_not_exist_is_refused() -> None:
 
 def test_a_motion_through_a_long_pause_stays_short() -> None:
     time_s = np.concatenate([np.arange(0.0, 10.0, 0.1), 36000.0 + np.arange(0.0, 10.0, 0.1)])
-    even = Motion(time_s, np.sin(time_s), np.full(len(time_s), 20.0)).evenly(0.1)
+    stroke, phase = np.repeat([1, 2], 100), np.repeat(["unwinding", "winding"], 100).astype(object)
+    even = Motion(time_s, np.sin(time_s), np.full(len(time_s), 20.0), stroke, phase).evenly(0.1)
     assert len(even.time_s) < 500 and even.time_s[0] == 0.0 and even.time_s[-1] == time_s[-1]
     near = np.interp(time_s, even.time_s, even.motor_turns)
     np.testing.assert_allclose(near[5:95], np.sin(time_s[5:95]), atol=2e-3)
+    second = even.time_s >= time_s[100]  # a pause belongs to the stroke that it follows
+    assert set(even.stroke[second]) == {2} and set(even.stroke[~second]) == {1}
+    assert set(even.phase[second]) == {"winding"} and set(even.phase[~second]) == {"unwinding"}
+
+
+def test_points_are_in_the_strokes_that_the_recording_was_cut_into_and_are_never_cut_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of a string's second run the strokes go on, one was lost, and no point of a hold or a rest is there."""
+    points = made_dataset(per_phase=60)
+    points = points[points["stroke"] != 4].assign(stroke=lambda table: table["stroke"] + 10)
+    points = points.sort_values("time_s").drop_duplicates("time_s").reset_index(drop=True)
+
+    def never(motion: object) -> None:
+        raise AssertionError("the recording was cut into strokes before")
+
+    monkeypatch.setattr(strokes, "_stretches", never)
+    run = run_of(points)
+    drivers = [holed(run, points[SAMPLES], frozenset()).drivers, plain(run, points[SAMPLES], 0.0).drivers]
+    for each in drivers:
+        np.testing.assert_array_equal(each.stroke, points["stroke"])
+        assert [PHASES[place] for place in each.phase] == points["phase"].tolist()
+    whole = along(run, Motion.of(points).evenly(0.1), 0.0).drivers
+    assert sorted(set(whole.stroke)) == sorted(set(points["stroke"]))
+    model = Diagnosed(without=QUICK)
+    model.fit(points, 0)
+    assert np.isfinite(model.forward(points)).all() and np.isfinite(model.inverse(points)).all()
 
 
 @pytest.mark.parametrize("rising", [True, False])

@@ -68,7 +68,7 @@ from pipeline.run.samples import read_samples
 
 folder = Path(sys.argv[1])
 run, samples = read_samples(folder)
-seen = calibrated(engine.make_problem([RecordedRun(run, samples, folder=folder)]))
+seen = calibrated(engine.make_problem([RecordedRun.cut(run, samples, folder=folder)]))
 assert "cubic_fit" in command.names()
 learnt = command.method("cubic_fit")(seen)
 left = seen.residual_mm - learnt.adds_mm(seen.problem)

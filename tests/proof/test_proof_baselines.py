@@ -33,7 +33,7 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope="module")
 def problem(folder):
     run, samples = read_samples(folder)
-    return make_problem([RecordedRun(run, samples, folder=folder)])
+    return make_problem([RecordedRun.cut(run, samples, folder=folder)])
 
 
 @pytest.fixture(scope="module")
@@ -127,7 +127,7 @@ def test_trees_interpolate_what_a_calibration_leaves(seen):
 
 def test_without_a_correction_the_error_is_the_calibrated_simulators(folder, problem):
     run, samples = read_samples(folder)
-    fine = at_own_rate([RecordedRun(run, samples)])
+    fine = at_own_rate([RecordedRun.cut(run, samples)])
     nothing = Learnt(None, lambda other: np.zeros(len(other.record)))
     base_mm = held_out_mm(lambda seen: nothing, problem, fine)
     off_mm = held_out_mm(lambda seen: replace(nothing, adds_mm=lambda other: np.ones(len(other.record))), problem, fine)

@@ -66,7 +66,7 @@ def test_rates_are_those_of_the_motion():
 @pytest.mark.parametrize("strokes", [2, 3, 5, 10])
 def test_what_is_held_out_is_what_the_diagnosis_holds_out(make_run, strokes):
     run, samples, cut = read_strokes(make_run("a-01", recording(strokes)))
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     row = heldout.first_held_out(problem)
     ours = first_held_out(samples, cut)
     assert (row is None) == (ours is None)

@@ -10,7 +10,7 @@ from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study import engine, heldout, own_rate, polish
 from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
-from pipeline.run.samples import read_samples
+from pipeline.run.samples import read_strokes
 
 ROOT = Path(__file__).parents[2]
 ANSWERS = {"mass_kg": 95.11, "viscous": 203.5, "coulomb": 20.39, "offset": -3.16}  # of the benchmark's authors
@@ -30,7 +30,7 @@ def imported(tmp_path, rig, name, mapping, run, rows=None):
 
 def diagnosed(*folders):
     """Content of the diagnosis of some runs, held out and all."""
-    recorded = [RecordedRun(*read_samples(folder)) for folder in folders]
+    recorded = [RecordedRun(*read_strokes(folder)) for folder in folders]
     runs = [each.run for each in recorded]
     problem = engine.make_problem(recorded)
     fine = own_rate.at_own_rate(recorded)

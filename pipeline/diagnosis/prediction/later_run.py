@@ -35,7 +35,7 @@ def simulated_before(content: Simulated, run: str, folder: Path) -> list[Recorde
     """
     names = names_before(content, run)
     places = places_beside(folder, names)
-    return [RecordedRun(*read_strokes(place)) for place in places] if len(places) == len(names) else []
+    return [RecordedRun(*read_strokes(place), place) for place in places] if len(places) == len(names) else []
 
 
 def before_of(content: Simulated, run: str, beside: Sequence[RecordedRun]) -> list[RecordedRun]:

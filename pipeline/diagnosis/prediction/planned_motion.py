@@ -60,9 +60,9 @@ class Plan:
         remembers = any(known[id_].remembers_turns for id_ in acting if id_ in known)
         likely = dict.fromkeys([*acting, *(id_ for ids in self.tied for id_ in ids)])
         paced = [id_ for id_ in likely if id_ in known and known[id_].paced]
-        all_recorded = [each for each in (self.recorded, *self.beside) if each.strokes is not None]
+        all_recorded = [self.recorded, *self.beside]
         tables, strokes = [each.samples for each in all_recorded], [each.strokes for each in all_recorded]
-        recorded = Recorded(tables, cast(list[pd.DataFrame], strokes), self.run.system.driver)
+        recorded = Recorded(tables, strokes, self.run.system.driver)
         left = outside(self.run, self.samples, recorded, remembers, paced)
         return with_harder(left, self.run.system, self.samples, tables)
 
@@ -72,7 +72,7 @@ class Plan:
         samples = self.samples
         if self.after and self.recorded is not None:
             samples = continued(self.run.system, samples, self.recorded.samples, self.drawn)
-        problem = at_own_rate([*self.before, RecordedRun(self.run, samples)], thin=False, to_fit=False)
+        problem = at_own_rate([*self.before, RecordedRun.cut(self.run, samples)], thin=False, to_fit=False)
         if self.drawn:
             problem = replace(problem, drivers=replace(problem.drivers, drawn=True), _terms={})
         return problem
@@ -183,4 +183,4 @@ def recorded_beside(folder: Path, run: Run, content: Simulated, adopted: bool) -
     """
     runs: Any = (run.adopted[-1].runs if run.adopted else None) if adopted else content.get("run")
     others = [name for name in runs if name != run.run] if isinstance(runs, list) and run.run in runs else []
-    return [RecordedRun(*read_strokes(place)) for place in places_beside(folder, others)]
+    return [RecordedRun(*read_strokes(place), place) for place in places_beside(folder, others)]

@@ -42,8 +42,7 @@ def beginning(recorded: RecordedRun | None) -> Problem | None:
     span = np.maximum.accumulate(motion) - np.minimum.accumulate(motion)
     kept = int(np.searchsorted(span, COVERED * span[-1], side="right"))
     kept = max(kept + 1, int(np.searchsorted(time_s, time_s[0] + TARE_S, side="right")))
-    begun = RecordedRun(recorded.run, samples.iloc[:kept].reset_index(drop=True))
-    return at_own_rate([begun], thin=False, to_fit=False)
+    return at_own_rate([recorded.begun(kept)], thin=False, to_fit=False)
 
 
 def set_by(begun: Problem, content: Simulated, path: Path, run: str) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 from ...ground.kinematics import Array
 from ...run.course import Course, Recorded, longest_s
 from ...run.planned_limits import NEAR
-from ...run.strokes import label, of_samples
+from ...run.strokes import of_samples
 from .recorded_run import RecordedRun
 from .working_samples import PHASES, Record
 
@@ -45,8 +45,7 @@ def pauses(recorded: Sequence[RecordedRun]) -> dict[str, float]:
     """The longest hold and the longest rest of some runs, in s, at their own rate: as a planned motion is told them."""
     longest: dict[str, list[float]] = {"hold": [], "rest": []}
     for each in recorded:
-        time_s, motion = (each.samples[name].to_numpy() for name in ("time_s", each.run.system.driver))
-        phase = (label(time_s, motion) if each.strokes is None else of_samples(each.strokes))[1]
+        time_s, phase = each.samples["time_s"].to_numpy(), of_samples(each.strokes)[1]
         for name, lasted_s in longest.items():
             lasted_s.append(longest_s(time_s, phase == name))
     return {f"longest_{name}_s": max(lasted_s) for name, lasted_s in longest.items()}
@@ -55,12 +54,10 @@ def pauses(recorded: Sequence[RecordedRun]) -> dict[str, float]:
 def paces(recorded: Sequence[RecordedRun]) -> Paces:
     """The usual speeds of the slowest and the fastest stroke, and the highest speed of a moment, as a plan meets them.
 
-    In the motion's unit per second; nothing of runs that nobody cut into strokes.
+    In the motion's unit per second.
     """
-    cut = [each.strokes for each in recorded if each.strokes is not None]
-    if len(cut) < len(recorded):
-        return {}
-    known = Recorded([each.samples for each in recorded], cut, recorded[0].run.system.driver)
+    samples, strokes = [each.samples for each in recorded], [each.strokes for each in recorded]
+    known = Recorded(samples, strokes, recorded[0].run.system.driver)
     return {"strokes_per_s": [min(known.speeds), max(known.speeds)], "fastest_per_s": known.fastest}
 
 

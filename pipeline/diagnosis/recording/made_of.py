@@ -1,5 +1,7 @@
 """The recordings that a diagnosis was made of: the run's own, and those that lie beside it."""
 
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from ...ground.complaint import key_name, short
@@ -11,13 +13,15 @@ from ..document.content import Verdict
 from .recorded_run import RecordedRun
 
 
-def recordings_of(content: Verdict, place: Path, folder: Path) -> list[RecordedRun]:
+def recordings_of(content: Verdict, place: Path, folder: Path, held: Sequence[RecordedRun] = ()) -> list[RecordedRun]:
     """The recordings that a diagnosis at `place` was made of, in its order: of a run in `folder`, or beside it.
 
-    Raises BadInput for a diagnosis that names no run, and for a recording that is not there.
+    Those that are `held` already are not read again. Raises BadInput for a diagnosis that names no run, and for a
+    recording that is not there.
     """
     together = content.get("run", "")
     names = together if isinstance(together, list) else [together]
+    known = {each.folder.resolve(): each for each in held if each.folder}
     recorded = []
     for name in names:
         if not isinstance(name, str) or not RUN_NAME.fullmatch(name):
@@ -27,6 +31,8 @@ def recordings_of(content: Verdict, place: Path, folder: Path) -> list[RecordedR
         if not has_recording(made_of):
             problem = f"names {key_name(name)}, whose recording is not at {made_of}"
             raise BadInput(place, "run", problem, "put that run's folder beside the one that is simulated")
-        run, samples, strokes = read_strokes(made_of)
-        recorded.append(RecordedRun(run, samples, strokes, made_of))
+        read_before = known.get(made_of.resolve())
+        recorded.append(
+            replace(read_before, folder=made_of) if read_before else RecordedRun(*read_strokes(made_of), made_of)
+        )
     return recorded

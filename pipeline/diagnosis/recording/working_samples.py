@@ -10,7 +10,7 @@ from scipy.ndimage import median_filter
 
 from ...ground.kinematics import Array
 from ...run.spikes import despiked
-from ...run.strokes import label, of_samples
+from ...run.strokes import of_samples
 from ...systems import System
 from .recorded_run import RecordedRun
 
@@ -72,10 +72,10 @@ def means(time_s: Array, signal: Array, width: int) -> Array:
 
 def of_run(recorded: RecordedRun, width: int, index: int, stroke0: int) -> Record:
     """The record of one run, averaged over `width` samples; strokes are numbered on from `stroke0`."""
-    system, samples, strokes = recorded.run.system, recorded.samples, recorded.strokes
+    system, samples = recorded.run.system, recorded.samples
     time_s, turned = samples["time_s"].to_numpy(), samples[system.driver].to_numpy()
     motion = despiked(turned)
-    stroke, phase = label(time_s, turned) if strokes is None else of_samples(strokes)
+    stroke, phase = of_samples(recorded.strokes)
     phase_index = np.array([PHASES.index(name) for name in phase])
     nothing = pd.Series(np.zeros(len(samples)))
     load = despiked(samples.get(system.load, nothing).to_numpy())

@@ -15,9 +15,11 @@ from ...diagnosis.recording.working_samples import joined
 from ...diagnosis.study import engine
 from ...ground.kinematics import Array
 from ...run.description import Run
+from ...run.strokes import stretches
 from .filled_motion import Motion
 
-SAMPLES = ["time_s", "motor_turns", "displacement_mm", "load_n"]
+CHANNELS, CUT = ["time_s", "motor_turns", "displacement_mm", "load_n"], ["stroke", "phase"]
+SAMPLES = [*CHANNELS, *CUT]  # columns of a dataset that a problem is made of
 
 
 @dataclass(frozen=True)
@@ -71,9 +73,15 @@ class Holed(Problem):
         return replace(term, signal=operator)
 
 
+def recorded_of(run: Run, samples: pd.DataFrame) -> RecordedRun:
+    """Points of a dataset, columns `SAMPLES`, as a run in the strokes that its recording was cut into."""
+    cut = stretches(samples["stroke"].to_numpy(np.intp), samples["phase"].to_numpy(object))
+    return RecordedRun(run, samples[CHANNELS], cut)
+
+
 def plain(run: Run, samples: pd.DataFrame, started_s: float) -> Problem:
     """A simulator's problem for samples of any number, whose events are timed from `started_s`."""
-    record = joined([RecordedRun(run, samples)], len(samples))
+    record = joined([recorded_of(run, samples)], len(samples))
     # A point that is asked from before the training must not shift what was timed from its start.
     counted_s = samples["time_s"].to_numpy() - started_s
     drivers = replace(drivers_of(run.system, record, run), counted_s=counted_s)
@@ -83,7 +91,7 @@ def plain(run: Run, samples: pd.DataFrame, started_s: float) -> Problem:
 
 def along(run: Run, motion: Motion, started_s: float) -> Problem:
     """A simulator's problem along a motion, without readings."""
-    columns = {"time_s": motion.time_s, "motor_turns": motion.motor_turns, "load_n": motion.load_n}
+    columns = {each.name: getattr(motion, each.name) for each in fields(motion)}
     return plain(run, pd.DataFrame({**columns, "displacement_mm": 0.0}), started_s)
 
 
@@ -93,7 +101,7 @@ def holed(run: Run, samples: pd.DataFrame, without: frozenset[str]) -> Problem:
     The motion between the samples goes straight, as it does when the simulator is asked afterwards: what a mechanism
     listens to, such as a rate, must not differ between the two.
     """
-    problem = engine.make_problem([RecordedRun(run, samples)], most=len(samples), without=without)
+    problem = engine.make_problem([recorded_of(run, samples)], most=len(samples), without=without)
     motion = Motion.of(samples)
     whole = along(run, motion.evenly(motion.step_s), float(motion.time_s[0])).drivers
     drivers = HoledDrivers(**_held(problem.drivers), whole=whole)

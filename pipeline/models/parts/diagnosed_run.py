@@ -11,7 +11,7 @@ from ...diagnosis.fit.problem import Act, State
 from ...diagnosis.recording import drivers
 from ...ground.kinematics import Array
 from ...run.description import Run
-from .diagnosed_problem import along
+from .diagnosed_problem import CUT, along
 from .filled_motion import Motion, path
 
 ROUNDS = 6  # of way and twist; each brings the twist several times nearer
@@ -97,7 +97,7 @@ class Simulator:
         """What acts adds at asked points that the motor moved through `turns`, in mm, and its slope in mm a turn."""
         if not self.acts:
             return np.zeros(len(points)), np.zeros(len(points))
-        moved = points[["time_s", "load_n"]].assign(motor_turns=turns)
+        moved = points[["time_s", "load_n", *CUT]].assign(motor_turns=turns)
         even = Motion.of(pd.concat([moved, self.known])).evenly(self.motion.step_s)
         added_mm = self._along_mm(even, np.zeros_like(even.time_s))
         phase = 2.0 * np.pi * even.time_s / max(WAVE_S, LEAST_STEPS * self.motion.step_s)

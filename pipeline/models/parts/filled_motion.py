@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from scipy.signal import savgol_filter
 from sklearn.isotonic import IsotonicRegression
 
-from ...ground.kinematics import Array
+from ...ground.kinematics import Array, Places
+from ...run.strokes import Phases
 
 MOST_IN_A_GAP = 100  # steps: in a long pause nothing moves, and hours of it need no more samples
 SMOOTH_S, SMOOTHED = 0.5, 25  # time, and points of it, in which a motor's speed changes evenly
@@ -22,13 +23,16 @@ class Motion:
     time_s: Array
     motor_turns: Array
     load_n: Array
+    stroke: Places  # its number, as the dataset has it
+    phase: Phases
 
     @classmethod
     def of(cls, points: pd.DataFrame) -> "Motion":
         """The motion through points, one a time stamp: of several the first in the table."""
         _, first = np.unique(points["time_s"].to_numpy(float), return_index=True)
-        columns = (points[name].to_numpy(float)[first] for name in ("time_s", "motor_turns", "load_n"))
-        return cls(*columns)
+        time_s, turns, load_n = (points[name].to_numpy(float)[first] for name in ("time_s", "motor_turns", "load_n"))
+        stroke, phase = points["stroke"].to_numpy(np.intp)[first], points["phase"].to_numpy(object)[first]
+        return cls(time_s, turns, load_n, stroke, phase)
 
     @property
     def step_s(self) -> float:
@@ -38,7 +42,8 @@ class Motion:
     def evenly(self, step_s: float) -> "Motion":
         """The same motion with a point every step or a little less, straight between the points that it has.
 
-        A gap has the same samples whatever else is asked, so that a mechanism sees motion as dense as in its fit.
+        A gap has the same samples whatever else is asked, so that a mechanism sees motion as dense as in its fit. It
+        belongs to the stroke and the phase that it follows, as a stand does where a recording is cut.
         """
         span_s = self.time_s[-1] - self.time_s[0]
         even = np.linspace(self.time_s[0], self.time_s[-1], max(int(np.ceil(span_s / step_s)), 1) + 1)
@@ -47,7 +52,9 @@ class Motion:
         every = np.maximum(np.ceil(gap_s / (MOST_IN_A_GAP * step_s)), 1).astype(int)
         even = even[np.arange(len(even)) % every == 0]
         even = np.unique(np.concatenate([even, self.time_s[[0, -1]]]))
-        return Motion(even, *(np.interp(even, self.time_s, own) for own in (self.motor_turns, self.load_n)))
+        turns, load_n = (np.interp(even, self.time_s, own) for own in (self.motor_turns, self.load_n))
+        before = np.maximum(np.searchsorted(self.time_s, even, side="right") - 1, 0)
+        return Motion(even, turns, load_n, self.stroke[before], self.phase[before])
 
 
 def one_way(time_s: Array, turns: Array, weight: Array, rising: bool) -> Array:

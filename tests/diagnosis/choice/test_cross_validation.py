@@ -35,7 +35,7 @@ def test_the_smallest_that_foresees_as_well_stands_first_and_the_rest_stay(monke
 def test_true_mechanisms_predict_left_out_stretches_and_others_do_not(tmp_path):
     write_run(cases.make("mass-two", 312), tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
-    search = study(make_problem([RecordedRun(run, samples)])).search
+    search = study(make_problem([RecordedRun.cut(run, samples)])).search
     both = search.explain(("friction_hysteresis", "viscous_loss"))
     tried = [both, search.explain(("sensor_drift",)), search.nothing]
     true, false, nothing = cross_validation.left_out_errors(search.linear, tried)

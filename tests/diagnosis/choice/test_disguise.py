@@ -84,7 +84,7 @@ def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch)
     real = engine.judged
     monkeypatch.setattr(engine, "judged", judged)
     monkeypatch.setattr(calibrate, "refine", to_nothing)
-    found = engine.study(engine.make_problem([RecordedRun(run, samples)]))
+    found = engine.study(engine.make_problem([RecordedRun.cut(run, samples)]))
     assert found.verdict == "unknown" and not found.best_ids and not found.sets
 
 

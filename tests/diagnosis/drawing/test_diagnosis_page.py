@@ -245,7 +245,7 @@ def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_js
     wide = run.model_copy(update={"tolerance": sure})
     more = samples.assign(displacement_mm=1.05 * samples["displacement_mm"])  # 3 sigma of the gain are 1.5 %
     for one, table, bound in ((wide, more, "upper"), (run, samples, None)):
-        found = study(make_problem([RecordedRun(one, table)]))
+        found = study(make_problem([RecordedRun.cut(one, table)]))
         content = diagnosis(found, found.problem, None, [one], None, frozenset())
         assert content["parameters"]["scale"].get("at_bound") == bound
         far = [name for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= BOUND]
@@ -370,10 +370,10 @@ def test_the_figures_headline_says_that_nothing_is_to_be_adopted_where_the_verdi
 def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_that_nobody_uses(conceal) -> None:
     folder = conceal("creep")[0]
     run, samples = read_samples(folder)
-    first, _ = diagnosed([RecordedRun(run, samples, folder=folder)])
+    first, _ = diagnosed([RecordedRun.cut(run, samples, folder=folder)])
     adopted = [Adopted.model_validate(one) for one in adoptions(first, "a.json", run.run)]
     again = run.model_copy(update={"simulation": first["simulation"], "adopted": adopted})
-    verdict, studied = diagnosed([RecordedRun(again, samples, folder=folder)])
+    verdict, studied = diagnosed([RecordedRun.cut(again, samples, folder=folder)])
     assert verdict["verdict"] in ("consistent", "parameters")
     kept = figures.as_adopted(studied, verdict)
     assert kept is not None

@@ -8,7 +8,7 @@ from pipeline.diagnosis.drawing import driver_panels
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem
 from pipeline.rig.others import cases, made
-from pipeline.run.samples import read_samples
+from pipeline.run.samples import read_strokes
 
 PITCH_M = 0.0093
 
@@ -32,7 +32,7 @@ def drivers(tmp_path_factory):
     drawn_case = cases.make("mass-cogging", 21)
     folder = tmp_path_factory.mktemp("raw") / drawn_case.run["run"]
     made.write_run(drawn_case, folder)
-    return make_problem([RecordedRun(*read_samples(folder))]).drivers
+    return make_problem([RecordedRun(*read_strokes(folder))]).drivers
 
 
 def test_a_named_ripple_has_a_panel_of_one_period(drivers):

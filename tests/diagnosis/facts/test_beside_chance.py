@@ -16,7 +16,7 @@ def test_each_explanation_holds_the_jerks_and_the_best_is_as_likely_as_it_is_wit
     made = authors()["lattice"].make(Asked(900017, ("stick_slip",), (2.62,), "poor", ()))
     path = tmp_path / "jerky" / "run.yaml"
     run = parse_run({**made.content, "run": "jerky"}, path)
-    found = study(make_problem([RecordedRun(run, to_samples(run, made.table, path, path))]))
+    found = study(make_problem([RecordedRun.cut(run, to_samples(run, made.table, path, path))]))
     assert found.random and found.verdict == "ambiguous"
     entries = {tuple(entry["ids"]): entry for entry in explanations(found, "mm", 1.0)}
     assert all("stick_slip" in ids for ids in entries if ids)

@@ -21,7 +21,7 @@ def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
     """Whole steps leave .50, .89 and .89 V; the second is more than the nominal simulator leaves."""
     guess = np.exp(np.random.default_rng(seed).normal(0.0, 0.25, 6))
     run, samples = tanks.recorded(guess, seed)
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     base = calibrate.base(problem)
     assert left(problem, base) < 1.1 * tanks.NOISE_V < left(problem, problem.nominal())
     for one, value in zip(problem.parameters, base.values, strict=True):
@@ -31,7 +31,7 @@ def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
 def test_a_step_that_raises_the_misfit_is_made_shorter_and_one_that_cannot_be_is_not_made(monkeypatch):
     guess = np.exp(np.random.default_rng(5).normal(0.0, 0.25, 6))
     run, samples = tanks.recorded(guess, 5)
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     noise = white(1.0)
     good = calibrate.calibrate(problem, noise)
     assert gauss_newton.misfit_of(problem, noise, good) < gauss_newton.misfit_of(problem, noise, problem.nominal())

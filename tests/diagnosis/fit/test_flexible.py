@@ -22,7 +22,7 @@ DIRECTED = ("friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "st
 def rig(conceal):
     """The problem of a run, its calibrated state, and the rows that are held out."""
     run, samples = read_samples(conceal("friction_hysteresis")[0])
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     row = first_held_out(problem)
     return problem, base(problem.until(row)), problem.record.time_s >= problem.record.time_s[row]
 

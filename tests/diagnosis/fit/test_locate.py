@@ -31,7 +31,7 @@ def test_a_named_mechanism_that_refining_took_back_is_nowhere_and_stops_nothing(
     (entry,) = content["mechanisms"]
     assert entry["location"]["share"] == 0.0 and entry["rms_mm"]["value"] == 0.0
     assert "a strength of 0" in entry["sentence"] and content["simulation"] == []
-    content["evidence"]["covered"] |= pauses([RecordedRun(run, samples)])
+    content["evidence"]["covered"] |= pauses([RecordedRun.cut(run, samples)])
     assert "The search's first fit" in " ".join(
         details_text(content, found.problem.system, [Path("raw/run-0")]).split()
     )

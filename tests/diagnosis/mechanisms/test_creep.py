@@ -29,7 +29,7 @@ def of_runs(*loads_n: float) -> Problem:
         name = f"under-{load_n:g}-n"
         content = {"run": name, "actuator": "twisted_pair", "string": STRING, "rig": {"load_n": load_n}}
         table = pd.DataFrame({"time_s": TIME_S, "motor_turns": TURNS, "displacement_mm": 0.1 * TURNS, "load_n": load_n})
-        recorded.append(RecordedRun(parse_run(content, Path(name) / "run.yaml"), table))
+        recorded.append(RecordedRun.cut(parse_run(content, Path(name) / "run.yaml"), table))
     return engine.make_problem(recorded)
 
 

@@ -40,7 +40,7 @@ def wrapped(tmp_path_factory):
 
 def test_it_is_named_and_foretold_to_the_noise(wrapped):
     run, samples, lost = wrapped
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     found = study(problem)
     assert found.sets[0].ids == ("friction_hysteresis",)
     left = rms(problem.measured - problem.simulate(found.best))
@@ -50,7 +50,7 @@ def test_it_is_named_and_foretold_to_the_noise(wrapped):
 def test_the_same_loop_without_its_travel_leaves_more_than_twice_the_noise(wrapped, monkeypatch):
     monkeypatch.setattr(friction_hysteresis, "travelled", lambda drivers: {})
     run, samples, _ = wrapped
-    problem = make_problem([RecordedRun(run, samples)])
+    problem = make_problem([RecordedRun.cut(run, samples)])
     state, left = calibrate.base(problem), []
     for nonlinear in friction_hysteresis.candidates(problem.drivers):
         nothing = (0.0,) * len(friction_hysteresis.terms(problem.drivers, nonlinear))

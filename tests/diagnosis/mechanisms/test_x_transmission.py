@@ -20,7 +20,7 @@ def recorded(tmp_path, case, seed, added=lambda share: 0.0 * share):
     run, samples = read_samples(folder)
     angle = samples["motor_deg"].to_numpy()
     wrong_deg = added((angle - angle.min()) / np.ptp(angle))
-    return make_problem([RecordedRun(run, samples.assign(jaw_deg=samples["jaw_deg"] + wrong_deg))])
+    return make_problem([RecordedRun.cut(run, samples.assign(jaw_deg=samples["jaw_deg"] + wrong_deg))])
 
 
 def wavy(share):

@@ -27,7 +27,7 @@ def learnt(folder: Path) -> tuple[dict, pd.DataFrame, int]:
     """The diagnosis of a run's first strokes, all of its samples, and how many of them were in those."""
     run, samples, strokes = read_strokes(folder)
     last = int(strokes.loc[strokes["stroke"] == LEARNT, "last_sample"].max())
-    content, _ = diagnosed([RecordedRun(run, samples.iloc[: last + 1].reset_index(drop=True), folder=folder)])
+    content, _ = diagnosed([RecordedRun.cut(run, samples.iloc[: last + 1].reset_index(drop=True), folder=folder)])
     return json.loads(json.dumps(content)), samples, last + 1
 
 
@@ -46,7 +46,7 @@ def test_nine_of_ten_readings_that_no_fit_has_seen_lie_in_the_band(conceal, cree
     folder = conceal(kind, kappa=3.0)[0]
     content, samples, seen = creep[1:] if kind == "creep" else learnt(folder)
     run = read_strokes(folder)[0]
-    problem = at_own_rate([RecordedRun(run, samples.assign(displacement_mm=0.0))], thin=False, to_fit=False)
+    problem = at_own_rate([RecordedRun.cut(run, samples.assign(displacement_mm=0.0))], thin=False, to_fit=False)
     width = band(problem, content, folder, run.run)
     off = np.abs(samples["displacement_mm"].to_numpy() - tared(problem, content, folder, run.run))[seen:]
     for doubt in (doubt for doubt in content["uncertainty"] if "id" in doubt):
@@ -111,7 +111,7 @@ def test_that_others_are_likely_is_a_warning_only_where_not_each_has_its_column(
 def test_a_doubt_of_one_dimension_moves_the_band_by_what_that_dimension_moves(creep):
     folder, content, samples, _ = creep
     run = read_strokes(folder)[0]
-    problem = at_own_rate([RecordedRun(run, samples)], thin=False, to_fit=False)
+    problem = at_own_rate([RecordedRun.cut(run, samples)], thin=False, to_fit=False)
     content = content | {"uncertainty": [{"name": "radius_mm", "moves": [0.0, 0.001]}]}
     width = band(problem, content, folder, run.run)
     moved = json.loads(json.dumps(content))
@@ -138,7 +138,7 @@ def test_a_doubt_of_one_dimension_moves_the_band_by_what_that_dimension_moves(cr
 def test_a_diagnosis_of_another_form_is_refused_by_its_field(creep, tmp_path, field, wrong):
     folder, content, samples, _ = creep
     run, path = read_strokes(folder)[0], tmp_path / "diagnosis.json"
-    problem = at_own_rate([RecordedRun(run, samples)], thin=False, to_fit=False)
+    problem = at_own_rate([RecordedRun.cut(run, samples)], thin=False, to_fit=False)
     with pytest.raises(BadInput, match=rf"{path}: {field}: .* Mend: give a diagnosis.json as it was made"):
         band(problem, content | {field: wrong}, path, run.run)
         curves(problem, content | {field: wrong}, path, run.run)
@@ -251,7 +251,7 @@ def test_after_the_recorded_motion_the_plan_goes_on_from_the_state_that_it_left(
     assert done.returncode == 0 and len(answer) == len(later) == len(fresh), done.stderr
     assert answer["time_s"].iloc[0] == 0.0 and answer["low_mm"].notna().any()
     run = read_strokes(folder)[0]
-    whole = at_own_rate([RecordedRun(run, samples)], thin=False, to_fit=False)
+    whole = at_own_rate([RecordedRun.cut(run, samples)], thin=False, to_fit=False)
     truth = tared(whole, content, path, run.run)[seen:]
     expected = float(np.sqrt(np.mean((fresh["displacement_mm"] - truth) ** 2)))
     assert np.abs(answer["displacement_mm"] - truth).max() < 0.1 * expected, "as one simulation of both"
@@ -295,7 +295,7 @@ def test_what_was_adopted_takes_its_band_from_the_diagnosis_while_that_is_there(
 def jam(conceal):
     """The run with a jam in it, what was found of it, and how."""
     folder = conceal("jam", kappa=3.0)[0]
-    content, study = diagnosed([RecordedRun(*read_strokes(folder)[:2])])
+    content, study = diagnosed([RecordedRun(*read_strokes(folder))])
     return folder, json.loads(json.dumps(content)), study
 
 

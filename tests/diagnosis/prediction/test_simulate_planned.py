@@ -356,7 +356,7 @@ def test_a_plan_that_does_what_each_mend_says_is_inside(make_run, paced):
 def test_half_the_speed_that_a_verdict_foretells_a_loop_at_is_inside(make_run):
     run, recorded, _ = two_speeds(make_run)
     (samples,) = recorded.samples
-    half = 0.5 * Rig(at_own_rate([RecordedRun(run, samples)], thin=True, to_fit=False).record).speed
+    half = 0.5 * Rig(at_own_rate([RecordedRun.cut(run, samples)], thin=True, to_fit=False).record).speed
     assert not outside(run, triangle(0.95 * recorded.ends[1], half), recorded).asks
 
 

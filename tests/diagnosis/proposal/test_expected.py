@@ -22,7 +22,7 @@ from pipeline.diagnosis.words.named.missing_signs import missing
 from pipeline.diagnosis.words.next_run.after_adopting import of_adopted
 from pipeline.diagnosis.words.pages.adoption import adopted_predictions
 from pipeline.diagnosis.words.pages.details import details_text
-from pipeline.run.samples import read_samples
+from pipeline.run.samples import read_strokes
 
 WORDS = Vocabulary.of(SYSTEMS["mm"])
 BOTH = ["friction_hysteresis", "creep"]
@@ -40,7 +40,7 @@ def details(made: dict) -> str:
 
 def foretold(conceal, kind: str, rich: bool = True) -> list[dict]:
     """What each explanation of a recording with one effect foretells, the best one first."""
-    made, _ = diagnosed([RecordedRun(*read_samples(conceal(kind, kappa=3.0, rich=rich)[0]))])
+    made, _ = diagnosed([RecordedRun(*read_strokes(conceal(kind, kappa=3.0, rich=rich)[0]))])
     assert [entry["id"] for entry in made["mechanisms"]] == [kind]
     known = made["evidence"]["expected"]["explanations"]
     assert known[0]["ids"] == [kind] and len(known) > 1

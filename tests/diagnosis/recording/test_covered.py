@@ -12,7 +12,6 @@ from pipeline.diagnosis.recording.working_samples import PHASES, Record
 from pipeline.run.course import Recorded
 from pipeline.run.description import parse_run
 from pipeline.run.outside import outside
-from pipeline.run.strokes import segment
 
 RIG = {"actuator": "twisted_pair", "rig": {"load_n": 20.0}}
 STRING = {"material": "Z", "radius_mm": 0.4, "length_mm": 300.0, "stiffness_n_per_mm": 50.0}
@@ -44,14 +43,14 @@ def test_loads_and_speeds_are_those_that_were_made():
 
 
 def runs(*lengths_s: float) -> list[RecordedRun]:
-    """A run for each length, whose rests and holds last so long; the first alone was cut into strokes."""
+    """A run for each length, whose rests and holds last so long."""
     made = []
     for lasts_s in lengths_s:
         corners_s = np.cumsum([0.0, lasts_s, 5.0, 0.6 * lasts_s, 5.0, 2.0])
         time_s = np.arange(0.0, corners_s[-1], 0.02)
         turns = np.interp(time_s, corners_s, [0.0, 0.0, 20.0, 20.0, 0.0, 0.0])
         table = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "displacement_mm": 0.0})
-        made.append(RecordedRun(RUN, table, None if made else segment(table, "motor_turns", "it")))
+        made.append(RecordedRun.cut(RUN, table))
     return made
 
 

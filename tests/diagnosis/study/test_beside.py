@@ -24,7 +24,7 @@ def recorded(tmp_path, case, seed, size_deg=0.0):
     run, samples = read_samples(folder)
     share = (samples["motor_deg"] - samples["motor_deg"].min()) / np.ptp(samples["motor_deg"])
     wrong_deg = size_deg * np.sin(3.0 * np.pi * share + 0.4)
-    return folder, RecordedRun(run, samples.assign(jaw_deg=samples["jaw_deg"] + wrong_deg))
+    return folder, RecordedRun.cut(run, samples.assign(jaw_deg=samples["jaw_deg"] + wrong_deg))
 
 
 def names(study):

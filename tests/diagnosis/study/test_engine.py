@@ -13,7 +13,7 @@ from pipeline.run.samples import read_samples
 
 def verdict(folder) -> tuple[str, tuple[str, ...]]:
     run, samples = read_samples(folder)
-    found = study(make_problem([RecordedRun(run, samples)]))
+    found = study(make_problem([RecordedRun.cut(run, samples)]))
     return found.verdict, found.best_ids
 
 
@@ -73,7 +73,7 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
 def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
     run, samples = read_samples(conceal(seed=31)[0])
     sway = samples.assign(displacement_mm=samples["displacement_mm"] + 0.1 * np.sin(4.1 * samples["time_s"]))
-    found = study(make_problem([RecordedRun(run, sway)]))
+    found = study(make_problem([RecordedRun.cut(run, sway)]))
     assert found.verdict == "unknown" and found.best_ids == ("x_wave",)
 
 
@@ -86,7 +86,7 @@ def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(ki
 
 def test_nothing_acts_twice_in_an_explanation_whose_jerks_are_seen_as_well(conceal) -> None:
     run, samples = read_samples(conceal("stick_slip", kappa=3.0, seed=5)[0])
-    found = study(make_problem([RecordedRun(run, samples)]))
+    found = study(make_problem([RecordedRun.cut(run, samples)]))
     assert "stick_slip" in found.best_ids
     assert len(found.best.acts) == len({act.id for act in found.best.acts})
 
@@ -100,5 +100,5 @@ def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
 
     monkeypatch.setattr(Search, "select", fickle)
     run, samples = read_samples(conceal("creep")[0])
-    found = study(make_problem([RecordedRun(run, samples)]))
+    found = study(make_problem([RecordedRun.cut(run, samples)]))
     assert len(calls) == 2 and found.sets == [] and found.best is found.base and found.verdict == "unknown"

@@ -12,13 +12,13 @@ from pipeline.diagnosis.study.own_rate import to_score
 from pipeline.diagnosis.study.single_floor import single_floor
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
-from pipeline.run.samples import read_samples
+from pipeline.run.samples import read_strokes
 
 
 @pytest.mark.parametrize(("case", "ending", "step_s"), [("cable-nothing", "deg", 0.02), ("mass-nothing", "n", 0.01)])
 def test_a_drive_tells_the_noise_of_single_samples_and_over_how_long_it_averages(tmp_path, case, ending, step_s):
     write_run(cases.make(case, 3), tmp_path / "a-01")
-    recorded = [RecordedRun(*read_samples(tmp_path / "a-01"))]
+    recorded = [RecordedRun(*read_strokes(tmp_path / "a-01"))]
     problem, fine = make_problem(recorded), to_score(recorded)
     state = calibrate.base(problem)
     averages = float(np.std(fine.measured - fine.simulate(state)))

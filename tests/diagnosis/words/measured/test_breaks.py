@@ -34,7 +34,7 @@ def run_of(name: str, seed: int, lost_turns: float = 0.0, lost_at_s: float = -1.
     table = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "displacement_mm": reading_mm, "load_n": 20.0})
     described = content(name)
     described["string"] |= {"id": "spool-3", "strokes_before": 4 * (seed - 1)}
-    return RecordedRun(parse_run(described, Path(name) / "run.yaml"), table)
+    return RecordedRun.cut(parse_run(described, Path(name) / "run.yaml"), table)
 
 
 def verdict_of(second: RecordedRun):

@@ -1,0 +1,36 @@
+"""Whether what came before a fault can be used, by a reading of the run that all who tell of it share."""
+
+import io
+from contextlib import redirect_stderr
+from functools import cache
+from pathlib import Path
+
+from ..ground.counts import counted
+from ..ground.errors import BadInput
+from ..string.from_raw import read
+from ..string.history import Recorded
+from ..string.jumps_beside import Reader
+
+
+def once(folder: Path) -> Reader:
+    """A reader of runs that reads and cuts the run in `folder` once, and keeps no other."""
+    own = cache(read)
+
+    def reader(place: Path) -> Recorded:
+        return own(place) if place == folder else read(place)
+
+    return reader
+
+
+def strokes_of_use(folder: Path, reader: Reader) -> int:
+    """Say of a run that a fault ended whether its samples can be used, and why not; how many strokes, or 0."""
+    try:
+        with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
+            recorded = reader(folder)
+    except BadInput as error:
+        print(f"{error} Until then nothing can use this run.")
+        return 0
+    count = int(recorded.strokes["stroke"].max())
+    kept = f"{counted(len(recorded.table), 'sample')} in {counted(count, 'stroke')}"
+    print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")
+    return count
