@@ -121,7 +121,7 @@ def asked(case: Case, made: Sequence[Recording]) -> tuple[dict[str, Any], Study,
         string = content["string"] | {"id": "one", "strokes_before": before}
         path = Path(f"run-{number}/run.yaml")
         run = parse_run({**content, "run": f"run-{number}", "string": string}, path)
-        runs.append(RecordedRun(run, to_samples(run, table, path, path)))
+        runs.append(RecordedRun.cut(run, to_samples(run, table, path, path)))
         before += strokes(table["motor_turns"].to_numpy())
     by = None if case.author == RIG else judge(JUDGES / f"without_{case.author}.json")
     content, found = diagnosed(runs, by=by)

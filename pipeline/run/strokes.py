@@ -89,9 +89,10 @@ def of_samples(strokes: pd.DataFrame) -> tuple[Places, Phases]:
 
 
 def stretches(stroke: Places, phase: Phases) -> pd.DataFrame:
-    """The strokes of samples of which each has its number and its phase: what `of_samples` gives back.
+    """The strokes of samples whose stroke and phase are known: what `of_samples` gives back.
 
-    Both of shape (samples,). A row each stretch, its columns those of `schemas.STROKES` that need no motion.
+    The number of a sample's stroke is a count, its phase a word; both of shape (samples,). One row for each stretch,
+    with the columns of `schemas.STROKES` that need no motion.
     """
     change = np.append(True, (np.diff(stroke) != 0) | (phase[1:] != phase[:-1]))[: len(stroke)]
     first = np.flatnonzero(change)

@@ -1,5 +1,6 @@
 """A long recording is refitted to averages, and scored on every second, third, … of its own samples."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -48,7 +49,7 @@ def test_a_system_that_follows_derivatives_is_scored_on_all_it_has(monkeypatch):
     monkeypatch.setattr(own_rate, "SCORED_SAMPLES", 10)
     monkeypatch.setattr(own_rate, "at_own_rate", lambda runs: asked.append(len(runs[0].samples)))
     run = type("Told", (), {"system": followers[0]})()
-    own_rate.to_score([RecordedRun.cut(run, recorded())])  # type: ignore[arg-type]
+    own_rate.to_score([replace(RecordedRun.cut(described(), recorded()), run=run)])  # type: ignore[arg-type]
     assert asked == [ROWS]
 
 

@@ -23,8 +23,8 @@ class Motion:
     time_s: Array
     motor_turns: Array
     load_n: Array
-    stroke: Places  # its number, as the dataset has it
-    phase: Phases
+    stroke: Places  # its number in the dataset, a count
+    phase: Phases  # a word
 
     @classmethod
     def of(cls, points: pd.DataFrame) -> "Motion":
