@@ -24,7 +24,7 @@ class Motion:
     motor_turns: Array
     load_n: Array
     stroke: Places  # its number in the dataset, a count
-    phase: Phases  # a word
+    phase: Phases  # a word, without a unit
 
     @classmethod
     def of(cls, points: pd.DataFrame) -> "Motion":
