@@ -33,6 +33,7 @@ from .ground.outputs import file_to_write
 from .ground.parser import Parser
 from .models.interface import about, usual
 from .models.parts.bad_rows import reason, refusal
+from .models.parts.configured import configured, fitting
 from .models.parts.foreseen import GIVEN
 from .models.parts.prediction_intervals import Intervals, TooFew
 from .models.parts.question_points import ASKED, EITHER, Questions, by_known, read_questions
@@ -42,7 +43,7 @@ from .models.parts.rolling_origin import last_strokes
 from .models.parts.saved_files import check_own, datasets, listed
 from .models.parts.thinned import thinned
 from .models.parts.unanswered import first_of, reasons
-from .stages.train import configured, fitting, seed
+from .stages.train import seed
 
 
 def answers(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:

@@ -13,8 +13,8 @@ from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..ground.outputs import file_to_write, folder_to_write
 from ..ground.parser import Parser
+from ..models.parts.divided import SPLITS
 from ..models.parts.saved_files import listed
-from ..stages.train import SPLITS
 from . import closing_words
 from .all_points import fitted_to_all
 from .c_header import header

@@ -6,9 +6,9 @@ from pathlib import Path
 from ..ground import schemas
 from ..ground.given_table import opened as opened_table
 from ..models.interface import settings_of
+from ..models.parts.configured import configured, fitting
 from ..models.parts.settings import values
 from ..models.parts.thinned import thinned
-from ..stages.train import configured, fitting
 from .source import Beside, dataset_of, opened
 
 STEM = "all-0"  # of the file that is written beside the saved model

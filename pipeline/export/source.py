@@ -14,10 +14,10 @@ from ..ground.given_table import opened as opened_table
 from ..models.interface import Model, StringsApart, about, make_model
 from ..models.interface import names as models_there
 from ..models.parts.box import Box
+from ..models.parts.divided import SPLITS, divided
 from ..models.parts.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import dataset_beside, in_words
-from ..stages.train import SPLITS, divided
 from .facts import zeroed_runs
 from .held_out import errors_of
 from .inputs import Inputs

@@ -9,9 +9,9 @@ import pandas as pd
 from ..ground import schemas
 from ..ground.errors import BadInput
 from ..models.interface import Model, names
+from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS
 from ..stages.dataset import make_dataset
-from ..stages.train import configured, fitting
 from .recording import Recording
 
 

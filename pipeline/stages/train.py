@@ -3,38 +3,22 @@
 import argparse
 import logging
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
-from pydantic import ValidationError
 
 from ..ground import schemas
 from ..ground.command import HOUSE, command
-from ..ground.errors import BadInput, program
+from ..ground.errors import program
 from ..ground.given_table import opened
 from ..ground.outputs import file_to_write
-from ..models.interface import Model, make_model, names, settings_of
+from ..models.interface import Model
+from ..models.parts.configured import configured, fitting
+from ..models.parts.divided import SPLITS, divided
 from ..models.parts.saved import write_bytes
-from ..models.parts.settings import Refused, refusal, shown, told
-
-SPLITS = ("within", "later")
-
-
-def divided(dataset: pd.DataFrame, split: str, source: Path | str) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Training and held-out points of a split, with their row numbers in the dataset as index.
-
-    Both are empty for a split that the dataset leaves out. Raises BadInput, naming the source, when one is.
-    """
-    dataset = dataset.reset_index(drop=True)
-    train, test = (dataset[dataset[split] == part] for part in ("train", "test"))
-    for part, points in (("train", train), ("test", test)):
-        if points.empty and (dataset[split] != "").any():
-            raise BadInput(source, split, f'no point is "{part}"', "use the other split, or record more strokes")
-    return train, test
+from ..models.parts.settings import shown
 
 
 def predictions(model: Model, test: pd.DataFrame) -> pd.DataFrame:
@@ -54,31 +38,6 @@ def predictions(model: Model, test: pd.DataFrame) -> pd.DataFrame:
     if lost:
         raise ArithmeticError(f"{lost} of {len(table)} predictions are not finite")
     return table
-
-
-def configured(name: str, settings: str) -> Model:
-    """The unfitted model of a name with settings given as a JSON object; raises BadInput for what it refuses."""
-    if name not in names():
-        problem = f"is no file of {HOUSE}/models that has a MODEL"
-        raise BadInput("--model", shown(name) or '""', problem, f"choose one of {', '.join(names())}")
-    try:
-        given = told(settings)
-        try:
-            return make_model(name, **given)
-        except (TypeError, ValidationError) as error:
-            raise refusal(error, settings_of(name), given) from error
-    except Refused as error:
-        raise BadInput("--settings", f"{name}.{error.field}", error.problem, error.mend) from error
-
-
-@contextmanager
-def fitting(name: str) -> Iterator[None]:
-    """Raise BadInput for a fit, or an answer of it, in which numbers overflow or equations have no solution."""
-    try:
-        yield
-    except (ArithmeticError, np.linalg.LinAlgError) as error:
-        mend = "lower its rate or its size in --settings, or take another model; see whether the points are all alike"
-        raise BadInput("--model", name, f"cannot be fitted to these points: {error}", mend) from error
 
 
 def seed(text: str) -> int:

@@ -18,7 +18,7 @@ from pipeline.export.interface import names as exported
 from pipeline.ground import schemas, seal
 from pipeline.ground.errors import BadInput
 from pipeline.models.interface import make_model, names, settings_of
-from pipeline.stages.train import configured
+from pipeline.models.parts.configured import configured
 
 HURTS, COMMANDS, SETTINGS = 130, 170, 900  # of each kind of model, of each program, of all models
 STRANGE = [

@@ -11,8 +11,10 @@ import pytest
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.kinematics import Geometry
+from pipeline.models.parts.configured import configured
+from pipeline.models.parts.divided import divided
 from pipeline.models.parts.saved import read_bytes, read_json
-from pipeline.stages.train import configured, divided, main, predictions
+from pipeline.stages.train import main, predictions
 
 
 def table(points: int = 40) -> pd.DataFrame:

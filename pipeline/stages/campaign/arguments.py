@@ -7,7 +7,8 @@ import pandas as pd
 
 from ...ground.given_table import opened
 from ...ground.outputs import file_to_write
-from ..train import configured, seed
+from ...models.parts.configured import configured
+from ..train import seed
 from .points import SCHEMA
 
 

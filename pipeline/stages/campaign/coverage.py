@@ -9,8 +9,8 @@ from ...ground import schemas
 from ...ground.errors import BadInput, program
 from ...ground.progress import steps
 from ...models.interface import make_model
+from ...models.parts.configured import fitting
 from ...models.parts.prediction_intervals import Intervals, TooFew
-from ..train import fitting
 from .arguments import parser, points_of
 from .tables import COVERAGE
 

@@ -11,7 +11,7 @@ from ...ground import schemas
 from ...ground.errors import BadInput, program
 from ...ground.progress import steps
 from ...models.interface import Model, about, make_model
-from ..train import fitting
+from ...models.parts.configured import fitting
 from .adapt import Adaptation
 from .arguments import parser, points_of
 from .tables import FEW_SHOT
