@@ -11,8 +11,9 @@ from ..mechanisms.library import mechanisms
 
 def suggested(problem: Problem, state: State) -> dict[str, list[Nonlinear]]:
     """Candidates that what a state leaves makes plausible, by mechanism."""
-    residual = (problem.measured - problem.simulate(state))[: problem.rows]
-    return {id_: mechanism.suggest(problem.drivers, residual) for id_, mechanism in problem.library.items()}
+    predicted = problem.simulate(state)[: problem.rows]
+    residual = problem.measured[: problem.rows] - predicted
+    return {id_: mechanism.suggest(problem.drivers, residual, predicted) for id_, mechanism in problem.library.items()}
 
 
 def catalogue(problem: Problem, more: dict[str, list[Nonlinear]]) -> dict[str, list[Nonlinear]]:

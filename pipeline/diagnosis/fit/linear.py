@@ -49,7 +49,7 @@ class Linear(Products):
     ) -> None:
         self.problem, self.state, self.noise, self.catalogue = problem, state, noise, dict(catalogue)
         rows = self.rows = problem.rows
-        tangent = linearised(problem, state)
+        tangent = linearised(problem, state, unclipped=bool(set(catalogue) - {act.id for act in state.acts}))
         clips = any(mechanisms()[id_].clips for id_ in catalogue)
         bare = untouched(problem, tangent) if clips else tangent
         more = sum(map(len, (deviations or {}).values())) + (0 if extra is None else len(extra))

@@ -6,7 +6,8 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ..mechanisms.interface import Term
-from .problem import Problem, State
+from ..mechanisms.library import mechanisms
+from .problem import Act, Problem, State
 
 STEPS = {"twist": 1e-4, "radius": 1e-5, "length": 1e-3, "resistance": 1e-3}  # of what acts at a port
 
@@ -25,10 +26,16 @@ class Linearised:
     slopes: dict[str, Array]
 
 
-def linearised(problem: Problem, state: State) -> Linearised:
-    """A simulator at a state, and how its reading moves with whatever may move it; what it costs is paid once."""
+def linearised(problem: Problem, state: State, unclipped: bool = False) -> Linearised:
+    """A simulator at a state, and how its reading moves with whatever may move it; what it costs is paid once.
+
+    `unclipped`: as if no stop acted. Behind a stop nothing moves the reading, so its rivals would seem to do nothing.
+    """
     added, operators = problem.ports(state.acts)
     clean = problem.simulated(state.values, added)
+    predicted = problem.read(clean, added, operators) + state.zeros[problem.record.run_index]
+    if unclipped:
+        operators = problem.ports(tuple(act for act in state.acts if not clips(problem, act)))[1]
     before, nothing = problem.read(clean, added, operators), np.zeros(len(clean))
     slopes = {"sensor": np.ones_like(before)}
     known: dict[tuple[str, float], Array] = {}  # two ports may be one place of the system
@@ -44,7 +51,12 @@ def linearised(problem: Problem, state: State) -> Linearised:
         step = 1e-3 * problem.parameters[index].sigma
         values[index] += step
         slopes[problem.parameters[index].name] = (problem.reading(values, added, operators) - before) / step
-    return Linearised(state, clean, before + state.zeros[problem.record.run_index], slopes)
+    return Linearised(state, clean, predicted, slopes)
+
+
+def clips(problem: Problem, act: Act) -> bool:
+    """Whether an act cuts the reading, and is no part of the simulator."""
+    return mechanisms()[act.id].clips and act not in problem.included
 
 
 def untouched(problem: Problem, at: Linearised) -> Linearised:

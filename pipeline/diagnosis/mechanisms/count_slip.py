@@ -16,7 +16,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     return [*slips(drivers), {"at_s": -1.0, "within_s": 0.0}] if drivers.levered else []
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """Where a residual jumps. It has the shape (samples,), in the reading's unit."""
     return slips_seen(drivers, residual) if drivers.levered else []
 

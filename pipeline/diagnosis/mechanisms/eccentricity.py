@@ -32,7 +32,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     ]  # fmt: skip
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """Pitches at the strongest line of a residual's spectrum over the place, where nothing is known to turn.
 
     It has the shape (samples,), in the reading's unit.

@@ -11,6 +11,8 @@ UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may str
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins
 LEAST_HELD = 0.7  # a stop holds all of what lies beyond it, but for calibration; what gives way is no stop
 TOP, FEWEST = 95.0, 20  # percentile of the reading above which it is highest; moving samples there
+BELOW = (0.0, 0.001, 0.002, 0.004, 0.007, 0.011)  # of the range of the reading: how far a stop lies below its highest
+HIGHEST = 99.7  # percentile of the reading that counts as its highest
 LOWER = np.linspace(0.01, 0.3, 14)  # of the nominal range: where a stop at its low end may lie
 
 
@@ -22,6 +24,21 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
         {"stop_mm": float(f"{low + share * (high - low):.6g}"), "side": side, "soft_mm": float(f"{soft:.6g}")}
         for share, side in places
         for soft in ((0.0, SOFT * (high - low)) if drivers.levered else (0.0,))
+    ]
+
+
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
+    """Stops just below the highest reading: one that holds a thousandth of the range lies between those of a grid.
+
+    Residual and prediction have the shape (samples,), in the reading's unit.
+    """
+    if not drivers.levered:
+        return []
+    reading = predicted + residual
+    low, high = np.percentile(reading, [100.0 - HIGHEST, HIGHEST])
+    return [
+        {"stop_mm": float(f"{high - share * (high - low) - predicted[0]:.6g}"), "side": 1.0, "soft_mm": 0.0}
+        for share in BELOW
     ]
 
 
@@ -73,6 +90,7 @@ MECHANISM = Mechanism(
     details=("the stop is {stop_mm} from where the recording begins",),
     clips=True,
     candidates=candidates,
+    suggest=suggest,
     terms=terms,
     mark=mark,
 )

@@ -46,7 +46,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     return [*stretch, *plays]
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """Dry friction that changes along the travel, where the reading follows derivatives and such friction shows.
 
     The residual has the shape (samples,), in the reading's unit.

@@ -97,7 +97,7 @@ class Mechanism:
     derived: dict[str, Callable[[Nonlinear], float]] = field(default_factory=dict)  # of all parameters, by their names
     optional: tuple[str, ...] = ()  # nonlinear parameters that a recording may have no use for: `terms` does without
     units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
-    suggest: Callable[[Drivers, Array], list[Nonlinear]] = lambda drivers, residual: []
+    suggest: Callable[[Drivers, Array, Array], list[Nonlinear]] = lambda drivers, residual, predicted: []
     tells: Callable[[Drivers, Nonlinear], bool] = lambda drivers, nonlinear: True  # whether it can be seen
     beside: Callable[[Drivers], list[Nonlinear]] = lambda drivers: []
     random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None

@@ -6,6 +6,10 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import hinge
 
+ONSETS = np.linspace(0.5, 0.98, 17)  # of the highest twist
+LATE_ONSETS = (0.965, 0.985, 0.992)  # the same, where only the last turn jams: strands that touch do so within it
+SOFTNESSES, LATE_SOFTNESSES = (0.01, 0.04, 0.1), (0.002, 0.01)  # of the highest twist
+
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Critical twist in turns, and how softly it begins (of the range); none without a string to wind."""
@@ -14,8 +18,9 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     top = float(np.percentile(drivers.motion, 99.9))
     return [
         {"critical_turns": float(f"{share * top:.6g}"), "softness_turns": float(f"{soft * top:.6g}")}
-        for share in np.linspace(0.5, 0.98, 17)
-        for soft in (0.01, 0.04, 0.1)
+        for shares, softnesses in ((ONSETS, SOFTNESSES), (LATE_ONSETS, LATE_SOFTNESSES))
+        for share in shares
+        for soft in softnesses
     ]
 
 

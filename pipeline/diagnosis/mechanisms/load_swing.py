@@ -11,6 +11,7 @@ from .shared_laws import pulled_in
 
 # length of its stretches; bins of its background; times that; lines: of the spectrum that tells where a residual rings
 STRETCH_S, AROUND, RINGING, MOST = 20.0, 31, 4.0, 3
+LEAKS = 4  # bins, into which a line leaks
 NEAR = (0.98, 1.0, 1.02)  # of a line's frequency
 LOWEST_HZ, LOWEST_STIFF_HZ = 0.4, 3.0  # of a load that hangs on a string; of what a stiff drive moves
 
@@ -27,7 +28,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     ]
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """Frequencies at which a residual rings: the strongest lines of its spectrum, and the first two together.
 
     It has the shape (samples,), in the reading's unit.
@@ -43,8 +44,8 @@ def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
         peak = int(np.argmax(height))
         if height[peak] < RINGING:
             break
-        peaks.append(float(hz[peak]))
-        height[np.abs(hz - hz[peak]) < 0.12 * hz[peak]] = 0.0
+        peaks.append(_nearer(residual, drivers.step_s, float(hz[peak]), step_hz))
+        height[np.abs(hz - hz[peak]) < max(0.12 * hz[peak], LEAKS * step_hz)] = 0.0
     suggested: list[Nonlinear] = []
     for peak_hz in peaks:
         for share in NEAR:
@@ -54,6 +55,17 @@ def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
         both = {"frequency_hz": float(f"{peaks[0]:.6g}"), "second_hz": float(f"{peaks[1]:.6g}"), "heavy_slow": 0.0}
         suggested += [{**both, "damping": damping} for damping in (0.015, 0.04, 0.1)]
     return suggested
+
+
+def _nearer(residual: Array, step_s: float, hz: float, step_hz: float) -> float:
+    """The strongest line of the whole residual's spectrum within a bin of its stretches' spectrum, in Hz.
+
+    A swing that dies slowly keeps its beat for longer than a stretch. The residual has the shape (samples,), in mm.
+    """
+    power = np.square(np.abs(np.fft.rfft(residual * np.hanning(len(residual)))))
+    lines_hz = np.fft.rfftfreq(len(residual), step_s)
+    near = np.abs(lines_hz - hz) <= step_hz
+    return float(lines_hz[near][np.argmax(power[near])])
 
 
 def ringing(residual: Array, time_s: Array) -> tuple[Array, float]:

@@ -9,8 +9,8 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import hinge
 
-LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of the coil's loop
-BORN = (0.15, 0.5, 0.85)  # of the way from the critical to the highest twist: where more coils are born
+LOOPS = (0.02, 0.045, 0.08, 0.12)  # of the highest twist: half-widths of the coil's loop
+BORN = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85)  # of the way from the critical to the highest twist: where more coils are born
 SLOWLY_S = 1.0  # in which coils come over a barrier
 SPREAD = (-2.0, -1.0, 0.0, 1.0, 2.0)  # softnesses about the critical twist at which coils form
 
@@ -47,7 +47,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
         all_terms.append(Term(f"coiled_{loop:g}_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn"))
         for born in BORN:
             at = critical + born * (nonlinear["top_turns"] - critical)
-            width = 0.1 * (nonlinear["top_turns"] - critical)
+            width = 0.03 * (nonlinear["top_turns"] - critical)
             born_share = np.mean([relay(drivers.motion, at + apart * width, memory) for apart in SPREAD], axis=0)
             all_terms.append(Term(f"born_{born:g}_loop_{loop:g}_mm", "length", -born_share))
     beyond = hinge(drivers.motion, critical, softness)

@@ -2,11 +2,15 @@
 
 import numpy as np
 
+from ..numerics.recursions import lowpass
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import saturations
 
 SHARES = {"root": 0.5, "whole": 1.0}  # powers of the load of the moment, with which a grown length is seen
+STEEPER = (0.0, 0.5, 2.0)  # how much higher the tension is at the steepest helix than at none, as a share of the latter
+YIELDS = (0.5, 0.65, 0.8, 0.9)  # of the highest tension: below it nothing yields
+YIELDS_WITHIN_S = 1.0
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -32,7 +36,26 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
         highest = np.maximum.accumulate(drivers.load)
         all_terms.append(Term("new_highest_load_mm", "length", highest - highest[0]))
     tension = np.maximum.accumulate(drivers.load * drivers.tangent**2)
-    return [*all_terms, Term("new_highest_twist_mm", "length", tension - tension[0])]
+    all_terms.append(Term("new_highest_twist_mm", "length", tension - tension[0]))
+    return [*all_terms, *_yielding(drivers)] if drivers.levered else all_terms
+
+
+def _yielding(drivers: Drivers) -> list[Term]:
+    """Lengthening in proportion to the highest tension so far beyond a yield point, which hardens, within a second."""
+    all_terms = []
+    steepness = (drivers.tangent / max(float(np.max(drivers.tangent)), 1e-9)) ** 2
+    for steeper in STEEPER:
+        tension = np.abs(drivers.load) * (1.0 + steeper * steepness)
+        highest = np.maximum.accumulate(tension)
+        for share in YIELDS:
+            flow = np.maximum(tension / highest[-1] - share, 0.0) * np.diff(drivers.time_s, prepend=drivers.time_s[0])
+            flowed = np.cumsum(flow) / max(float(np.sum(flow)), 1e-9)
+            all_terms.append(Term(f"flows_{share:g}_steeper_{steeper:g}_mm", "length", flowed))
+            beyond = np.maximum(highest / highest[-1] - share, 0.0) / (1.0 - share)
+            if beyond[0] < 1.0:
+                yielded = lowpass(beyond, drivers.time_s, YIELDS_WITHIN_S, float(beyond[0]))
+                all_terms.append(Term(f"yields_{share:g}_steeper_{steeper:g}_mm", "length", yielded - yielded[0]))
+    return all_terms
 
 
 MECHANISM = Mechanism(

@@ -24,7 +24,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     return [law, {**law, "half_waves": WAVES}] if drivers.free_zero and drivers.levered else [law]
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """A true zero that the reading leaves as the recording begins, where that is clearly more likely than an offset.
 
     The residual has the shape (samples,), in the reading's unit.

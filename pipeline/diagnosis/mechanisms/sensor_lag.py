@@ -20,7 +20,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
     return [{}] if drivers.velocity is None else []
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """One where the reading follows derivatives, and what friction and a wrong mass leave follows the jerk.
 
     The residual has the shape (samples,), in the reading's unit.

@@ -14,6 +14,8 @@ AROUND, CLIP, FEWEST = 101, 5.0, 100
 STILL = 0.01  # of the highest rate
 LOUDER = 1.15  # times the steps at rest
 SURE = 6.0  # standard errors of the skewness
+SURE_BELOW = 3.0  # the same in the lower part of the travel: a string's coils jump too, but past a critical twist alone
+LOWER = 0.45  # of the travel: the lower part
 COARSE = 0.75  # of the sensor's resolution: rounding alone makes steps of half of it, skewed along slow motion
 
 
@@ -38,11 +40,12 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     return [Term("always", "length", gap, "1"), Term("slow", "length", gap * slow, "1")]
 
 
-def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, float]:
+def jerks(drivers: Drivers, residual: Array, predicted: Array, below: float = 1.0) -> tuple[float, float]:
     """How skewed the steps of a residual are, in standard errors, and how large they are.
 
     What sticks falls behind slowly and slips ahead at once. Steps count along the motion, in four classes of its speed;
-    those of a class must be larger than at rest, and larger than the sensor's resolution makes them.
+    those of a class must be larger than at rest, and larger than the sensor's resolution makes them. Only those `below`
+    a share of the travel count.
     Residual and prediction have the shape (samples,), in the reading's unit.
     """
     rate = np.abs(drivers.rate[: len(residual)])[1:]
@@ -54,8 +57,9 @@ def jerks(drivers: Drivers, residual: Array, predicted: Array) -> tuple[float, f
     grain = resolution(residual + predicted)
     at_rest = float(np.std(step[still])) if still.sum() > FEWEST else 0.0
     strongest = (0.0, 0.0)
+    moving &= drivers.motion[1 : len(residual)] <= np.percentile(drivers.motion, 0.1) + below * drivers.span
     for part in np.array_split(np.flatnonzero(moving)[np.argsort(np.abs(moved[moving]), kind="stable")], 4):
-        if len(part) < FEWEST:
+        if len(part) < min(below, 0.5) * 2 * FEWEST:
             continue
         moving_on = float(np.std(step[part]))
         if moving_on <= max(LOUDER * at_rest, float(np.hypot(at_rest, COARSE * grain))):
@@ -73,7 +77,7 @@ def random(drivers: Drivers, residual: Array, predicted: Array) -> Nonlinear | N
     Residual and prediction have the shape (samples,), in the reading's unit.
     """
     skew, size = jerks(drivers, residual, predicted)
-    if skew <= SURE:
+    if skew <= SURE or jerks(drivers, residual, predicted, LOWER)[0] <= SURE_BELOW:
         return None
     rate = np.abs(drivers.rate[: len(residual)])[1:]
     usual = float(np.median(rate[rate > 3.0 * STILL * rate.max()]))

@@ -36,7 +36,7 @@ def _powers(drivers: Drivers) -> dict[str, Array]:
     moving = 1.0 - np.exp(-rate / (MOVING * max(float(np.percentile(rate, 99)), 1e-9)))
     torque = np.abs(drivers.load) * np.maximum(drivers.sine, 0.0)
     powers = {"friction": rate * np.abs(drivers.load), "speed": rate**2, "current": current**2, "moving": moving}
-    return powers | ({"torque": rate * torque} if drivers.levered else {})
+    return powers | ({"torque": rate * torque, "holding": torque**2} if drivers.levered else {})
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:

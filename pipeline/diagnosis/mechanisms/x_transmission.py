@@ -28,7 +28,7 @@ def beside(drivers: Drivers) -> list[Nonlinear]:
     return [travelled(drivers)] if geared(drivers) else []
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """A curve over the travel, where a motor drives through a gear and much of the residual follows the place alone.
 
     It has the shape (samples,), in the reading's unit.

@@ -31,7 +31,7 @@ def lines(signal: Array, time_s: Array) -> Array:
     return np.asarray(power / (median_filter(power, AROUND, mode="nearest") / np.log(2.0) + 1e-300))
 
 
-def suggest(drivers: Drivers, residual: Array) -> list[Nonlinear]:
+def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """Frequencies (Hz) of the strongest lines of a residual that are no lines of the motion.
 
     It has the shape (samples,), in the reading's unit.
