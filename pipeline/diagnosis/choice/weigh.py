@@ -107,7 +107,9 @@ def signs(search: Search, explanation: Explanation, rivals: list[Explanation], f
         sign_by_name[f"left_behind_{size}"] = float(np.arcsinh(30.0 * (left - least) / whole))
     sign_by_name |= _parts(search, explanation, rivals, floor, whole)
     sign_by_name |= _more(explanation, rivals, floor, whole)
-    return sign_by_name | {"cancels": cancelled(search, explanation)}
+    own, together = sizes(search, explanation)
+    sign_by_name["left_of_own"] = float(np.log(left / max(own, 1e-12) + 0.003)) if own > 0.0 else 0.0
+    return sign_by_name | {"cancels": cancelled(own, together)}
 
 
 def _parts(
@@ -149,15 +151,19 @@ def _more(explanation: Explanation, rivals: list[Explanation], floor: float, who
     }
 
 
-def cancelled(search: Search, explanation: Explanation) -> float:
-    """The logarithm of how much larger the parts of an explanation are than what they do together."""
+def cancelled(own: float, together: float) -> float:
+    """The logarithm of how much larger the parts of an explanation are than what they do together, both in mm."""
+    return float(np.clip(np.log(own / together), 0.0, MOST_CANCELLED)) if together > 0.0 and own > 0.0 else 0.0
+
+
+def sizes(search: Search, explanation: Explanation) -> tuple[float, float]:
+    """How large the parts of an explanation are, each by itself and then added, and what they do together, in mm."""
     linear = search.linear
     fit = linear.plain(linear.columns_of(explanation.keys))
-    at, sizes, together = len(linear.calibration), 0.0, np.zeros(linear.rows)
+    at, own, together = len(linear.calibration), 0.0, np.zeros(linear.rows)
     for id_ in explanation.ids:
         count = sum(len(linear.index[key]) for key in explanation.keys if key[0] == id_)
         columns = slice(at, at + count)
         effect = linear.table[fit.columns[columns]].T @ fit.coefficients[columns]
-        at, sizes, together = at + count, sizes + float(np.std(effect)), together + effect
-    whole = float(np.std(together))
-    return float(np.clip(np.log(sizes / whole), 0.0, MOST_CANCELLED)) if whole > 0.0 and sizes > 0.0 else 0.0
+        at, own, together = at + count, own + float(np.std(effect)), together + effect
+    return own, float(np.std(together))
