@@ -55,7 +55,8 @@ def unexplained_mm(problem: Problem, name: str) -> float:
     """Rms of what the best fit of one mechanism leaves, in mm; infinite where the recording cannot show it."""
     begin = problem.nominal()
     options = mechanisms()[name].candidates(problem.drivers)
-    options = options + mechanisms()[name].suggest(problem.drivers, problem.measured - problem.simulate(begin))
+    predicted = problem.simulate(begin)
+    options = options + mechanisms()[name].suggest(problem.drivers, problem.measured - predicted, predicted)
     if not options:
         return np.inf
     noise = white(FINE * rms(problem.measured - problem.simulate(begin)))

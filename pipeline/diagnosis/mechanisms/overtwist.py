@@ -9,8 +9,10 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import hinge
 
-LOOPS = (0.02, 0.045, 0.08, 0.12)  # of the highest twist: half-widths of the coil's loop
-BORN = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85)  # of the way from the critical to the highest twist: where more coils are born
+LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of a loop that all coils together have
+COIL_LOOPS = (0.02, 0.04, 0.06, 0.09, 0.12)  # the same of the loop that a single coil has
+BORN = (0.15, 0.32, 0.5, 0.67, 0.85)  # of the way from the critical to the highest twist: where more coils are born
+SUDDEN = 0.03  # of the same way: within which a coil is born
 SLOWLY_S = 1.0  # in which coils come over a barrier
 SPREAD = (-2.0, -1.0, 0.0, 1.0, 2.0)  # softnesses about the critical twist at which coils form
 
@@ -41,13 +43,13 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
         beyond = hinge(late, critical, softness)
         all_terms.append(Term(f"loop_{loop:g}_mm_per_turn", "length", -beyond, "mm/turn"))
         all_terms.append(Term(f"loop_{loop:g}_mm_per_turn2", "length", -(beyond**2), "mm/turn^2"))
-    for loop in LOOPS:
+    for loop in COIL_LOOPS:
         memory = 2.0 * loop * nonlinear["top_turns"]
         coils = [coiled(drivers.motion, critical + apart * softness, memory) for apart in SPREAD]
         all_terms.append(Term(f"coiled_{loop:g}_mm_per_turn", "length", -np.mean(coils, axis=0), "mm/turn"))
         for born in BORN:
             at = critical + born * (nonlinear["top_turns"] - critical)
-            width = 0.03 * (nonlinear["top_turns"] - critical)
+            width = SUDDEN * (nonlinear["top_turns"] - critical)
             born_share = np.mean([relay(drivers.motion, at + apart * width, memory) for apart in SPREAD], axis=0)
             all_terms.append(Term(f"born_{born:g}_loop_{loop:g}_mm", "length", -born_share))
     beyond = hinge(drivers.motion, critical, softness)

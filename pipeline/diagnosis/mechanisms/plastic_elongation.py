@@ -2,27 +2,42 @@
 
 import numpy as np
 
+from ...ground.kinematics import Array
 from ..numerics.recursions import lowpass
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import saturations
 
 SHARES = {"root": 0.5, "whole": 1.0}  # powers of the load of the moment, with which a grown length is seen
-STEEPER = (0.0, 0.5, 2.0)  # how much higher the tension is at the steepest helix than at none, as a share of the latter
+STEEPER = {"flat": 0.0, "half": 0.5, "twice": 2.0}  # by how much a tension grows from no helix to the steepest
 YIELDS = (0.5, 0.65, 0.8, 0.9)  # of the highest tension: below it nothing yields
-YIELDS_WITHIN_S = 1.0
+YIELDS_WITHIN_S = 1.0  # for all but a third of what yields at once
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
     """Work weighs with the load to the power 0 or 1; `work` is the recording's whole work, for scale.
 
-    `loaded`: whether the load varies, so that its new maxima show.
+    `loaded`: whether the load varies, so that its new maxima show. For scale, `steepest` is the largest tangent of the
+    helix angle, and `highest_…` the highest tension by each way in which it may grow with that.
     """
     powers = (0.0, 1.0, 2.0) if drivers.loaded else (1.0,)
+    scales = {"loaded": float(drivers.loaded)}
+    if drivers.levered:
+        scales["steepest"] = float(f"{max(float(np.max(drivers.tangent)), 1e-6):.6g}")
+        for name in STEEPER:
+            highest = float(np.max(tension(drivers, name, scales["steepest"])))
+            scales[f"highest_{name}"] = float(f"{max(highest, 1e-6):.6g}")
     return [
-        {"load_power": power, "work": float(f"{drivers.worked(power)[-1]:.6g}") or 1.0, "loaded": float(drivers.loaded)}
-        for power in powers
+        {"load_power": power, "work": float(f"{drivers.worked(power)[-1]:.6g}") or 1.0, **scales} for power in powers
     ]
+
+
+def tension(drivers: Drivers, name: str, steepest: float) -> Array:
+    """The load, and by a share of it more the steeper the helix: at the `steepest` by all of that.
+
+    Shape (samples,), in 10 N. A strand at an angle pulls harder than the load, and is bent over its neighbours besides.
+    """
+    return np.asarray(np.abs(drivers.load) * (1.0 + STEEPER[name] * np.square(drivers.tangent / steepest)))
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
@@ -35,43 +50,54 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
                 all_terms.append(Term(f"{name}_{power}_load_mm", "length", signal * np.abs(drivers.load) ** share))
         highest = np.maximum.accumulate(drivers.load)
         all_terms.append(Term("new_highest_load_mm", "length", highest - highest[0]))
-    tension = np.maximum.accumulate(drivers.load * drivers.tangent**2)
-    all_terms.append(Term("new_highest_twist_mm", "length", tension - tension[0]))
-    return [*all_terms, *_yielding(drivers)] if drivers.levered else all_terms
+    pressed = np.maximum.accumulate(drivers.load * drivers.tangent**2)
+    all_terms.append(Term("new_highest_twist_mm", "length", pressed - pressed[0]))
+    return [*all_terms, *_yielding(drivers, nonlinear)] if "steepest" in nonlinear else all_terms
 
 
-def _yielding(drivers: Drivers) -> list[Term]:
-    """Lengthening in proportion to the highest tension so far beyond a yield point, which hardens, within a second."""
+def _yielding(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
+    """Beyond a yield point, lengthening with the highest tension so far, within a second, and with the time there."""
     all_terms = []
-    steepness = (drivers.tangent / max(float(np.max(drivers.tangent)), 1e-9)) ** 2
-    for steeper in STEEPER:
-        tension = np.abs(drivers.load) * (1.0 + steeper * steepness)
-        highest = np.maximum.accumulate(tension)
-        for share in YIELDS:
-            flow = np.maximum(tension / highest[-1] - share, 0.0) * np.diff(drivers.time_s, prepend=drivers.time_s[0])
-            flowed = np.cumsum(flow) / max(float(np.sum(flow)), 1e-9)
-            all_terms.append(Term(f"flows_{share:g}_steeper_{steeper:g}_mm", "length", flowed))
-            beyond = np.maximum(highest / highest[-1] - share, 0.0) / (1.0 - share)
-            if beyond[0] < 1.0:
-                yielded = lowpass(beyond, drivers.time_s, YIELDS_WITHIN_S, float(beyond[0]))
-                all_terms.append(Term(f"yields_{share:g}_steeper_{steeper:g}_mm", "length", yielded - yielded[0]))
+    step_s = np.diff(drivers.time_s, prepend=drivers.time_s[0])
+    for name in STEEPER:
+        if name == "flat" and not nonlinear["loaded"]:
+            continue
+        share = tension(drivers, name, nonlinear["steepest"]) / nonlinear[f"highest_{name}"]
+        for at in YIELDS:
+            beyond = np.maximum(share - at, 0.0) / (1.0 - at)
+            hardened = np.maximum.accumulate(beyond)
+            yielded = lowpass(hardened, drivers.time_s, YIELDS_WITHIN_S, float(hardened[0])) - hardened[0]
+            all_terms.append(Term(f"yields_{at:g}_{name}_mm", "length", yielded))
+            all_terms.append(Term(f"flows_{at:g}_{name}_mm_per_s", "length", np.cumsum(beyond * step_s), "mm/s"))
     return all_terms
 
 
 MECHANISM = Mechanism(
     id="plastic_elongation",
     driver="worked strokes",
-    equation="dx = -P, P = P_L (F/F_ref)^m ln(1 + c), or k max T: any sum of saturating growths with work",
+    equation="dx = -P, P = P_L (F/F_ref)^m ln(1 + c) + k max(T - T_y, 0) + q A",
     letters={
         "P_L": "the strengths within_… and steady_…, of growth with the work",
         "c": "the work so far, as a share of a part of all work",
-        "k": "the strengths new_highest_…, of growth with the highest load or tension so far",
-        "T": "the tension",
+        "k": "the strengths new_highest_… and yields_…, of growth with the highest load or tension so far",
+        "q": "the strengths flows_…, of growth with the time beyond the yield point",
+        "A": "the sum of max(T - T_y, 0) over the time so far",
+        "T": "the tension: its highest so far beside k",
+        "T_y": "the yield point, of the highest tension the share in the name; 0 in new_highest_…",
         "m": "load_power",
     },
-    strengths=("P_L", "k"),
-    rows={"P_L": "within|steady", "k": "new_highest"},
-    source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (bedding-in)",
+    strengths=("P_L", "k", "q"),
+    rows={"P_L": "within|steady", "k": "new_highest|yields", "q": "flows"},
+    meanings={
+        "highest_flat": "the highest load of the recording, {scale}",
+        "highest_half": "the highest tension, if it grows by half of the load up to the steepest helix, {scale}",
+        "highest_twice": "the highest tension, if it grows by twice the load up to the steepest helix, {scale}",
+    },
+    scale_units={"highest_flat": "10N", "highest_half": "10N", "highest_twice": "10N"},
+    source=(
+        "McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (bedding-in); Bingham, Fluidity and "
+        "Plasticity, 1922 (nothing flows below a yield point)"
+    ),
     confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
     told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",
     meaning="the string grows longer for good, stroke by stroke.",
@@ -83,7 +109,13 @@ MECHANISM = Mechanism(
         "whole_load": "the load",
         "new_highest_load": "the highest load so far, less the first one",
         "new_highest_twist": "the highest load x tan(helix angle)^2 so far, less the first one",
+        "yields_*": "how far the highest tension so far is beyond the yield point in its name, as a share of the most",
+        "flows_*": "the time at a tension beyond the yield point in its name, weighed by how far beyond",
+        "flat": "the tension as the load",
+        "half": "the tension as the load, and higher by half of it at the steepest helix",
+        "twice": "the tension as the load, and higher by twice that at the steepest helix",
     },
+    optional=("steepest", *(f"highest_{name}" for name in STEEPER)),
     candidates=candidates,
     terms=terms,
 )

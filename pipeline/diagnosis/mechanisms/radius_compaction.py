@@ -61,7 +61,7 @@ MECHANISM = Mechanism(
         "s": "the power of the load",
     },
     strengths=("k", "s"),
-    rows={"k": "tangent|within|settled|stage|closing|ordering", "s": "log_load"},
+    rows={"k": "tangent|within|settled|stage|closing|ordering|aired", "s": "log_load"},
     meanings={
         "highest_pressure": "the highest load x tan(helix angle)^2 of the recording, {scale}",
     },
@@ -77,6 +77,10 @@ MECHANISM = Mechanism(
         ),
         "ordering_at_*": (
             "exp(-(p/w)^2) - 1: p is load x tan(helix angle)^2 as a share of `highest_pressure`, "
+            "w the number in its name"
+        ),
+        "aired_at_*": (
+            "minus p/w, and -1 beyond w: p is load x tan(helix angle)^2 as a share of `highest_pressure`, "
             "w the number in its name"
         ),
         "log_load": "minus ln(load / 10 N)",

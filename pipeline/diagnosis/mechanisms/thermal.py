@@ -52,7 +52,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
             all_terms.append(Term(f"after_{tau_s:g}_s_mm_per_k", "length", sign * delayed, "mm/K"))
         return all_terms
     for name, power in _powers(drivers).items():
-        usual = nonlinear[f"usual_{name}"]
+        usual = nonlinear.get(f"usual_{name}", 0.0)
         if usual == 0.0:
             continue
         for tau_s in within(TIMES_S, nonlinear):
@@ -82,12 +82,14 @@ MECHANISM = Mechanism(
         "usual_current": "the mean of the motor's current squared, {scale}",
         "usual_moving": "about the share of the time in which it moves, {scale}",
         "usual_torque": "the mean of speed x load x sin(helix angle), {scale}",
+        "usual_holding": "the mean of (load x sin(helix angle))^2, {scale}",
     },
     scale_units={
         "usual_friction": "10N turns/s",
         "usual_speed": "turns2/s2",
         "usual_current": "A2",
         "usual_torque": "10N turns/s",
+        "usual_holding": "100N2",
     },
     source=(
         "Landau and Lifshitz, Theory of Elasticity, 1959 (thermal expansion); "
@@ -103,9 +105,10 @@ MECHANISM = Mechanism(
         "speed": "the heat of the speed squared",
         "moving": "the heat of moving at any speed",
         "torque": "the heat of speed x torque",
+        "holding": "the heat of the torque squared: a motor that holds is warmed by its current",
         "behind": "what is passed on later still",
     },
-    optional=(LATER_RUNS,),
+    optional=(LATER_RUNS, "usual_holding"),
     candidates=candidates,
     terms=terms,
 )

@@ -40,6 +40,25 @@ def test_beside_a_jam_a_stop_has_each_candidate_on_the_reading_without_the_jam_t
     assert any(np.abs(jammed.table[jammed.index["end_stop", number]]).max() == 0.0 for number in high)
 
 
+def test_behind_a_stop_its_rivals_move_the_reading_and_what_it_holds_does_not(problem) -> None:
+    """A jam was weighed behind the stop that it had to replace, where nothing moves: it could never be found."""
+    calibrated = base(problem)
+    top, reach = float(np.percentile(problem.drivers.motion, 99.9)), float(np.ptp(problem.drivers.contraction))
+    stopped = Act("end_stop", ({"stop_mm": 0.8 * reach, "side": 1.0, "soft_mm": 0.0},), (1.0,))
+    jam = {"critical_turns": 0.8 * top, "softness_turns": 0.01 * top}
+    state = State(calibrated.values, calibrated.zeros, (stopped,))
+    both = {"end_stop": list(stopped.nonlinear), "jam": [jam]}
+    beside, bare = (
+        Linear(problem, State(calibrated.values, calibrated.zeros, acts), white(1.0), both) for acts in ((stopped,), ())
+    )
+    assert beside.table[beside.index["jam", 0]] == pytest.approx(bare.table[bare.index["jam", 0]])
+    assert beside.table[beside.calibration] == pytest.approx(bare.table[bare.calibration], rel=1e-3, abs=1e-3)
+    alone = Linear(problem, state, white(1.0), {"end_stop": list(stopped.nonlinear)})
+    held = problem.simulate(state)[: problem.rows] > problem.simulate(state).max() - 1e-6
+    radius = alone.calibration[problem.runs]
+    assert held.sum() > 20 and np.abs(alone.table[radius][held]).max() < 0.05 * np.abs(alone.table[radius]).max()
+
+
 def test_a_stop_whose_best_rival_is_a_jam_is_found(problem) -> None:
     studied = study(problem)
     assert max(studied.judged.likely, key=studied.judged.likely.get) == ("end_stop",)

@@ -97,7 +97,7 @@ def test_what_the_recording_cannot_show_can_be_adopted_all_the_same(one_load) ->
 
 
 def test_two_lines_of_a_spectrum_are_suggested_together(problem) -> None:
-    suggested = mechanisms()["load_swing"].suggest(problem.drivers, two_swings(problem))
+    suggested = mechanisms()["load_swing"].suggest(problem.drivers, two_swings(problem), problem.measured)
     assert any("second_hz" in nonlinear for nonlinear in suggested)
 
 
@@ -108,7 +108,7 @@ def test_what_one_recording_suggests_can_be_simulated_where_another_does_not(id_
     walk = 0.05 * np.cumsum(np.random.default_rng(1).standard_normal(len(share)))
     other, name_of = one_load[0].drivers, problem.drivers.units.name
     for residual in (two_swings(problem), steps, walk, problem.measured - problem.measured.mean()):
-        for nonlinear in mechanisms()[id_].suggest(problem.drivers, residual):
+        for nonlinear in mechanisms()[id_].suggest(problem.drivers, residual, problem.measured - residual):
             given = {name_of(name): value for name, value in nonlinear.items()}
             (act,) = acts_from([{"id": id_, "parameters": given}], other)
             assert act.nonlinear == (nonlinear,)

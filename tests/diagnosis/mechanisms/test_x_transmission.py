@@ -46,7 +46,7 @@ def test_beside_stretch_it_takes_what_stretch_left_to_the_noise(tmp_path):
 def test_no_recording_without_it_suggests_it(tmp_path, case):
     problem = recorded(tmp_path, case, 311)
     left = problem.measured - problem.simulate(calibrate.base(problem))
-    assert x_transmission.suggest(problem.drivers, left) == []
+    assert x_transmission.suggest(problem.drivers, left, problem.measured - left) == []
 
 
 def test_its_curve_is_neither_a_zero_nor_a_gear(tmp_path):
@@ -54,7 +54,7 @@ def test_its_curve_is_neither_a_zero_nor_a_gear(tmp_path):
     left = problem.measured - problem.simulate(calibrate.base(problem))
     begin, span = problem.drivers.motion.min(), problem.drivers.span
     knots = begin + span * np.linspace(0.0, 1.0, x_transmission.KNOTS)
-    assert len(left) and x_transmission.suggest(problem.drivers, left) == []
+    assert len(left) and x_transmission.suggest(problem.drivers, left, problem.measured - left) == []
     places = np.argmin(np.abs(problem.drivers.motion[:, None] - knots), axis=0)
     curves = np.array(x_transmission.curve(problem.drivers, {"from_turns": begin, "span_turns": span}))[:, places]
     straight = np.vstack([np.ones(len(knots)), np.linspace(0.0, 1.0, len(knots))])

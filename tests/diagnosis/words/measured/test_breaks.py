@@ -78,7 +78,10 @@ def test_no_slip_is_looked_for_in_a_break_and_no_jump_is_seen_there(changed) -> 
     assert jump_mark(drivers, step + noise, step) < 1.0 < jump_mark(drivers, np.roll(step, 40) + noise, step)
     break_s = drivers.elapsed_s[begin - 1], drivers.elapsed_s[begin]
     for id_ in ("count_slip", "clamp_slip"):
-        tried = [*mechanisms()[id_].candidates(drivers), *mechanisms()[id_].suggest(drivers, step + noise)]
+        tried = [
+            *mechanisms()[id_].candidates(drivers),
+            *mechanisms()[id_].suggest(drivers, step + noise, np.zeros(len(step))),
+        ]
         assert len(tried) > 80 and not any(break_s[0] < each["at_s"] < break_s[1] for each in tried)
     assert not happens_within(drivers, {"at_s": sum(break_s) / 2}) and happens_within(drivers, {"at_s": -1.0})
     assert recorded_about(drivers, break_s[1] + 5.0) == (break_s[1], drivers.elapsed_s[-1])

@@ -1,0 +1,13 @@
+"""The class of overtwist: coils that are born one by one, each with a loop of its own."""
+
+import numpy as np
+import pytest
+from coils_made import coils
+from left_by_class import left_by_class
+
+
+@pytest.mark.parametrize("loop", [0.09, 0.17])
+def test_coils_come_and_go_one_by_one(problem, loop) -> None:
+    turns, top = problem.drivers.motion, float(np.percentile(problem.drivers.motion, 99.9))
+    there = coils(turns, 0.6 * top, top, 16, loop * top)
+    assert left_by_class(problem, "overtwist", -there) < 0.12
