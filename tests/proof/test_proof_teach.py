@@ -54,6 +54,25 @@ def test_a_judge_learns_which_explanation_is_right_and_when_none_is() -> None:
         assert lesson.right[best] and none < 0.5 if any(lesson.right) else none > 0.5
 
 
+def test_a_judge_that_goes_on_knows_what_the_earlier_one_knew_and_learns_a_sign_that_was_not_there() -> None:
+    before = fitted_judge.fitted(made_lessons(200))
+    assert np.array_equal(fitted_judge.blank(made_lessons(8), before).weights, before.weights)
+    fresh = [
+        replace(lesson, signs=tuple(signs | {"left_of_own": 5.0 * number} for number, signs in enumerate(lesson.signs)))
+        for lesson in made_lessons(4, seed=2)
+    ]
+    onwards = fitted_judge.fitted(fresh, before)
+    assert set(onwards.knots) == {*before.knots, "left_of_own"} and onwards.names == before.names
+    known = dict(zip(fitted_judge.columns_of(before.knots, before.names), before.weights, strict=True))
+    moved = dict(zip(fitted_judge.columns_of(onwards.knots, onwards.names), onwards.weights, strict=True))
+    assert max(abs(moved[column] - weight) for column, weight in known.items()) < 0.5 * np.abs(before.weights).max()
+    assert any(moved[column] != 0.0 for column in set(moved) - set(known))
+    for lesson in made_lessons(40, seed=1):
+        told = [signs | {"left_of_own": 5.0 * number} for number, signs in enumerate(lesson.signs)]
+        *named, none = onwards.probabilities(fitted_judge.explanations(replace(lesson, signs=tuple(told)))).tolist()
+        assert lesson.right[int(np.argmax(named))] and none < 0.5 if any(lesson.right) else none > 0.5
+
+
 def test_where_nothing_of_the_library_is_right_a_set_without_its_physics_is() -> None:
     ids = (("creep",), ("x_clock",), ("creep", "x_clock"))
     lesson = Lesson("one", 1, ("x_odd",), (1.0,), "rich", ids, ({}, {}, {}), (False, False, False))

@@ -36,9 +36,9 @@ def taken(path: Path, wanted: list[Lesson], jobs: int, make: Callable[[Lesson], 
 
 
 def judge_of(lessons: list[Lesson], onwards: Path | None) -> Judge:
-    """The judge that some lessons make, or one of a file that learns of them what signatures look like alone."""
-    weighing = judge(onwards) if onwards else fitted_judge.fitted([lesson for lesson in lessons if lesson.ids])
-    return fitted_judge.listening(weighing, lessons)
+    """The judge that some lessons make, or that goes on from one of a file."""
+    before = judge(onwards) if onwards else None
+    return fitted_judge.listening(fitted_judge.fitted([lesson for lesson in lessons if lesson.ids], before), lessons)
 
 
 def save(path: Path, made: Judge) -> Judge:
@@ -60,7 +60,7 @@ def main() -> None:
     parser.add_argument(
         "--onwards",
         action="store_true",
-        help="teach the judges that are there signatures alone",
+        help="go on from the judges that are there",
     )
     parser.add_argument("--jobs", type=int, default=1, help="lessons at a time")
     parser.add_argument(

@@ -15,6 +15,7 @@ from .recognise import taught
 
 QUANTILES = (0.02, 0.35, 0.65, 0.98)  # of a sign over all explanations: knots of its ramps
 PRIOR = 1.0  # one over the variance of a weight
+PRIOR_ONWARDS = 3.0  # the same about the weight of an earlier judge
 
 
 def explanations(lesson: Lesson, recogniser: Recogniser | None = None) -> list[Weighed]:
@@ -26,25 +27,43 @@ def explanations(lesson: Lesson, recogniser: Recogniser | None = None) -> list[W
     ]
 
 
-def blank(lessons: list[Lesson]) -> Judge:
-    """A judge that knows the signs and names of some lessons, and holds all alike."""
+def blank(lessons: list[Lesson], before: Judge | None = None) -> Judge:
+    """A judge that knows the signs and names of some lessons, and holds all alike.
+
+    After an earlier judge: it keeps that one's knots and weights, and weighs nothing else.
+    """
     every = [signs for lesson in lessons for signs in lesson.signs]
-    knots = {}
-    for name in [name for name in every[0] if name not in (*OF_EXPLANATION, OF_ALL)]:
+    knots = dict(before.knots) if before else {}
+    for name in [name for name in every[0] if name not in (*OF_EXPLANATION, OF_ALL, *knots)]:
         knots_there = np.unique(np.round(np.quantile([signs[name] for signs in every], QUANTILES), 5))
         if len(knots_there) > 1:
             knots[name] = knots_there.tolist()
-    names = sorted({id_ for lesson in lessons for ids in lesson.ids for id_ in ids})
-    ramps = sum(len(positions) - 1 for positions in knots.values())
-    return Judge(knots, names, np.zeros((1 + len(SIZES)) * (1 + ramps + len(names))), np.zeros(5))
+    names = sorted(
+        {id_ for lesson in lessons for ids in lesson.ids for id_ in ids} | set(before.names if before else ())
+    )
+    columns = columns_of(knots, names)
+    if before is None:
+        return Judge(knots, names, np.zeros(len(columns)), np.zeros(5))
+    weight_by_column = dict(zip(columns_of(before.knots, before.names), before.weights.tolist(), strict=True))
+    return Judge(knots, names, np.array([weight_by_column.get(column, 0.0) for column in columns]), before.of_none)
 
 
-def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
+def columns_of(knots: dict[str, list[float]], names: list[str]) -> list[str]:
+    """What each column of a judge's basis is of: the size, a sign between two knots, a name; and each by size."""
+    ramps = [f"{sign} above {low}" for sign, positions in knots.items() for low in positions[:-1]]
+    every = ["size", *ramps, *(f"name {name}" for name in names)]
+    return [*every, *(f"{column}, of {size}" for size in SIZES for column in every)]
+
+
+def fitted(lessons: list[Lesson], before: Judge | None = None) -> Judge:
     """The judge whose softmax makes the right answers of some lessons likeliest.
 
-    "None of them" is right where none is, and so is a set without physics of the library.
+    "None of them" is right where none is, and so is a set without physics of the library. Weights are held small, or
+    near those of an earlier judge.
     """
-    judge = blank(lessons)
+    judge = blank(lessons, before)
+    centre = np.concatenate([judge.weights, judge.of_none])
+    prior = PRIOR_ONWARDS if before else PRIOR
     seen = [explanations(lesson) for lesson in lessons]
     table = np.vstack([judge.basis(case_explanations) for case_explanations in seen])
     none = np.array([none_of(case_explanations) for case_explanations in seen])
@@ -62,12 +81,10 @@ def fitted(lessons: list[Lesson], prior: float = PRIOR) -> Judge:
         good = np.add.reduceat(odds * right, starts) + np.where(named, 0.0, none_odds)
         slope = odds / whole[case] - right * odds / good[case]
         none_slope = none_odds / whole - np.where(named, 0.0, none_odds / good)
-        gradient = np.concatenate([table.T @ slope, none.T @ none_slope])
-        return float(-np.sum(np.log(good / whole)) + 0.5 * prior * weights @ weights), gradient + prior * weights
+        gradient, moved = np.concatenate([table.T @ slope, none.T @ none_slope]), weights - centre
+        return float(-np.sum(np.log(good / whole)) + 0.5 * prior * moved @ moved), gradient + prior * moved
 
-    solution = minimize(
-        surprise, np.zeros(count + none.shape[1]), jac=True, method="L-BFGS-B", options={"maxiter": 500}
-    ).x
+    solution = minimize(surprise, centre, jac=True, method="L-BFGS-B", options={"maxiter": 500}).x
     return Judge(judge.knots, judge.names, solution[:count], solution[count:])
 
 
