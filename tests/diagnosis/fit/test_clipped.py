@@ -59,6 +59,9 @@ def test_behind_a_stop_its_rivals_move_the_reading_and_what_it_holds_does_not(pr
     assert held.sum() > 20 and np.abs(alone.table[radius][held]).max() < 0.05 * np.abs(alone.table[radius]).max()
 
 
-def test_a_stop_whose_best_rival_is_a_jam_is_found(problem) -> None:
+def test_a_stop_whose_best_rival_is_a_jam_is_held(problem) -> None:
+    """Both leave about a hundredth; neither may be lost for what the simulator of the other one does."""
     studied = study(problem)
-    assert max(studied.judged.likely, key=studied.judged.likely.get) == ("end_stop",)
+    likeliest = sorted(studied.judged.likely, key=studied.judged.likely.get)[-2:]
+    assert set(likeliest) == {("end_stop",), ("jam",)}
+    assert ("end_stop",) in {explanation.ids for explanation in studied.judged.sets}
