@@ -6,7 +6,6 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 
 PRESSED = (0.03, 0.1, 0.3)  # of the highest pressure of the strands on each other: where voids have closed
-KNEES = (0.15, 0.3, 0.55)  # of the highest pressure: where the air is out of the bundle, and only fibres still give
 SATURATING = (0.15, 0.4)  # of the steepest helix: where a bundle that settles early has settled
 SETTLING = (0.2, 0.45)  # of the steepest helix: the same, for one that begins slowly
 STAGES, WIDE = (0.5, 0.7), 0.09  # of the steepest helix: where fibres rearrange late, and over how much of it
@@ -43,9 +42,6 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
             all_terms.append(
                 Term(f"{name}_at_{share:g}", "radius", np.expm1(-((pressure / share) ** power)), "1", high=0.5)
             )
-    for share in KNEES:
-        aired = -np.minimum(pressure / share, 1.0)
-        all_terms.append(Term(f"aired_at_{share:g}", "radius", aired, "1", high=0.5))
     if nonlinear["loaded"]:
         load = np.maximum(drivers.load, 0.05)
         all_terms += [Term(f"load_tangent_{power}", "radius", -load * slope**power, "1/10N") for power in (1, 2)]
@@ -61,7 +57,7 @@ MECHANISM = Mechanism(
         "s": "the power of the load",
     },
     strengths=("k", "s"),
-    rows={"k": "tangent|within|settled|stage|closing|ordering|aired", "s": "log_load"},
+    rows={"k": "tangent|within|settled|stage|closing|ordering", "s": "log_load"},
     meanings={
         "highest_pressure": "the highest load x tan(helix angle)^2 of the recording, {scale}",
     },
@@ -77,10 +73,6 @@ MECHANISM = Mechanism(
         ),
         "ordering_at_*": (
             "exp(-(p/w)^2) - 1: p is load x tan(helix angle)^2 as a share of `highest_pressure`, "
-            "w the number in its name"
-        ),
-        "aired_at_*": (
-            "minus p/w, and -1 beyond w: p is load x tan(helix angle)^2 as a share of `highest_pressure`, "
             "w the number in its name"
         ),
         "log_load": "minus ln(load / 10 N)",

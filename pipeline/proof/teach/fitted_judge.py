@@ -15,7 +15,7 @@ from .recognise import taught
 
 QUANTILES = (0.02, 0.35, 0.65, 0.98)  # of a sign over all explanations: knots of its ramps
 PRIOR = 1.0  # one over the variance of a weight
-PRIOR_ONWARDS = 3.0  # the same about the weight of an earlier judge
+PRIOR_ONWARDS = 10.0  # the same about the weight of an earlier judge
 
 
 def explanations(lesson: Lesson, recogniser: Recogniser | None = None) -> list[Weighed]:
