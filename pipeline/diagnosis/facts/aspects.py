@@ -8,7 +8,8 @@ CHIEF = 2  # aspects that are kept for each explanation
 SIGNS = {
     "fit": (
         "gain", "behind_1", "behind_2", "behind_3",
-        "left_share", "left_floors", "left_behind_1", "left_behind_2", "left_behind_3", "mismatch_floors",
+        "left_share", "left_floors", "left_behind_1", "left_behind_2", "left_behind_3",
+        "left_of_own", "mismatch_floors",
     ),
     "numbers": ("numbers",),
     "weakest": ("weakest_share", "weakest_floors", "weakest_gain", "weakest_completes"),
