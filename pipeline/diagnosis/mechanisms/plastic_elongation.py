@@ -59,6 +59,7 @@ def _yielding(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """Beyond a yield point, lengthening with the highest tension so far, within a second, and with the time there."""
     all_terms = []
     step_s = np.diff(drivers.time_s, prepend=drivers.time_s[0])
+    step_s[drivers.breaks] = 0.0  # nobody says what the string carried between two runs
     for name in STEEPER:
         if name == "flat" and not nonlinear["loaded"]:
             continue
@@ -99,7 +100,7 @@ MECHANISM = Mechanism(
         "Plasticity, 1922 (nothing flows below a yield point)"
     ),
     confused_with="creep, thermal, sensor_drift, stiffening (opposite sign), clamp_slip",
-    told_apart_by="a pause: what grows with strokes alone stands still in it and is not recovered",
+    told_apart_by="a pause at low tension: what grows with strokes or high tension stands still and is not recovered",
     meaning="the string grows longer for good, stroke by stroke.",
     sentence="Every worked stroke leaves the {string} longer, {span} in all ({size}), and no rest takes it back.",
     names={

@@ -36,3 +36,15 @@ def test_a_shape_of_an_earlier_version_can_still_be_simulated(problem) -> None:
     plastic = mechanisms()["plastic_elongation"]
     old = {"load_power": 1.0, "work": 5.0, "loaded": 1.0}
     assert len(plastic.terms(problem.drivers, old)) > 5
+
+
+def test_nothing_flows_between_two_runs(problem) -> None:
+    """Hours between two runs would count as hours under the tension of the first sample after them."""
+    plastic, half = mechanisms()["plastic_elongation"], len(problem.record) // 2
+    late_s = problem.drivers.time_s + 36_000.0 * (np.arange(len(problem.record)) >= half)
+    first = np.concatenate([np.arange(half), np.arange(len(problem.record) - half)])
+    drivers = replace(problem.drivers, time_s=late_s, first=first)
+    (nonlinear, *_) = plastic.candidates(problem.drivers)
+    for before, after in zip(plastic.terms(problem.drivers, nonlinear), plastic.terms(drivers, nonlinear), strict=True):
+        if before.name.startswith("flows"):
+            assert after.signal[-1] == pytest.approx(before.signal[-1], rel=1e-3, abs=1e-3)
