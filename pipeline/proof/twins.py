@@ -56,10 +56,11 @@ def unexplained_mm(problem: Problem, name: str) -> float:
     begin = problem.nominal()
     options = mechanisms()[name].candidates(problem.drivers)
     predicted = problem.simulate(begin)
-    options = options + mechanisms()[name].suggest(problem.drivers, problem.measured - predicted, predicted)
+    missed = problem.measured - predicted
+    options = options + mechanisms()[name].suggest(problem.drivers, missed, predicted)
     if not options:
         return np.inf
-    noise = white(FINE * rms(problem.measured - problem.simulate(begin)))
+    noise = white(FINE * rms(missed))
     left: list[float] = []
     for _ in range(LEADERS):
         search = Search(Linear(problem, begin, noise, {name: options}))

@@ -11,7 +11,7 @@ import pytest
 from pandas.testing import assert_frame_equal
 
 from pipeline.diagnosis.choice.judged import held
-from pipeline.diagnosis.numerics.judge import Judge, judge
+from pipeline.diagnosis.numerics.judge import Judge, Weighed, judge
 from pipeline.diagnosis.numerics.recogniser import OF_EXPLANATION
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.ground.errors import BadInput
@@ -63,14 +63,21 @@ def test_a_judge_that_goes_on_knows_what_the_earlier_one_knew_and_learns_a_sign_
     ]
     onwards = fitted_judge.fitted(fresh, before)
     assert set(onwards.knots) == {*before.knots, "left_of_own"} and onwards.names == before.names
-    known = dict(zip(fitted_judge.columns_of(before.knots, before.names), before.weights, strict=True))
-    moved = dict(zip(fitted_judge.columns_of(onwards.knots, onwards.names), onwards.weights, strict=True))
+    known = dict(zip(before.columns, before.weights, strict=True))
+    moved = dict(zip(onwards.columns, onwards.weights, strict=True))
     assert max(abs(moved[column] - weight) for column, weight in known.items()) < 0.5 * np.abs(before.weights).max()
     assert any(moved[column] != 0.0 for column in set(moved) - set(known))
     for lesson in made_lessons(40, seed=1):
         told = [signs | {"left_of_own": 5.0 * number} for number, signs in enumerate(lesson.signs)]
         *named, none = onwards.probabilities(fitted_judge.explanations(replace(lesson, signs=tuple(told)))).tolist()
         assert lesson.right[int(np.argmax(named))] and none < 0.5 if any(lesson.right) else none > 0.5
+
+
+def test_a_judge_says_what_each_column_of_its_basis_is_of() -> None:
+    taught = fitted_judge.fitted(made_lessons(40))
+    (row,) = taught.basis([Weighed(("creep",), {name: knots[0] for name, knots in taught.knots.items()})])
+    named = {column for column, value in zip(taught.columns, row, strict=True) if value}
+    assert named == {"size", "name creep", "size, of 1", "name creep, of 1"}
 
 
 def test_where_nothing_of_the_library_is_right_a_set_without_its_physics_is() -> None:

@@ -108,7 +108,7 @@ def signs(search: Search, explanation: Explanation, rivals: list[Explanation], f
     sign_by_name |= _parts(search, explanation, rivals, floor, whole)
     sign_by_name |= _more(explanation, rivals, floor, whole)
     own, together = sizes(search, explanation)
-    sign_by_name["left_of_own"] = float(np.log(left / max(own, 1e-12) + 0.003)) if own > 0.0 else 0.0
+    sign_by_name["left_of_own"] = float(np.log(left / own + 0.003)) if own > 0.0 else 0.0
     return sign_by_name | {"cancels": cancelled(own, together)}
 
 

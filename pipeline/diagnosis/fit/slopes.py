@@ -33,10 +33,11 @@ def linearised(problem: Problem, state: State, unclipped: bool = False) -> Linea
     """
     added, operators = problem.ports(state.acts)
     clean = problem.simulated(state.values, added)
-    predicted = problem.read(clean, added, operators) + state.zeros[problem.record.run_index]
-    if unclipped:
-        operators = problem.ports(tuple(act for act in state.acts if not clips(problem, act)))[1]
     before, nothing = problem.read(clean, added, operators), np.zeros(len(clean))
+    predicted = before + state.zeros[problem.record.run_index]
+    if unclipped and any(clips(problem, act) for act in state.acts):
+        operators = problem.ports(tuple(act for act in state.acts if not clips(problem, act)))[1]
+        before = problem.read(clean, added, operators)
     slopes = {"sensor": np.ones_like(before)}
     known: dict[tuple[str, float], Array] = {}  # two ports may be one place of the system
     for port, step in STEPS.items():

@@ -39,12 +39,14 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
     height, step_hz = ringing(pulled_in(residual, 8.0), time_s)
     hz = step_hz * np.arange(len(height))
     height[(hz < LOWEST_HZ) | (hz > min(0.45 / drivers.step_s, 25.0))] = 0.0
+    power, lines_hz = _lines(residual, drivers.step_s)
     peaks: list[float] = []
     for _ in range(MOST):
         peak = int(np.argmax(height))
         if height[peak] < RINGING:
             break
-        peaks.append(_nearer(residual, drivers.step_s, float(hz[peak]), step_hz))
+        near = np.abs(lines_hz - hz[peak]) <= step_hz
+        peaks.append(float(lines_hz[near][np.argmax(power[near])]))
         height[np.abs(hz - hz[peak]) < max(0.12 * hz[peak], LEAKS * step_hz)] = 0.0
     suggested: list[Nonlinear] = []
     for peak_hz in peaks:
@@ -57,15 +59,13 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
     return suggested
 
 
-def _nearer(residual: Array, step_s: float, hz: float, step_hz: float) -> float:
-    """The strongest line of the whole residual's spectrum within a bin of its stretches' spectrum, in Hz.
+def _lines(residual: Array, step_s: float) -> tuple[Array, Array]:
+    """Power of the whole residual's spectrum, and where its lines lie, in Hz; each of shape (lines,).
 
-    A swing that dies slowly keeps its beat for longer than a stretch. The residual has the shape (samples,), in mm.
+    A swing that dies slowly keeps its beat for longer than a stretch. The residual has the shape (samples,).
     """
     power = np.square(np.abs(np.fft.rfft(residual * np.hanning(len(residual)))))
-    lines_hz = np.fft.rfftfreq(len(residual), step_s)
-    near = np.abs(lines_hz - hz) <= step_hz
-    return float(lines_hz[near][np.argmax(power[near])])
+    return power, np.asarray(np.fft.rfftfreq(len(residual), step_s), float)
 
 
 def ringing(residual: Array, time_s: Array) -> tuple[Array, float]:

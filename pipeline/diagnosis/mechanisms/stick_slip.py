@@ -58,8 +58,9 @@ def jerks(drivers: Drivers, residual: Array, predicted: Array, below: float = 1.
     at_rest = float(np.std(step[still])) if still.sum() > FEWEST else 0.0
     strongest = (0.0, 0.0)
     moving &= drivers.motion[1 : len(residual)] <= np.percentile(drivers.motion, 0.1) + below * drivers.span
+    fewest = FEWEST * min(1.0, 2.0 * below)  # in a part of the travel there are fewer
     for part in np.array_split(np.flatnonzero(moving)[np.argsort(np.abs(moved[moving]), kind="stable")], 4):
-        if len(part) < min(below, 0.5) * 2 * FEWEST:
+        if len(part) < fewest:
             continue
         moving_on = float(np.std(step[part]))
         if moving_on <= max(LOUDER * at_rest, float(np.hypot(at_rest, COARSE * grain))):

@@ -66,6 +66,13 @@ class Judge:
         apart = np.hstack([every * (sizes == size)[:, None] for size in SIZES])
         return np.hstack([every, APART * apart])
 
+    @property
+    def columns(self) -> list[str]:
+        """What each column of `basis` is of: the size, a sign above a knot, a name; and each of these by size."""
+        ramps = [f"{sign} above {low}" for sign, knots in self.knots.items() for low in knots[:-1]]
+        every = ["size", *ramps, *(f"name {name}" for name in self.names)]
+        return [*every, *(f"{column}, of {size}" for size in SIZES for column in every)]
+
     def because(self, candidate: Weighed, other: Weighed) -> dict[str, float]:
         """What each sign, the `names` and the `size` add to the log of how much likelier `candidate` is than `other`.
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import minimize
 
-from ...diagnosis.numerics.judge import OF_SIGNATURE, SIZES, Judge, Weighed, none_of, signature_table
+from ...diagnosis.numerics.judge import OF_SIGNATURE, Judge, Weighed, none_of, signature_table
 from ...diagnosis.numerics.recogniser import OF_ALL, OF_EXPLANATION, Recogniser
 from ...diagnosis.numerics.recogniser import signs as signature_signs
 from ...diagnosis.numerics.recogniser import written as recogniser_written
@@ -30,7 +30,7 @@ def explanations(lesson: Lesson, recogniser: Recogniser | None = None) -> list[W
 def blank(lessons: list[Lesson], before: Judge | None = None) -> Judge:
     """A judge that knows the signs and names of some lessons, and holds all alike.
 
-    After an earlier judge: it keeps that one's knots and weights, and weighs nothing else.
+    After an earlier judge it keeps that one's knots and weights; what that one did not know weighs nothing yet.
     """
     every = [signs for lesson in lessons for signs in lesson.signs]
     knots = dict(before.knots) if before else {}
@@ -41,18 +41,9 @@ def blank(lessons: list[Lesson], before: Judge | None = None) -> Judge:
     names = sorted(
         {id_ for lesson in lessons for ids in lesson.ids for id_ in ids} | set(before.names if before else ())
     )
-    columns = columns_of(knots, names)
-    if before is None:
-        return Judge(knots, names, np.zeros(len(columns)), np.zeros(5))
-    weight_by_column = dict(zip(columns_of(before.knots, before.names), before.weights.tolist(), strict=True))
-    return Judge(knots, names, np.array([weight_by_column.get(column, 0.0) for column in columns]), before.of_none)
-
-
-def columns_of(knots: dict[str, list[float]], names: list[str]) -> list[str]:
-    """What each column of a judge's basis is of: the size, a sign between two knots, a name; and each by size."""
-    ramps = [f"{sign} above {low}" for sign, positions in knots.items() for low in positions[:-1]]
-    every = ["size", *ramps, *(f"name {name}" for name in names)]
-    return [*every, *(f"{column}, of {size}" for size in SIZES for column in every)]
+    weight_by_column = dict(zip(before.columns, before.weights.tolist(), strict=True)) if before else {}
+    judge = Judge(knots, names, np.zeros(0), before.of_none if before else np.zeros(5))
+    return replace(judge, weights=np.array([weight_by_column.get(column, 0.0) for column in judge.columns]))
 
 
 def fitted(lessons: list[Lesson], before: Judge | None = None) -> Judge:
