@@ -5,13 +5,15 @@ import sys
 import traceback
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import TypeVar, cast
 
 from ..run.description import Run
 from . import faint, verdict
 from .adoption.adopted_effects import adopted_effects
 from .choice.outcome import Study, rms
 from .document.content import Adoption, Verdict
+from .document.evidence import Evidence
+from .document.keyed import amount, amount_or_none, put
 from .document.tidy import tidy
 from .facts.not_kept import not_kept
 from .facts.told_floor import told_floor
@@ -71,11 +73,11 @@ def diagnosed(
     single = optional(
         "the noise of single samples",
         name,
-        lambda: single_floor(study, fine, recorded, content["fit"][f"noise_floor_{ending}"]),
+        lambda: single_floor(study, fine, recorded, amount(content["fit"], f"noise_floor_{ending}")),
     )
     content["evidence"] |= tidy(single or {})
     if step := steps_of(recorded):
-        content["evidence"][f"resolution_{ending}"] = tidy(step)
+        put(content["evidence"], f"resolution_{ending}", tidy(step))
     if adopted := optional("what was adopted", name, lambda: adopted_effects(study.problem, runs[0], ending)):
         content["evidence"]["adopted_effects"] = tidy(adopted)
     if others := optional("why others are not kept", name, lambda: not_kept(study, ending)):
@@ -88,27 +90,27 @@ def diagnosed(
 
 def missed(study: Study, content: Verdict, ending: str) -> float:
     """What the simulator misses a stroke by that no fit has seen, its single samples' noise averaged: rms, its unit."""
-    noise = float(content["fit"][f"noise_floor_{ending}"])
-    known = (content["fit"]["heldout"] or {}).get(f"explained_{ending}")
+    noise = float(amount(content["fit"], f"noise_floor_{ending}"))
+    known = amount_or_none(content["fit"]["heldout"] or {}, f"explained_{ending}")
     unseen = noise if known is None else float(known)
     return math.hypot(told_floor(study), math.sqrt(max(unseen**2 - noise**2, 0.0)))
 
 
-def of_run_yaml(study: Study, runs: list[Run]) -> dict[str, Any]:
+def of_run_yaml(study: Study, runs: list[Run]) -> Evidence:
     """What the words must know of run.yaml beside its dimensions, for the `evidence`.
 
     The tolerances and the sensor's scale that it gives, and by how much a run errs with the effects and dimensions that
     it has adopted: rms in the channel's unit, with the zero of the reading at its best.
     """
     problem, channel = study.problem, runs[0].system.channel
-    known: dict[str, Any] = {"tolerances_given": sorted(runs[0].tolerance)}
+    known: Evidence = {"tolerances_given": sorted(runs[0].tolerance)}
     scale = runs[0].channels[channel].scale if channel in runs[0].channels else 1.0
     if scale != 1.0:
         known["scale_given"] = scale
     adopted = of_run(runs[0])
     if len(runs) == 1 and adopted["parameters"]:
         predicted = at_its_best_zero(problem, adopted, Path("run.yaml"), runs[0].run)
-        known[f"adopted_{channel.rpartition('_')[2]}"] = rms(problem.measured - predicted)
+        put(known, f"adopted_{channel.rpartition('_')[2]}", rms(problem.measured - predicted))
     return known
 
 

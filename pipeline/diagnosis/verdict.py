@@ -189,7 +189,7 @@ def diagnosis(
     if study.verdict == "unknown" and own_alone(study):
         own = {"mechanisms": listed(study, fine, intervals(problem, study.best, study.noise), unit)}
         content["of_your_own"] = own | {"simulation": entries(study.best.acts, problem.drivers)}
-    tidied: dict[str, Any] = tidy(content)
+    tidied: Verdict = cast(Verdict, tidy(content))  # numbers alone were rounded
     tidied |= {"simulation": content["simulation"], "uncertainty": doubts(problem, study.state, known.covariance, unit)}
     if study.closest:
         tidied["closest"] = named_simulator(problem, study.closest, list(study.best_ids), unit)
@@ -197,4 +197,4 @@ def diagnosis(
         tidied["rivals"] = rivals(study, unit)
     for name, interval in known.parameters.items():
         tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
-    return spoken(cast(Verdict, without_zero_effects(tidied, unit)), problem.system)
+    return spoken(without_zero_effects(tidied, unit), problem.system)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from ..diagnosis import written
 from ..diagnosis.choice.outcome import Study
+from ..diagnosis.document import keyed
 from ..diagnosis.document.content import Verdict
 from ..diagnosis.in_memory import Say, diagnosed
 from ..diagnosis.numerics.judge import Judge
@@ -87,7 +88,7 @@ class Diagnosis:
             Mechanism(
                 entry["id"],
                 float(entry["confidence"]),
-                interval(entry[f"rms_{unit}"], unit),
+                interval(keyed.interval(entry, f"rms_{unit}"), unit),
                 {name: interval(each) for name, each in entry["parameters"].items()},
                 entry["sentence"],
             )

@@ -1,7 +1,9 @@
 """What a diagnosis names, as objects: an effect, and a number with its interval."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+
+from ..diagnosis.document.keyed import amount, amount_or_none
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,7 @@ class Mechanism:
     sentence: str
 
 
-def interval(entry: dict[str, Any], unit: str = "") -> Interval:
+def interval(entry: Mapping[str, object], unit: str = "") -> Interval:
     """An interval as a diagnosis writes it, in its own unit or else in `unit`."""
-    return Interval(entry["value"], entry.get("low"), entry.get("high"), str(entry.get("unit", unit)))
+    low, high = amount_or_none(entry, "low"), amount_or_none(entry, "high")
+    return Interval(amount(entry, "value"), low, high, str(entry.get("unit", unit)))

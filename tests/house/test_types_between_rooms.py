@@ -8,11 +8,13 @@ from imported import imported
 
 PIPELINE = Path(__file__).parents[2] / "pipeline"
 BARE = re.compile(r"(dict|Mapping)\[str, (Any|object)\]")
-# names of bare dictionaries that may stay, each with its reason
-ALIASES = {"diagnosis.document.content.Part": "keys of it end in the unit of the rig's reading"}
 # whose form another program or a person decides: it is read where it comes in, and made a type there
 DOCUMENTS = {
     "foreign.made_run.make_run": "run.yaml",
+    **{
+        f"diagnosis.document.keyed.{name}": "any typed part, read by a key that ends in the unit of the rig's reading"
+        for name in ("amount", "amount_or_none", "by_name", "extent", "interval", "put")
+    },
     "models.parts.diagnosed_run.Simulator": "what its `saved` writes, its `from_saved` alone reads",
     "models.parts.training.read_weights": "weights and settings, of each network's own kinds",
     "models.parts.training.write_weights": "weights and settings, of each network's own kinds",
@@ -69,12 +71,11 @@ def handed_on(sources: dict[str, Path]) -> dict[str, set[str]]:
     """What rooms hand each other in bare dictionaries, each with the modules that take it."""
     texts = {name: path.read_text("utf-8") for name, path in sources.items()}
     takes = {name: {given.removeprefix("pipeline.") for given in imported(path)} for name, path in sources.items()}
-    hidden = {f"{name}.{alias}" for name, text in texts.items() for alias in aliases(text)} - set(ALIASES)
+    hidden = {f"{name}.{alias}" for name, text in texts.items() for alias in aliases(text)}
     handed = set()
     for name, text in texts.items():
         others = frozenset(given.rpartition(".")[2] for given in takes[name] & hidden)
-        kept = frozenset(alias.rpartition(".")[2] for alias in ALIASES)
-        handed |= {f"{name}.{each}" for each in bare(without(text, kept & aliases(text)), others)}
+        handed |= {f"{name}.{each}" for each in bare(text, others)}
     used: dict[str, set[str]] = {}
     for name, text in texts.items():
         for full in handed:
@@ -83,11 +84,6 @@ def handed_on(sources: dict[str, Path]) -> dict[str, set[str]]:
             if room(module) != room(name) and (full in takes[name] or by_module):
                 used.setdefault(full, set()).add(name)
     return used
-
-
-def without(text: str, names: frozenset[str]) -> str:
-    """A source without the lines that define these names."""
-    return "\n".join(line for line in text.splitlines() if line.partition(" =")[0] not in names)
 
 
 def test_rooms_hand_each_other_types() -> None:

@@ -6,7 +6,8 @@ from pathlib import Path
 from ...ground.kinematics import Array
 from ...run.description import Run
 from ..choice.outcome import rms
-from ..document.content import Part
+from ..document.effects_named import AdoptedEffect, Loop, MechanismEntry
+from ..document.keyed import with_made
 from ..facts import extents, loops
 from ..facts.mechanism_entries import parameters_of
 from ..fit.problem import Act, Problem
@@ -17,12 +18,12 @@ from ..words.language.vocabulary import Vocabulary
 from ..words.named.effects import sentence
 
 
-def adopted_effects(problem: Problem, run: Run, ending: str) -> list[Part]:
+def adopted_effects(problem: Problem, run: Run, ending: str) -> list[AdoptedEffect]:
     """An entry each: `id`, its `rms` and `top` (`extents.tops`) in the reading's unit `ending`, `sentence`.
 
     The numbers are held as they were adopted, so that no size has an interval.
     """
-    system, entries = problem.system, list[Part]()
+    system, entries = problem.system, list[AdoptedEffect]()
     words, units = Vocabulary.of(system), Units.of(system)
     values = state_of(of_run(run), problem, Path("run.yaml"), run.run).values
     mass_kg = {parameter.name: value for parameter, value in zip(problem.parameters, values, strict=True)}.get(
@@ -31,13 +32,15 @@ def adopted_effects(problem: Problem, run: Run, ending: str) -> list[Part]:
     for act, effect in effects_of(problem, run):
         widest, worth = loops.widest(problem, effect), rms(effect)
         parameters = parameters_of(problem, act, (1.0, 1.0), {}, widest.width / 2 if widest else None)
-        entry = {"id": act.id, f"rms_{ending}": {"value": worth, "low": worth, "high": worth}, "parameters": parameters}
-        opened = {f"width_{ending}": widest.width, system.driver: widest.motion} if widest else None
+        known: MechanismEntry = {"id": act.id, "parameters": parameters}
+        entry = with_made(known, {f"rms_{ending}": {"value": worth, "low": worth, "high": worth}})
+        opened = with_made(Loop(), {f"width_{ending}": widest.width, system.driver: widest.motion}) if widest else None
         by_id = {act.id: effect}
         span, trend = extents.spans(by_id)[act.id], extents.trends(by_id)[act.id]
         says = sentence(mechanisms()[act.id], entry, span, words, units, opened, trend, mass_kg=mass_kg)
         top = extents.tops(by_id, problem.record).get(act.id)
-        entries.append({"id": act.id, f"rms_{ending}": worth, "sentence": says if worth else "", f"top_{ending}": top})
+        adopted: AdoptedEffect = {"id": act.id, "sentence": says if worth else ""}
+        entries.append(with_made(with_made(adopted, {f"rms_{ending}": worth}, "sentence"), {f"top_{ending}": top}))
     return entries
 
 

@@ -9,6 +9,7 @@ from ...ground.errors import BadInput
 from ...ground.units import unit_of
 from ...run.description import Run
 from ..document.content import Simulated, Verdict
+from ..document.keyed import amount_or_none
 from ..fit.adopt import fitted, is_number
 from ..fit.problem import Problem
 from ..prediction.later_run import names_before
@@ -113,7 +114,7 @@ def probable(ids: list[str], content: Verdict) -> str:
             and explanation.get("ids") == ids
             and is_number(explanation.get("probability"))
         ):
-            return f"{called(ids)} ({percent(explanation['probability'])})"
+            return f"{called(ids)} ({percent(explanation['probability'] or 0.0)})"
     return called(ids)
 
 
@@ -131,7 +132,9 @@ def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
     fit, verdict = content.get("fit"), content.get("verdict")
     held = fit.get("heldout") if isinstance(fit, dict) else None
     values = (
-        [held.get(f"{name}_{words.ending}") for name in ("calibrated", "explained")] if isinstance(held, dict) else []
+        [amount_or_none(held, f"{name}_{words.ending}") for name in ("calibrated", "explained")]
+        if isinstance(held, dict)
+        else []
     )
     if not is_of(content, run) or verdict not in ("explained", "ambiguous"):
         return []

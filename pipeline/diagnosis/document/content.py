@@ -1,12 +1,14 @@
-"""What `diagnosis.json` holds, for whoever reads it. Keys that end in the rig's unit stand in the parts below it."""
+"""What `diagnosis.json` holds, for whoever reads it. Keys that end in the rig's unit are read by `keyed`."""
 
 from collections.abc import Sequence
-from typing import Any, NotRequired, TypedDict
+from typing import NotRequired, TypedDict
 
 from ...run.description import Included
-
-Part = dict[str, Any]  # of the document, with keys by the rig's channels and the unit of its reading, as `rms_mm`
-LegSaid = dict[str, float]  # of a proposed run: `seconds`, and motion and load at its end, by their channels' names
+from .effects_named import Dimension, Location, MechanismEntry, OfYourOwn, StandIn
+from .evidence import Evidence
+from .expected import NextRun
+from .explanations import ExplanationEntry
+from .keyed import amount
 
 
 class Simulated(TypedDict):
@@ -16,39 +18,9 @@ class Simulated(TypedDict):
     """
 
     run: NotRequired[str | list[str]]
-    parameters: dict[str, Part]
+    parameters: dict[str, Dimension]
     simulation: Sequence[Included]
     against_advice: NotRequired[list[str]]
-
-
-class Quantity(TypedDict):
-    """A number of a mechanism with its 90 % interval, all three in `unit`."""
-
-    value: float
-    low: float
-    high: float
-    unit: str
-
-
-Place = TypedDict("Place", {"from": float}, total=False)  # the motion that a proposed run starts from
-
-
-class NextRun(Place, total=False):
-    """A proposed run, in numbers; `gap_now` and `gap_then`: by how much the best leads, now and as foretold."""
-
-    title: str
-    legs: list[LegSaid]
-    load: float
-    fixed_load: bool  # whether the load stood still in what was recorded
-    parts: list[list[str]]  # explanations that it tells from the best
-    gap_now: float
-    gap_then: float
-    pairs: list[Part]  # each two explanations that were compared: `ids`, and their own `gap_now` and `gap_then`
-    apart: Part  # by how much the readings that the two expect differ at most, and the motion where
-    follows: str
-    decides: bool
-    raises: bool
-    curves: Part  # lists of numbers: time in s, motion, load, and each reading
 
 
 class Adoption(TypedDict, total=False):
@@ -81,7 +53,7 @@ class Rival(TypedDict):
     """One explanation that ties, as a simulator: its mechanisms' `ids`, its dimensions, and what acts."""
 
     ids: list[str]
-    parameters: dict[str, Part]
+    parameters: dict[str, Dimension]
     simulation: Sequence[Included]
 
 
@@ -89,31 +61,67 @@ class Unseen(TypedDict):
     """The simulator that the whole procedure found without the last strokes, and what it saw of each run, in s."""
 
     seen_s: list[float]  # from the run's first sample on; a run with 0 was not seen at all
-    parameters: dict[str, Part]
+    parameters: dict[str, Dimension]
     simulation: Sequence[Included]
+
+
+class Mismatch(TypedDict):
+    """What is wrong with a simulator: where, and what it follows; a made key: `rms_…`, in the reading's unit."""
+
+    location: Location
+    driver: str
+
+
+class HeldOut(TypedDict):
+    """Errors on strokes that no fit has seen; made keys, rms in the reading's unit, of each simulator: `explained_…`.
+
+    The others are `nominal_…`, `calibrated_…` and `without_physics_…`.
+    """
+
+    split: str  # which strokes
+
+
+class Relative(TypedDict):
+    """What each simulator leaves, over the reading itself, after the filter that is stated with it; without a unit."""
+
+    nominal: float
+    calibrated: float
+    explained: float
+    filter: str
+
+
+class Fit(TypedDict, total=False):
+    """How well it fits; made keys, in the reading's unit: `noise_floor_…`, `single_floor_…`, `detectable_…`.
+
+    The last is by effect.
+    """
+
+    heldout: HeldOut | None
+    worse_than_nominal: list[str]  # simulators
+    relative_residual: Relative
 
 
 class Verdict(Simulated, total=False):
     """All of it, as docs/diagnosis_json.md describes it; a file may lack anything but what is simulated."""
 
     verdict: str  # consistent, parameters, explained, ambiguous or unknown
-    mismatch: Part | None
-    mechanisms: list[Part]
+    mismatch: Mismatch | None
+    mechanisms: list[MechanismEntry]
     alternatives: list[list[str]]
     next_experiment: str | None
     next_run: NextRun | None
-    fit: Part
-    evidence: Part
+    fit: Fit
+    evidence: Evidence
     uncertainty: list[Doubt]
     rivals: list[Rival]
     without_last_strokes: Unseen
     code: str
     without: list[str]
     closest: Rival  # of an unknown verdict: what predicts better by far than dimensions alone, though it is no name
-    beside: list[Part]  # what the simulator has beside what is named: stand-ins, no names
-    of_your_own: Part
+    beside: list[StandIn]  # what the simulator has beside what is named: stand-ins, no names
+    of_your_own: OfYourOwn
     adopted: list[Adoption]
-    zero_jumps: list[Part]  # of the runs of one string
+    zero_jumps: list[dict[str, str | float]]  # of the runs of one string
 
 
 def proposal(content: Verdict) -> NextRun:
@@ -123,17 +131,17 @@ def proposal(content: Verdict) -> NextRun:
     return content["next_run"]
 
 
-def mismatch_of(content: Verdict) -> Part:
+def mismatch_of(content: Verdict) -> Mismatch:
     """What is wrong with the simulator: how much, where, and what it follows; raises ValueError where nothing is."""
     if content["mismatch"] is None:
         raise ValueError("the verdict has no mismatch")
     return content["mismatch"]
 
 
-def left_with_discrepancy(explanation: Part, ending: str) -> float:
+def left_with_discrepancy(explanation: ExplanationEntry, ending: str) -> float:
     """What an explanation leaves if its formulas may be a little wrong, rms in the reading's unit, `ending` of keys.
 
     A file from before 2026-11-28 calls it `bent_…`.
     """
     key = f"with_discrepancy_{ending}"
-    return float(explanation[key] if key in explanation else explanation[f"bent_{ending}"])
+    return amount(explanation, key if key in explanation else f"bent_{ending}")

@@ -2,14 +2,14 @@
 
 import re
 
-from .content import Part
+from .effects_named import WithParameters
 
 BRANCH_S = re.compile(r"(?:^|_)([0-9.]+)_s_")  # in the name of a strength
 COULD_SHOW = {"fastest_s", "slowest_s"}
 CARRIES = 0.2  # of all strengths: time constants with less are not worth a word
 
 
-def time_constants_s(entry: Part) -> list[float]:
+def time_constants_s(entry: WithParameters) -> list[float]:
     """The time constants of a named mechanism, an entry of `mechanisms`, in s, the shortest first.
 
     Those that carry most of it, by the names of its strengths; else what its parameters give in seconds. The shortest

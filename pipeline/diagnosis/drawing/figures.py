@@ -12,6 +12,8 @@ from ...ground.figure_file import write_page
 from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
+from ..document.effects_named import Dimension
+from ..document.keyed import amount
 from ..prediction.simulation import at_its_best_zero
 from ..words.explanations import excursions
 from ..words.held_out import holdout, unseen
@@ -108,7 +110,7 @@ def as_adopted(study: Study, verdict: Verdict) -> Array | None:
     came = [adoption["dimensions"] for adoption in verdict.get("adopted", []) if adoption.get("dimensions")][-1:]
     if not came or f"adopted_{problem.system.channel.rpartition('_')[2]}" not in verdict["evidence"]:
         return None
-    held = {name: {"value": dimension["fitted"]} for name, dimension in came[0].items()}
+    held: dict[str, Dimension] = {name: {"value": dimension["fitted"]} for name, dimension in came[0].items()}
     run = str(verdict["run"])
     content: Simulated = {"parameters": held, "simulation": verdict["simulation"]}
     return at_its_best_zero(problem, content, Path("run.yaml"), run)
@@ -148,9 +150,9 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     maps.legend(handles=signs, loc="outside lower center", ncols=len(signs), fontsize=7, frameon=False)
     ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
     compared, single = noises(content, vocabulary)
-    noise_band = content["evidence"][f"floor_{ending}"]  # the noise of the legends
+    noise_band = amount(content["evidence"], f"floor_{ending}")  # the noise of the legends
     panels.ranking(ranked, content, ending, compared)
-    floor_here = content["fit"][f"noise_floor_{ending}"]
+    floor_here = amount(content["fit"], f"noise_floor_{ending}")
     skip = int("as adopted" in simulations)
     names = other_name(content), closest(content)
     panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, *names)

@@ -10,7 +10,9 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from ...ground.outside_library import is_outside
-from ..document.content import Part, Verdict, left_with_discrepancy
+from ..document.content import HeldOut, Verdict, left_with_discrepancy
+from ..document.explanations import ExplanationEntry
+from ..document.keyed import amount
 from ..recording.drivers import Drivers
 from ..words.explanations import explanation_table, probability, rivals
 from ..words.held_out.holdout import included
@@ -54,7 +56,7 @@ def ways(drivers: Drivers) -> tuple[str, str]:
     return ("winding", "unwinding") if drivers.units.motion == "turns" else directions(drivers.units.motion)
 
 
-def briefly(explanation: Part) -> str:
+def briefly(explanation: ExplanationEntry) -> str:
     """What stands beside an explanation's point: its probability, and why a probable one is none."""
     share = explanation.get("probability")
     parts = [] if share is None else [percent(share) if share else "less than 1 %"]
@@ -75,7 +77,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     shown = sorted(
         others, key=lambda each: (bool(each["ids"]), each["standing"] in KEPT, each.get("probability") or 0.0)
     )  # from below
-    floor = content["evidence"][f"floor_{ending}"]
+    floor = amount(content["evidence"], f"floor_{ending}")
     left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
     standing_of = [_standing(each, shown[-1], unknown) for each in shown]
     colours = [STANDINGS[standing][0] for standing in standing_of]
@@ -135,7 +137,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     axes.set_title(title, fontsize=10)
 
 
-def _standing(explanation: Part, first: Part, unknown: bool) -> str:
+def _standing(explanation: ExplanationEntry, first: ExplanationEntry, unknown: bool) -> str:
     """How an explanation fared, as its colour says it: where nothing is named only the `first` is the best there is."""
     of_others = unknown and explanation["standing"] == "not enough" and explanation is not first
     return "beaten" if of_others else str(explanation["standing"])
@@ -149,7 +151,7 @@ def plain(axis: Axis) -> None:
 
 
 def held_out(
-    axes: Axes, held: Part | None, floor: float, ending: str, unit: str, noise: str = "noise",
+    axes: Axes, held: HeldOut | None, floor: float, ending: str, unit: str, noise: str = "noise",
     title: str = "Error on unseen strokes", skip: int = 0, without: str = "", closest: str = "",
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys.
@@ -163,7 +165,7 @@ def held_out(
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])
         return
-    values = [held[f"{name}_{ending}"] for name in ("nominal", "calibrated", "explained")]
+    values = [amount(held, f"{name}_{ending}") for name in ("nominal", "calibrated", "explained")]
     names = list(SHADES)[skip : 2 if values[2] == values[1] else 3]  # what is the same is drawn once
     values, places = values[skip : skip + len(names)], range(len(names))
     hollow = [bool(without or closest) and name == NAMED for name in names]

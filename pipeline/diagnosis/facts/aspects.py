@@ -1,7 +1,6 @@
 """The signs of an explanation, gathered into the few aspects that a person weighs; which of them count against one."""
 
-from typing import Any
-
+from ..document.explanations import Cause
 from ..numerics.judge import Judge, Weighed
 
 CHIEF = 2  # aspects that are kept for each explanation
@@ -37,7 +36,7 @@ def by_aspect(judge: Judge, rival: Weighed, best: Weighed) -> dict[str, float]:
     return lead_by_aspect
 
 
-def chief(judge: Judge, rival: Weighed, best: Weighed) -> list[dict[str, Any]]:
+def chief(judge: Judge, rival: Weighed, best: Weighed) -> list[Cause]:
     """The aspects that count most against an explanation: `log_odds`, and by how much the first sign is `more`."""
     leads = sorted(by_aspect(judge, rival, best).items(), key=lambda item: item[1])
     return [

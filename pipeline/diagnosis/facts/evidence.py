@@ -3,7 +3,7 @@
 Nothing here decides: the verdict is already made.
 """
 
-from dataclasses import asdict, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +12,9 @@ from ..choice.compare import price
 from ..choice.kept import at_work
 from ..choice.outcome import Study, cancels, rms
 from ..choice.search import Explanation, Search
-from ..document.content import Part
+from ..document.evidence import Evidence
+from ..document.explanations import Cause, ExplanationEntry, LeftOut
+from ..document.keyed import put, with_made
 from ..fit import generic, locate
 from ..fit.problem import Problem
 from ..recording.covered import covered
@@ -46,7 +48,7 @@ def listed(study: Study) -> list[Explanation]:
     )  # no rounding
 
 
-def explanations(study: Study, ending: str, calibrated: float) -> list[Part]:
+def explanations(study: Study, ending: str, calibrated: float) -> list[ExplanationEntry]:
     """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
 
     `with_discrepancy_…`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first,
@@ -67,20 +69,19 @@ def explanations(study: Study, ending: str, calibrated: float) -> list[Part]:
             standing = "nothing"
         elif not first or len(explanation.ids) > len(first.ids):
             standing = "not needed"
-        entry: Part = {
-            "ids": list(explanation.ids),
-            "standing": standing,
-            f"left_{ending}": float(np.sqrt(max(explanation.energy, 0.0))),
-        }
+        entry: ExplanationEntry = {"ids": list(explanation.ids), "standing": standing}
+        left = float(np.sqrt(max(explanation.energy, 0.0)))
+        put(entry, f"left_{ending}", left if explanation.ids else calibrated)
         if not explanation.ids:
-            entry |= {f"approximated_{ending}": entry[f"left_{ending}"], f"left_{ending}": calibrated}
+            put(entry, f"approximated_{ending}", left)
         entry["probability"] = probability(study, explanation.ids)
-        entry[f"with_discrepancy_{ending}"] = float(np.sqrt(max(search.with_discrepancy(explanation).energy, 0.0)))
+        with_discrepancy = float(np.sqrt(max(search.with_discrepancy(explanation).energy, 0.0)))
+        put(entry, f"with_discrepancy_{ending}", with_discrepancy)
         if first and explanation.ids and explanation is not first:
             entry["worse"] = price(search, explanation) - price(search, first)
             entry["because"] = because(study, explanation.ids, first.ids)
             gap = fitted(search, first) - fitted(search, explanation)
-            entry[f"gap_{ending}"] = float(np.sqrt(np.mean(np.square(gap))))
+            put(entry, f"gap_{ending}", float(np.sqrt(np.mean(np.square(gap)))))
             entry["location"] = locate.box(gap, study.problem)
             entry["driver"] = follows(drivers, gap)
             likelier = (entry["probability"] or 0.0) > (probability(study, first.ids) or 0.0)
@@ -96,12 +97,15 @@ def probability(study: Study, ids: tuple[str, ...]) -> float | None:
     return likely.get(study.beside_chance(ids), likely.get(ids)) if study.problem.drivers.levered else None
 
 
-def left_out(study: Study) -> list[Part]:
+def left_out(study: Study) -> list[LeftOut]:
     """The likely explanations that are no names: ids, probability, `because` of what, and `of` which effects."""
-    return [asdict(out) | {"probability": probability(study, out.ids)} for out in study.judged.left_out]
+    return [
+        {"ids": [*out.ids], "because": out.because, "of": [*out.of], "probability": probability(study, out.ids)}
+        for out in study.judged.left_out
+    ]
 
 
-def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[Part] | None:
+def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[Cause] | None:
     """What counts most against an explanation beside the best one; None where the judge did not weigh both."""
     known = {weighed.ids: weighed for weighed in study.judged.weighed}
     rival, first = (known.get(study.without_chance(each)) or known.get(each) for each in (ids, best))
@@ -169,29 +173,31 @@ def misfits(study: Study, ending: str) -> dict[str, float]:
     }
 
 
-def evidence(study: Study) -> Part:
+def evidence(study: Study) -> Evidence:
     """All of it, as `diagnosis.json` holds it; `floor` is that of the values that were compared, `step_s` apart."""
     system, drivers = study.problem.system, study.problem.drivers
     ending = system.channel.rpartition("_")[2]
     effects, alone = mechanism_entries.named_effects(study), misfits(study, ending)
-    return {
-        f"floor_{ending}": told_floor(study),
-        **alone,
+    sizes = {
+        f"spans_{ending}": extents.spans(effects),
+        f"trends_{ending}": extents.trends(effects),
+        f"tops_{ending}": extents.tops(effects, study.problem.record),
+    }
+    weighed: Evidence = {
         "explanations": explanations(study, ending, alone[f"calibrated_{ending}"]),
         "probability_of_none": study.judged.none if study.judged.likely and drivers.levered else None,
         "left_out": left_out(study),
         **recognised(study),
         **gone_off(study, ending),
         **look_alikes(study, ending),
-        f"spans_{ending}": extents.spans(effects),
-        f"trends_{ending}": extents.trends(effects),
-        f"tops_{ending}": extents.tops(effects, study.problem.record),
         "loops": mechanism_entries.opened(study.problem, effects, f"width_{ending}", system.driver),
         "moved_sigma": moved(study),
         "tolerance": tolerances(study),
         "step_s": drivers.step_s,
-        system.driver: [float(drivers.motion.min()), float(drivers.motion.max())],
         "strokes": [int(max(drivers.stroke.min(), 1)), int(drivers.stroke.max())],
         "loaded": drivers.loaded,
         "covered": covered(study.problem.record),
     }
+    whole = with_made(weighed, {f"floor_{ending}": told_floor(study), **alone}, "explanations")
+    motion = {system.driver: [float(drivers.motion.min()), float(drivers.motion.max())]}
+    return with_made(with_made(whole, sizes, "loops"), motion, "strokes")

@@ -1,15 +1,15 @@
 """How much of each named effect moved dimensions cannot do, and which dimensions moved in its place."""
 
-from typing import Any
-
 from ..choice.disguise import beyond
 from ..choice.outcome import Study, rms
+from ..document.evidence import Evidence
+from ..document.keyed import with_made
 from ..fit import discrepancy
 from ..fit.linear import Linear
 from ..numerics.noise import white
 
 
-def look_alikes(study: Study, ending: str) -> dict[str, Any]:
+def look_alikes(study: Study, ending: str) -> Evidence:
     """What dimensions leave of each effect, rms, by id; and by how many tolerances each moved where nothing is named.
 
     `ending` is that of the keys. Nothing where nothing is named.
@@ -26,4 +26,5 @@ def look_alikes(study: Study, ending: str) -> dict[str, Any]:
         )
         for i in problem.movable
     }
-    return {f"beyond_dimensions_{ending}": left, "moved_alone_sigma": moved}
+    alone: Evidence = {"moved_alone_sigma": moved}
+    return with_made(alone, {f"beyond_dimensions_{ending}": left}, "moved_alone_sigma")

@@ -5,7 +5,8 @@ import numpy as np
 from ...ground.kinematics import Array
 from ..choice import chance
 from ..choice.outcome import Study, rms
-from ..document.content import Part, Quantity
+from ..document import keyed
+from ..document.effects_named import Loop, MechanismEntry, Quantity
 from ..fit import locate
 from ..fit.adopt import entries
 from ..fit.intervals import Interval, Intervals
@@ -22,7 +23,7 @@ HALF_LOOP = "half_loop_mm"  # of the sums, the one that is the same at every loa
 HalfWidths = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval
 
 
-def as_entry(interval: Interval) -> dict[str, float]:
+def as_entry(interval: Interval) -> keyed.Interval:
     """A value with its 90 % interval, as an entry."""
     return {"value": interval.value, "low": interval.low, "high": interval.high}
 
@@ -68,7 +69,7 @@ def parameters_of(
     return parameters
 
 
-def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[Part]:
+def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[MechanismEntry]:
     """All that is named; `fine` is the problem at the recording's own rate, `unit` the ending of the channel."""
     problem, entries_ = study.problem, []
     for act in study.best.acts:
@@ -84,17 +85,14 @@ def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[Par
             size = Interval(*(own_rate * end for end in (own.value, own.low, own.high)))
         loop = loops.widest(problem, effect)
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
-        entries_.append(
-            {
-                "id": act.id,
-                "confidence": confidence(study, act.id),
-                f"rms_{unit}": as_entry(size),
-                "parameters": parameters_of(
-                    problem, act, relative, known.half_widths, loop.width / 2 if loop else None
-                ),
-                "location": locate.box(effect, problem),
-            }
-        )
+        half_loop = loop.width / 2 if loop else None
+        entry: MechanismEntry = {
+            "id": act.id,
+            "confidence": confidence(study, act.id),
+            "parameters": parameters_of(problem, act, relative, known.half_widths, half_loop),
+            "location": locate.box(effect, problem),
+        }
+        entries_.append(keyed.with_made(entry, {f"rms_{unit}": as_entry(size)}, "parameters"))
     return entries_
 
 
@@ -108,18 +106,18 @@ def named_effects(study: Study) -> dict[str, Array]:
     return {act.id: effect_of(problem, best, act) for act in acts}
 
 
-def opened(problem: Problem, effects: dict[str, Array], reading: str, driver: str) -> dict[str, Part]:
+def opened(problem: Problem, effects: dict[str, Array], reading: str, driver: str) -> dict[str, Loop]:
     """Of each effect with a loop, by id: how far both ways part, as `reading`, and where, as `driver`.
 
     `by_load`: where strokes were made under several loads, the lowest and the highest, with the width under each.
     Each effect has the shape (samples,), in the reading's unit.
     """
-    open_by_id: dict[str, Part] = {}
+    open_by_id: dict[str, Loop] = {}
     for id_, effect in effects.items():
         loop = loops.widest(problem, effect)
         if loop:
-            by_load = {"by_load": [list(pair) for pair in loop.by_load]} if loop.by_load else {}
-            open_by_id[id_] = {reading: loop.width, driver: loop.motion, **by_load}
+            by_load: Loop = {"by_load": [list(pair) for pair in loop.by_load]} if loop.by_load else {}
+            open_by_id[id_] = keyed.with_made(by_load, {reading: loop.width, driver: loop.motion}, "by_load")
     return open_by_id
 
 

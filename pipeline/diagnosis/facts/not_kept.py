@@ -9,7 +9,8 @@ from ...ground.kinematics import Array
 from ..choice.candidates import apart
 from ..choice.outcome import Study
 from ..choice.search import Explanation
-from ..document.content import Part
+from ..document.explanations import Change, NotKept, Stood
+from ..document.keyed import with_made
 from ..mechanisms.interface import physics
 from ..recording.working_samples import PHASES
 from .evidence import fitted
@@ -18,7 +19,7 @@ LEAST_S, LEAST_SAMPLES, LEAST_STANDS = 1.0, 9, 3  # shorter, coarser and fewer s
 PART = 3  # of a stand: its last third is held against its first
 
 
-def not_kept(study: Study, ending: str) -> list[Part]:
+def not_kept(study: Study, ending: str) -> list[NotKept]:
     """An entry each effect: `id`, how `likely` it is at work, and what the best explanation leaves with it, rms.
 
     `instead`: of as many effects as the best explanation; `beside`: added to it. `stands`: by how much what the
@@ -31,25 +32,27 @@ def not_kept(study: Study, ending: str) -> list[Part]:
     kept = {id_ for explanation in study.sets for id_ in explanation.ids}
     possible = {id_ for id_, options in search.linear.catalogue.items() if options}
     same = search.all_of(len(best.ids))
-    tied = [{"ids": list(other.ids), "stands": _stands(study, other)} for other in study.sets[1:]]
-    entries: list[Part] = [{"id": None, f"left_{ending}": _left(best), "stands": _stands(study, best), "tied": tied}]
+    tied: list[Stood] = [{"ids": list(other.ids), "stands": _stands(study, other)} for other in study.sets[1:]]
+    own: NotKept = {"id": None, "stands": _stands(study, best), "tied": tied}
+    entries = [with_made(own, {f"left_{ending}": _left(best)}, "stands")]
     for id_ in study.problem.library:
         if id_ in kept or not physics((id_,)):
             continue
         instead = min((other for other in same if id_ in other.ids), key=lambda other: other.energy, default=None)
         more = tuple(sorted({*best.ids, id_}))
         beside = search.explain(more) if id_ in possible and apart(more) else None
-        entries.append(
-            {
-                "id": id_,
-                "likely": study.judged.confidence(id_),
-                "possible": id_ in possible,
-                "instead": list(instead.ids) if instead else None,
-                f"left_{ending}": _left(instead) if instead else None,
-                f"beside_{ending}": _left(beside) if beside else None,
-                "stands": _stands(study, instead) if instead else None,
-            }
-        )
+        entry: NotKept = {
+            "id": id_,
+            "likely": study.judged.confidence(id_),
+            "possible": id_ in possible,
+            "instead": list(instead.ids) if instead else None,
+            "stands": _stands(study, instead) if instead else None,
+        }
+        left = {
+            f"left_{ending}": _left(instead) if instead else None,
+            f"beside_{ending}": _left(beside) if beside else None,
+        }
+        entries.append(with_made(entry, left, "stands"))
     return entries
 
 
@@ -57,7 +60,7 @@ def _left(explanation: Explanation) -> float:
     return float(np.sqrt(max(explanation.energy, 0.0)))
 
 
-def _stands(study: Study, explanation: Explanation) -> dict[str, dict[str, float]]:
+def _stands(study: Study, explanation: Explanation) -> dict[str, Change]:
     """Of holds and of rests: the mean `change` of what an explanation leaves, its standard `error`, and their `count`.
 
     Changes are in the reading's unit, from the first third of a stand to its last.
@@ -66,9 +69,9 @@ def _stands(study: Study, explanation: Explanation) -> dict[str, dict[str, float
     return going_on(study, search.linear.table[-1] - fitted(search, explanation))
 
 
-def going_on(study: Study, signal: Array) -> dict[str, dict[str, float]]:
+def going_on(study: Study, signal: Array) -> dict[str, Change]:
     """By how much a signal of shape (samples,) changes while the motor stands, by phase; in the signal's unit."""
-    record, change_by_phase = study.problem.record, {}
+    record, change_by_phase = study.problem.record, dict[str, Change]()
     for phase in ("hold", "rest"):
         inside = record.phase[: len(signal)] == PHASES.index(phase)
         edges = np.flatnonzero(np.diff(inside.astype(int)) | (np.diff(record.run_index[: len(signal)]) != 0)) + 1

@@ -7,10 +7,11 @@ import math
 
 from ...ground.outside_library import is_outside
 from ..choice.outcome import Study
+from ..document.evidence import Evidence
 from ..numerics.recogniser import DOUBT, OF_ALL, OF_EXPLANATION
 
 
-def recognised(study: Study) -> dict[str, dict[str, float]]:
+def recognised(study: Study) -> Evidence:
     """`looks_like`: shares of 1 by effect, and `outside`; nothing where something is named, or nothing recognised."""
     weighed = study.judged.weighed
     if study.verdict != "unknown" or not weighed or OF_ALL not in weighed[0].signs:

@@ -1,11 +1,15 @@
 """A diagnosis without the mechanisms that came out with no strength: what does nothing explains nothing."""
 
+from typing import cast
+
 from ...ground.outside_library import is_outside
-from ..document.content import Part
+from ..document.content import Mismatch, Verdict
+from ..document.explanations import ExplanationEntry
+from ..document.keyed import interval
 from ..mechanisms.library import mechanisms
 
 
-def without_zero_effects(content: Part, ending: str) -> Part:
+def without_zero_effects(content: Verdict, ending: str) -> Verdict:
     """The content without named mechanisms of size 0, whose ids `evidence.idle` lists.
 
     Where no physics would remain they stay named, but for `simulation`.
@@ -13,25 +17,28 @@ def without_zero_effects(content: Part, ending: str) -> Part:
     The best explanation is then the smaller one, which may stand among the others too: there it goes. `ending` is that
     of the keys.
     """
-    idle = [entry["id"] for entry in content["mechanisms"] if not entry[f"rms_{ending}"]["value"]]
+    idle = [entry["id"] for entry in content["mechanisms"] if not interval(entry, f"rms_{ending}")["value"]]
     kept = [entry for entry in content["mechanisms"] if entry["id"] not in idle]
     content = content | {"simulation": [entry for entry in content["simulation"] if entry["id"] not in idle]}
     if not idle or all(is_outside(entry["id"]) for entry in kept):
         return content
     ids = {entry["id"] for entry in kept}
     others = [other for other in content["alternatives"] if set(other) != ids]
-    shown: list[Part] = []
+    shown: list[ExplanationEntry] = []
     twins = [explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == ids]
     for explanation in content["evidence"]["explanations"]:
         if explanation["standing"] == "named":
-            shares = [each["probability"] for each in (explanation, *twins) if each.get("probability") is not None]
+            weighed = [each.get("probability") for each in (explanation, *twins)]
+            shares = [share for share in weighed if share is not None]
             kept_ids = [id_ for id_ in explanation["ids"] if id_ not in idle]
-            shown.append(explanation | {"ids": kept_ids, "probability": sum(shares) if shares else None})
+            made_of: ExplanationEntry = {**explanation, "ids": kept_ids, "probability": sum(shares) if shares else None}
+            shown.append(made_of)
         elif set(explanation["ids"]) != ids:
             shown.append(explanation)
     made = content | {"mechanisms": kept, "alternatives": others}
     if content["mismatch"]:
-        made["mismatch"] = content["mismatch"] | {"driver": [mechanisms()[entry["id"]].driver for entry in kept]}
+        driven = {**content["mismatch"], "driver": [mechanisms()[entry["id"]].driver for entry in kept]}
+        made["mismatch"] = cast(Mismatch, driven)  # the drivers become words last
     made["evidence"] = content["evidence"] | {"explanations": shown, "idle": idle}
     if content["verdict"] == "ambiguous" and not others:
         made |= {"verdict": "explained", "next_run": None}

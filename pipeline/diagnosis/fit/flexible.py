@@ -4,12 +4,12 @@ Source: Friedman, "Greedy function approximation: a gradient boosting machine", 
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
+from ..document.effects_named import Location
 from ..recording.drivers import Drivers
 from . import generic, locate
 from .problem import Problem, State
@@ -23,7 +23,7 @@ class Foretold:
     """What the regression adds to a simulator, at the recording's own rate, and where and following what."""
 
     added: Array  # one value a sample of the recording, in the reading's unit
-    location: dict[str, Any]  # as `locate.box` says it, over the strokes that were held out
+    location: Location  # as `locate.box` says it, over the strokes that were held out
     driver: str  # as `generic.groups` calls it
 
 

@@ -4,7 +4,8 @@ import numpy as np
 from numba import njit
 
 from ...ground.kinematics import Array
-from ..document.content import Part
+from ..document.effects_named import Location
+from ..document.keyed import with_made
 from ..recording.working_samples import PHASES
 from .problem import Problem
 
@@ -36,7 +37,7 @@ def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int,
     return best, place[0], place[1], place[2], place[3]
 
 
-def box(mismatch: Array, problem: Problem, share: float = SHARE) -> Part:
+def box(mismatch: Array, problem: Problem, share: float = SHARE) -> Location:
     """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold.
 
     The box is the smallest that holds `share` of the energy: the whole recording with a share of 0 where there is no
@@ -53,9 +54,10 @@ def box(mismatch: Array, problem: Problem, share: float = SHARE) -> Part:
     whole = float(squared.sum())
     if not 0.0 < whole < np.inf:  # nothing is anywhere: a mechanism that refining took back
         ends = [int(max(strokes[0], 1)), int(max(strokes[-1], 1))]
-        return {problem.system.driver: [low, high], "strokes": ends, "phase": "all", "share": 0.0}
+        nowhere: Location = {"strokes": ends, "phase": "all", "share": 0.0}
+        return with_made(nowhere, {problem.system.driver: [low, high]}, "strokes")
     shape = (int(row.max()) + 1, TURN_BINS)
-    best: tuple[float, Part] | None = None
+    best: tuple[float, Location] | None = None
     for phase in ("all", *PHASES):
         inside = np.ones(len(row), bool) if phase == "all" else drivers.phase == PHASES.index(phase)
         energy, samples = np.zeros(shape), np.zeros(shape)
@@ -66,12 +68,12 @@ def box(mismatch: Array, problem: Problem, share: float = SHARE) -> Part:
         count, a, b, c, d = _smallest(energy, samples, share * whole)
         if best is None or count < best[0]:
             last = min((b + 1) * per_bin, len(strokes)) - 1
-            location = {
-                problem.system.driver: [low + c * width, low + (d + 1) * width],
+            motion = [low + c * width, low + (d + 1) * width]
+            location: Location = {
                 "strokes": [int(max(strokes[a * per_bin], 1)), int(max(strokes[last], 1))],
                 "phase": phase,
                 "share": float(energy[a : b + 1, c : d + 1].sum() / whole),
             }
-            best = (count, location)
+            best = (count, with_made(location, {problem.system.driver: motion}, "strokes"))
     assert best is not None  # the whole recording always qualifies
     return best[1]

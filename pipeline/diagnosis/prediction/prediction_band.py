@@ -6,7 +6,7 @@ other string, and no motion beyond what was recorded.
 """
 
 import copy
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -112,9 +112,10 @@ def band(problem: Problem, content: Verdict, path: Path, run: str, zeroed: Zeroe
     formed(_Read, content, path, MEND)
     ending = problem.system.channel.rpartition("_")[2]
     fit = content.get("fit") or {}
-    noise, unseen = (_size(part.get(key)) for part, key in (
+    stated: tuple[tuple[Mapping[str, object], str], ...] = (
         (fit, f"noise_floor_{ending}"), (fit.get("heldout") or {}, f"explained_{ending}"),
-    ))  # fmt: skip
+    )  # fmt: skip
+    noise, unseen = (_size(part.get(key)) for part, key in stated)
     if not content.get("uncertainty") or noise is None:
         return None
     simulated = zeroed or (lambda simulator: tared(problem, simulator, path, run))

@@ -15,7 +15,8 @@ from ...ground.regular_file import read_regular
 from ...run.description import Fitted, Run
 from ...systems import System
 from ..choice.outcome import rms
-from ..document.content import Part, Simulated, Verdict
+from ..document.content import Simulated, Verdict
+from ..document.effects_named import Dimension
 from ..fit.adopt import acts_from, is_number
 from ..fit.problem import Problem, State
 from ..recording.working_samples import averaged, despiked, means, wild
@@ -67,7 +68,7 @@ def of_run(run: Run) -> Simulated:
 
     Dimensions are those of run.yaml where none were adopted, or where one has been measured again since.
     """
-    held: dict[str, Part] = (
+    held: dict[str, Dimension] = (
         {} if measured_since(run) else {name: {"value": dimension.fitted} for name, dimension in _adopted(run).items()}
     )
     content: Simulated = {"run": run.run, "parameters": held, "simulation": run.simulation}

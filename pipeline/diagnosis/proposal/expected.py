@@ -9,7 +9,9 @@ from ...ground.kinematics import Array
 from ...run.description import Run
 from ..choice.outcome import Study
 from ..choice.search import Explanation
-from ..document.content import Part
+from ..document.effects_named import MechanismEntry
+from ..document.expected import Expected, ExpectedExplanation
+from ..document.keyed import amount, with_made
 from ..document.time_constants import time_constants_s
 from ..facts.recorded_loop import recorded_loop
 from ..fit.problem import Problem, State
@@ -31,7 +33,7 @@ STAND_S = 60.0  # where no time constant is known
 UP, DWELL, DOWN = 2, 3, 4  # of the legs of a way home and a stroke
 
 
-def of_explanations(study: Study, run: Run, named: list[Part], ending: str, missed: float) -> Part:
+def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending: str, missed: float) -> Expected:
     """What the explanations foretell of strokes after the recording; `named` are the entries of `mechanisms`.
 
     `missed`: by how much the simulator misses strokes that no fit had seen, the noise of averages in it.
@@ -54,7 +56,7 @@ def of_explanations(study: Study, run: Run, named: list[Part], ending: str, miss
     rig, record, tied = Rig(study.problem.record), study.problem.record, study.sets[:MOST]
     others = [] if len(tied) > 1 else [study.search.explain(ids) for ids in _alike(study)]
     acting = [mechanisms()[id_] for explanation in (*tied, *others) for id_ in explanation.ids]
-    known: Part = {"load": rig.load, "speed_per_s": rig.speed}
+    known: Expected = {"load": rig.load, "speed_per_s": rig.speed}
     if any(mechanism.slow for mechanism in acting):
         known["strokes"] = int(min(REPEATED, len(np.unique(record.stroke[record.stroke > 0]))))
     if any(mechanism.acts_at_rest for mechanism in acting):
@@ -66,7 +68,7 @@ def of_explanations(study: Study, run: Run, named: list[Part], ending: str, miss
     shown = recorded_loop(study.problem, study.base)
     known["recorded"] = {f"loop_{ending}": shown} if shown else {}
 
-    def foretold(explanation: Explanation) -> Part:
+    def foretold(explanation: Explanation) -> ExpectedExplanation:
         state = study.best if explanation is tied[0] else refitted(study, explanation)
         which = _which(study, rig, known, state)
 
@@ -75,8 +77,11 @@ def of_explanations(study: Study, run: Run, named: list[Part], ending: str, miss
 
         spread = plus_minus(study.problem, state, study.noise, numbers, missed)
         spread = _with_load(spread, numbers(state), explanation, ending)
-        own = {"recorded": {f"loop_{ending}": recorded_loop(study.problem, study.base, state)}} if shown else {}
-        return {"ids": list(explanation.ids), **numbers(state), **own, **({"plus_minus": spread} if spread else {})}
+        row: ExpectedExplanation = {"ids": list(explanation.ids)}
+        row = with_made(row, numbers(state))
+        if shown:
+            row["recorded"] = {f"loop_{ending}": recorded_loop(study.problem, study.base, state)}
+        return row | {"plus_minus": spread} if spread else row
 
     rows = [foretold(explanation) for explanation in tied]
     for other in others:
@@ -88,9 +93,11 @@ def of_explanations(study: Study, run: Run, named: list[Part], ending: str, miss
     return known | {"explanations": rows}
 
 
-def _differ(row: Part, other: Part) -> float:
+def _differ(row: ExpectedExplanation, other: ExpectedExplanation) -> float:
     """The largest difference between the numbers of two explanations, in their unit."""
-    return max((abs(row[key] - other[key]) for key in row.keys() & other.keys() - NO_NUMBERS), default=0.0)
+    return max(
+        (abs(amount(row, key) - amount(other, key)) for key in row.keys() & other.keys() - NO_NUMBERS), default=0.0
+    )
 
 
 def _alike(study: Study) -> list[tuple[str, ...]]:
@@ -116,7 +123,7 @@ class _Ahead:
     study: Study
     run: Run
     rig: Rig
-    known: Part
+    known: Expected
     ending: str
     _longer: dict[tuple[Leg, ...], Problem] = field(default_factory=dict)
 
@@ -141,7 +148,9 @@ class _Ahead:
         return _width(reading, motion)
 
 
-def _with_load(spread: Part, numbers: dict[str, float], explanation: Explanation, ending: str) -> Part:
+def _with_load(
+    spread: dict[str, float], numbers: dict[str, float], explanation: Explanation, ending: str
+) -> dict[str, float]:
     """The half-widths with the doubt how a loop that follows the load follows one that was not recorded.
 
     `UNKNOWN_LOAD` held nine of ten loops of 40 laws of friction by four authors, who let it grow with the load to a
@@ -158,7 +167,7 @@ def _with_load(spread: Part, numbers: dict[str, float], explanation: Explanation
     }
 
 
-def _which(study: Study, rig: Rig, known: Part, state: State) -> list[str]:
+def _which(study: Study, rig: Rig, known: Expected, state: State) -> list[str]:
     """Which numbers an explanation foretells, by their names without the unit."""
     acting = [mechanisms()[act.id] for act in state.acts if any(act.coefficients)]
     opens = not any(mechanism.swings or mechanism.drifts for mechanism in acting)

@@ -8,7 +8,7 @@ from ...ground.kinematics import Array
 from ...run.description import Run
 from ..choice.outcome import Study
 from ..choice.search import Explanation
-from ..document.content import NextRun
+from ..document.expected import NextRun
 from ..document.tidy import tidy
 from ..mechanisms.interface import physics
 from .design import decides, raises

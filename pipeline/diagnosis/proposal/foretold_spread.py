@@ -9,7 +9,6 @@ from dataclasses import replace
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..document.content import Part
 from ..fit.intervals import Z90, continuous, intervals
 from ..fit.problem import Problem, State
 from ..fit.uncertainty import factor
@@ -20,7 +19,7 @@ SMALL = 0.1  # of a sigma: a step so short is straight
 
 def plus_minus(
     problem: Problem, state: State, noise: Noise, numbers: Callable[[State], dict[str, float]], missed: float
-) -> Part:
+) -> dict[str, float]:
     """Half of the interval that holds nine of ten true values of each number, in its unit, by its key.
 
     `numbers` gives them for a simulator near `state`; `missed`: by how much unseen strokes were missed, or the noise,

@@ -1,11 +1,11 @@
 """Runs that could be recorded next: legs of straight motion under a load."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from ...run.description import Run
+from ..document.expected import LegSaid
 from ..recording.working_samples import Record
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
@@ -102,7 +102,7 @@ AFTER_UNKNOWN: dict[str, tuple[str, Callable[[Rig], list[Leg]]]] = {
 }  # by the driver that a mismatch follows; fmt: skip
 
 
-def as_legs(legs: list[Leg], run: Run) -> list[dict[str, Any]]:
+def as_legs(legs: list[Leg], run: Run) -> list[LegSaid]:
     """Legs for a machine to follow: how long each takes, and the driver and the load at its end, by their channels."""
     driver, load_name = run.system.driver, run.system.load if any(force for _, _, force in legs) else None
     entries = []

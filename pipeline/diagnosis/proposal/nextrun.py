@@ -13,7 +13,7 @@ import numpy as np
 from ...ground.kinematics import Array
 from ...run.description import Run
 from ..choice.search import Explanation, Search
-from ..document.content import NextRun
+from ..document.expected import NextRun
 from ..fit.linear import Fit, Key, Linear
 from ..fit.problem import Problem
 from ..numerics.noise import Noise

@@ -1,7 +1,8 @@
 """How far each two explanations that tie are apart, without a run and with it."""
 
 from collections.abc import Sequence
-from typing import Any
+
+from ..document.expected import Pair
 
 Gap = tuple[float, tuple[str, ...], tuple[str, ...]]  # misfit that the second leaves of what the first makes
 
@@ -11,9 +12,9 @@ def closest(gaps: Sequence[Gap]) -> Gap:
     return min(gaps, key=lambda gap: gap[0])
 
 
-def pairs(now: Sequence[Gap], then: Sequence[Gap]) -> list[dict[str, Any]]:
+def pairs(now: Sequence[Gap], then: Sequence[Gap]) -> list[Pair]:
     """Each two explanations that were compared, with the smaller gap of both ways round: now, and with the run."""
-    entries: dict[frozenset[tuple[str, ...]], dict[str, Any]] = {}
+    entries: dict[frozenset[tuple[str, ...]], Pair] = {}
     for (before, ids, other), (after, *_) in zip(now, then, strict=True):
         entry = entries.setdefault(
             frozenset((ids, other)), {"ids": [list(ids), list(other)], "gap_now": before, "gap_then": after}

@@ -9,6 +9,7 @@ from ...ground.kinematics import Array
 from ...run.course import Course, Recorded, longest_s
 from ...run.planned_limits import NEAR
 from ...run.strokes import of_samples
+from ..document.evidence import Covered
 from .recorded_run import RecordedRun
 from .working_samples import PHASES, Record
 
@@ -22,7 +23,7 @@ class Paces(TypedDict, total=False):
     fastest_per_s: float
 
 
-def covered(record: Record) -> dict[str, list[float]]:
+def covered(record: Record) -> Covered:
     """Lowest and highest load, slowest and fastest stroke; as `diagnosis.json` holds them.
 
     Loads in the load channel's unit, speeds in the motion's unit per second. `temperature_c`, where one was logged, is
@@ -34,7 +35,7 @@ def covered(record: Record) -> dict[str, list[float]]:
         for stroke in np.unique(record.stroke[moving])
     ]
     logged = record.temperature_c
-    warm = {} if logged is None else {"temperature_c": [float(end) for end in np.percentile(logged, ENDS)]}
+    warm: Covered = {} if logged is None else {"temperature_c": [float(end) for end in np.percentile(logged, ENDS)]}
     return warm | {
         "load": [float(end) for end in np.percentile(record.load, ENDS)],
         "speed_per_s": [min(speeds, default=0.0), max(speeds, default=0.0)],

@@ -4,16 +4,16 @@ from collections.abc import Sequence
 
 from ...ground.rows import rows_of
 from ...run.spikes import spikes
-from ..document.content import Part
+from ..document.evidence import Spike
 from .recorded_run import RecordedRun
 
 
-def spikes_found(recorded: Sequence[RecordedRun]) -> list[Part]:
+def spikes_found(recorded: Sequence[RecordedRun]) -> list[Spike]:
     """How many spikes each channel of each run has, `count`, and the time stamp of the first, `first_s`.
 
     A channel without any has no entry.
     """
-    entries: list[Part] = []
+    entries: list[Spike] = []
     for each in recorded:
         system, rows = each.run.system, rows_of(each.samples)
         for column in (system.driver, system.channel, system.load):

@@ -1,12 +1,13 @@
 """Held out: the whole procedure without the last 30 % of strokes, then simulated through them."""
 
-from typing import Any, Literal, NotRequired, TypedDict
+from typing import Literal, NotRequired, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
 from ..choice.outcome import Study, rms
+from ..document.effects_named import Location
 from ..fit.flexible import foretold
 from ..fit.problem import Problem, State
 from ..recording.working_samples import wild
@@ -23,7 +24,7 @@ LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
 class Left(TypedDict):
     """Where a regression without physics still finds something, and which driver that follows."""
 
-    location: dict[str, Any]  # as `locate.box` says it
+    location: Location  # as `locate.box` says it
     driver: str
 
 

@@ -3,7 +3,8 @@
 from ...run.description import Included
 from ..choice.outcome import Study
 from ..choice.search import Explanation
-from ..document.content import Part, Rival
+from ..document.content import Rival
+from ..document.effects_named import Dimension
 from ..fit.adopt import DIGITS, entries
 from ..fit.calibrate import calibrate
 from ..fit.problem import Problem, State
@@ -34,11 +35,11 @@ def named_simulator(problem: Problem, state: State, ids: list[str], ending: str)
     return Rival(ids=ids, parameters=parameters, simulation=simulation)
 
 
-def as_simulator(problem: Problem, state: State, ending: str) -> tuple[dict[str, Part], list[Included]]:
+def as_simulator(problem: Problem, state: State, ending: str) -> tuple[dict[str, Dimension], list[Included]]:
     """A state as a diagnosis writes a simulator: dimensions with the zero of each run, and what acts."""
     values = {problem.parameters[index].name: float(state.values[index]) for index in problem.movable}
     if problem.system.free_zero:
         several = problem.runs > 1
         values |= {f"zero{f'_{run + 1}' * several}_{ending}": float(zero) for run, zero in enumerate(state.zeros)}
-    parameters: dict[str, Part] = {name: {"value": float(f"{value:.{DIGITS}g}")} for name, value in values.items()}
+    parameters: dict[str, Dimension] = {name: {"value": float(f"{value:.{DIGITS}g}")} for name, value in values.items()}
     return parameters, entries(state.acts, problem.drivers)

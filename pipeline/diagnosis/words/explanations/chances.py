@@ -38,8 +38,8 @@ def lines(content: Verdict) -> list[str]:
     sets = [entry["ids"] for entry in rivals.entries(content, "named", "tied")]
     left = max(1.0 - none - sum(share for name, share in kept if physics(tuple(name.split(" + ")))), 0.0)
     for entry in out[:LEFT_OUT]:
-        rows.append([rivals.called(entry["ids"]), percent(entry["probability"]), "left out: see below"])
-        left = max(left - entry["probability"], 0.0)
+        rows.append([rivals.called(entry["ids"]), percent(entry["probability"] or 0.0), "left out: see below"])
+        left = max(left - (entry["probability"] or 0.0), 0.0)
     following = next_best(content)
     if following:
         rows.append([following[0], percent(following[1]), "less likely"])

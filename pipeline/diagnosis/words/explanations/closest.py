@@ -4,7 +4,9 @@ from ....ground.glossary import MEANING
 from ....ground.outside_library import is_outside
 from ...choice.judged import UNKNOWN
 from ...choice.search import EXPLAINED
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.explanations import ExplanationEntry
+from ...document.keyed import amount, amount_or_none
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, percent, size, times
@@ -24,15 +26,17 @@ ENOUGH = "To be named, an explanation must take away {} of what is missing (of i
 
 def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
     """A table of what comes closest where nothing explains, with the share of the mismatch's energy that each takes."""
-    ending, floor = words.ending, content["evidence"][f"floor_{words.ending}"]
+    ending, floor = words.ending, amount(content["evidence"], f"floor_{words.ending}")
     nothing = next(iter(entries(content, "nothing")), None)
     if nothing is None:
         return []
-    alone = float(nothing.get(f"approximated_{ending}") or nothing[f"left_{ending}"])  # as what the others leave
+    alone = float(
+        amount_or_none(nothing, f"approximated_{ending}") or amount(nothing, f"left_{ending}")
+    )  # as what the others leave
     energy, rows, reasons = alone**2 - floor**2, [HEAD], list[str]()
     shown = probability.likeliest(entries(content, "not enough", "beaten", "not needed"))[:CLOSEST]
     for explanation in shown:
-        left, share = explanation[f"left_{ending}"], explanation.get("probability")
+        left, share = amount(explanation, f"left_{ending}"), explanation.get("probability")
         taken = min(max((alone**2 - left**2) / energy, 0.0), 1.0) if energy > 0.0 else 0.0
         cells = [f"{100.0 * taken:.0f} %", f"{size(left, words.unit)} ({times(left / floor)})"]
         likely = NOT_KNOWN if share is None else percent(share)
@@ -65,7 +69,7 @@ def _rule(content: Verdict) -> str:
     return f"{rule}, and be likely. Physics that the library lacks has a probability of {percent(none)} here{limit}."
 
 
-def _why_not(explanation: Part, taken: float) -> str:
+def _why_not(explanation: ExplanationEntry, taken: float) -> str:
     """Why an explanation does not do, in a few words."""
     if not physics(tuple(explanation["ids"])):
         return STAND_IN

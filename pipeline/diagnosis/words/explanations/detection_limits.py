@@ -1,6 +1,7 @@
 """What a verdict without a name is worth, in words: the sizes from which effects would have been seen."""
 
 from ...document.content import Verdict
+from ...document.keyed import by_name
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..held_out import holdout, unseen
@@ -14,7 +15,7 @@ ABREAST = 3  # effects in a row
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The smallest effect of each kind that would have been seen; none smaller than what is left unexplained."""
-    detectable = content["fit"][f"detectable_{words.ending}"]
+    detectable = by_name(content["fit"], f"detectable_{words.ending}")
     held = [id_ for id_ in holdout.included(content) if id_ in detectable]
     if content["verdict"] not in UNNAMED or not detectable:
         return []
@@ -37,7 +38,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 def sizes(content: Verdict, words: Vocabulary, held: list[str]) -> list[str]:
     """The smallest effect of each kind but those `held`, the smallest first."""
-    detectable = content["fit"][f"detectable_{words.ending}"]
+    detectable = by_name(content["fit"], f"detectable_{words.ending}")
     sizes = sorted(((id_, least) for id_, least in detectable.items() if id_ not in held), key=lambda item: item[1])
     if not sizes:
         return []

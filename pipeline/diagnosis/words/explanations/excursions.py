@@ -1,6 +1,8 @@
 """Where the reading goes off for a while and comes back, in words."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.evidence import Excursion
+from ...document.keyed import amount
 from ..language.quantity import duration, listing, number, size
 from ..language.vocabulary import Vocabulary
 
@@ -13,7 +15,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if not entries:
         return []
     ends = [min(entry["lasts_s"] for entry in entries), max(entry["lasts_s"] for entry in entries)]
-    largest = size(max(entry[f"size_{words.ending}"] for entry in entries), words.unit)
+    largest = size(max(amount(entry, f"size_{words.ending}") for entry in entries), words.unit)
     long = " to ".join(dict.fromkeys(map(duration, ends)))
     return [
         f"The {words.reading} goes off {_often(entries)} for {long}, by up to {largest}, and comes back "
@@ -36,15 +38,15 @@ def step(content: Verdict, words: Vocabulary) -> list[list[str]]:
     return [[f"{look}. Record again without that, and diagnose again: it bends dimensions, too."]]
 
 
-def _entries(content: Verdict) -> list[Part]:
-    entries: list[Part] = content["evidence"].get("excursions", [])
+def _entries(content: Verdict) -> list[Excursion]:
+    entries: list[Excursion] = content["evidence"].get("excursions", [])
     return entries
 
 
-def _often(entries: list[Part]) -> str:
+def _often(entries: list[Excursion]) -> str:
     return f"{number(len(entries), 9)} times" if len(entries) > 1 else "once"
 
 
-def _when(entries: list[Part]) -> str:
+def _when(entries: list[Excursion]) -> str:
     begin = [number(round(entry["at_s"]), 9).replace(",", "") for entry in entries[:MOST]]
     return f"at {listing(begin)} s{' and later' * (len(entries) > MOST)}"

@@ -1,6 +1,8 @@
 """The explanations that were weighed, a numbered row each, the best one first; what no row can say follows."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.explanations import ExplanationEntry
+from ...document.keyed import amount, amount_or_none
 from ...mechanisms.interface import physics
 from ..language.quantity import of_column, percent, size, times
 from ..language.table import UNKNOWN, within
@@ -51,7 +53,7 @@ def _though(rows: less_likely.Numbered) -> str:
     )
 
 
-def _within(smaller: Part, larger: Part) -> bool:
+def _within(smaller: ExplanationEntry, larger: ExplanationEntry) -> bool:
     """Whether an explanation is a part of a larger one."""
     return set(smaller["ids"]) < set(larger["ids"])
 
@@ -62,7 +64,7 @@ def numbered(content: Verdict) -> less_likely.Numbered:
     return dict(enumerate([*kept, *others_shown(content)], start=1))
 
 
-def others_shown(content: Verdict) -> list[Part]:
+def others_shown(content: Verdict) -> list[ExplanationEntry]:
     """The explanations that are shown though they are not kept, the likeliest first, in the table and in the figure."""
     others = probability.likeliest([*rivals.entries(content, "beaten"), *rivals.entries(content, "not needed")])
     return others[:SHOWN]
@@ -70,15 +72,15 @@ def others_shown(content: Verdict) -> list[Part]:
 
 def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first; with probabilities the last rows are of all that no other row has."""
-    known, floor = probability.known(content), content["evidence"][f"floor_{words.ending}"]
+    known, floor = probability.known(content), amount(content["evidence"], f"floor_{words.ending}")
     cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "differs from 1 by"]]
     out = [entry["ids"] for entry in left_out.entries(content)]
     none_acts = rivals.entries(content, "nothing")
     most = max(rivals.left_of(each, content, words.ending) for each in [*rows.values(), *none_acts])
-    farthest = max(each.get(f"gap_{words.ending}") or 0.0 for each in rows.values())
+    farthest = max(amount_or_none(each, f"gap_{words.ending}") or 0.0 for each in rows.values())
     for number, each in rows.items():
         left, share = rivals.left_of(each, content, words.ending), each.get("probability")
-        gap, no_less = each.get(f"gap_{words.ending}"), rivals.no_less(each, content, words)
+        gap, no_less = amount_or_none(each, f"gap_{words.ending}"), rivals.no_less(each, content, words)
         leaves = NO_LESS if no_less else f"{of_column(left, words.unit, most)} ({times(left / floor)})"
         probable = UNKNOWN if share is None else percent(share or LEAST)
         differs = of_column(gap, words.unit, farthest) if gap is not None and number > 1 else UNKNOWN

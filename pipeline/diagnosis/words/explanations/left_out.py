@@ -1,7 +1,8 @@
 """Explanations that are likely enough to be kept and are no names, in words: which, how likely, and by which rule."""
 
 from ...choice.disguise import DIMENSIONS, IDLE, OUTSIDE
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.explanations import LeftOut
 from ..language.quantity import listing, percent
 
 WORTH = 0.01  # a probability from which on one is worth a word
@@ -14,10 +15,10 @@ BECAUSE = {
 }
 
 
-def entries(content: Verdict) -> list[Part]:
+def entries(content: Verdict) -> list[LeftOut]:
     """What is left out and worth a word, the likeliest first."""
     out = [entry for entry in content["evidence"].get("left_out", []) if (entry["probability"] or 0.0) >= WORTH]
-    return sorted(out, key=lambda entry: -entry["probability"])
+    return sorted(out, key=lambda entry: -(entry["probability"] or 0.0))
 
 
 def together(content: Verdict) -> float:
@@ -27,10 +28,10 @@ def together(content: Verdict) -> float:
 
 def likelier(content: Verdict, share: float | None) -> bool:
     """Whether something that is left out is more probable than `share`, that of the best one."""
-    return share is not None and any(entry["probability"] > share for entry in entries(content))
+    return share is not None and any((entry["probability"] or 0.0) > share for entry in entries(content))
 
 
-def reason(entry: Part) -> str:
+def reason(entry: LeftOut) -> str:
     """Why an explanation is left out, without a full stop."""
     return BECAUSE[entry["because"]].format(of=listing(entry["of"]))
 
@@ -46,7 +47,7 @@ def lines(content: Verdict) -> list[str]:
     names_by_reason: dict[str, list[str]] = {}
     for entry in entries(content):
         names_by_reason.setdefault(reason(entry), []).append(
-            f"{' + '.join(entry['ids'])} ({percent(entry['probability'])})"
+            f"{' + '.join(entry['ids'])} ({percent(entry['probability'] or 0.0)})"
         )
     return [
         f"Left out, however probable: {listing(names)}. The reason: {why}." for why, names in names_by_reason.items()

@@ -4,7 +4,9 @@ import math
 from collections.abc import Callable
 
 from ....ground.counts import consecutive
-from ...document.content import Part, Verdict, left_with_discrepancy
+from ...document.content import Verdict, left_with_discrepancy
+from ...document.explanations import ExplanationEntry
+from ...document.keyed import amount
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
@@ -21,7 +23,7 @@ COUNTS = (
 )
 UNWEIGHED = "Not weighed, since the recording lacks a mark of its effects, or cheaper ones of its size are many: {}."
 BALANCED = "No explanation, since its effects are large and cancel each other almost fully: {}."
-Numbered = dict[int, Part]  # explanations by the number of their row
+Numbered = dict[int, ExplanationEntry]  # explanations by the number of their row
 
 
 def remarks(content: Verdict, rows: Numbered, kept: int, words: Vocabulary) -> list[str]:
@@ -37,7 +39,7 @@ def remarks(content: Verdict, rows: Numbered, kept: int, words: Vocabulary) -> l
     ]
 
 
-def _worth(explanation: Part) -> bool:
+def _worth(explanation: ExplanationEntry) -> bool:
     """Whether an explanation is worth more than its row."""
     share = explanation.get("probability")
     return share is None or share >= RARE
@@ -51,7 +53,7 @@ def numbers(of: list[int]) -> str:
     return listing(spans)
 
 
-def _grouped(rows: Numbered, phrase: Callable[[Part], str]) -> list[str]:
+def _grouped(rows: Numbered, phrase: Callable[[ExplanationEntry], str]) -> list[str]:
     """Each phrase that is said of a row, with the numbers of all of which it is; rows of which none is are left out."""
     of: dict[str, list[int]] = {}
     for number, each in rows.items():
@@ -63,7 +65,7 @@ def _grouped(rows: Numbered, phrase: Callable[[Part], str]) -> list[str]:
 def _less_likely(rows: Numbered) -> list[str]:
     """Why each rival is less likely than the best one, once for all that share a reason; nothing without a reason."""
 
-    def reason(each: Part) -> str:
+    def reason(each: ExplanationEntry) -> str:
         if each.get("probability") == 0.0:
             return f"since {probability.LARGER_LEAVES_LESS}"
         return chiefly(each) if less_often(each, rows[1]) else ""
@@ -75,7 +77,7 @@ def _less_likely(rows: Numbered) -> list[str]:
 def _where(rows: Numbered, content: Verdict, words: Vocabulary) -> list[str]:
     """Where each prediction differs from the best one, and what that follows; nothing where that is everywhere."""
 
-    def lies(each: Part) -> str:
+    def lies(each: ExplanationEntry) -> str:
         if each.get(f"gap_{words.ending}") is None or each["standing"] == "named":
             return ""
         where = place(each["location"], content["evidence"], words)
@@ -95,7 +97,7 @@ def _nearly_as_good(rows: Numbered, words: Vocabulary) -> list[str]:
         if weighed and each.get("probability") is None and not each.get("balanced"):
             unweighed.append(number)
             continue
-        if each["standing"] != "beaten" or each[left] > rivals.ALIKE * rows[1][left]:
+        if each["standing"] != "beaten" or amount(each, left) > rivals.ALIKE * amount(rows[1], left):
             continue
         if each["worse"] > 0.0:
             nearer.append(f"{number} by {times(math.sqrt(each['worse']))}")
@@ -119,26 +121,26 @@ def _larger(content: Verdict, rows: Numbered, words: Vocabulary) -> list[str]:
     return sentences
 
 
-def _adds(larger: Part, rows: Numbered, content: Verdict, words: Vocabulary) -> str:
+def _adds(larger: ExplanationEntry, rows: Numbered, content: Verdict, words: Vocabulary) -> str:
     """What a larger explanation adds to the best one that it contains, without a full stop."""
     ending, shown = words.ending, content["evidence"]["explanations"]
     smaller = [other for other in shown if set(other["ids"]) < set(larger["ids"]) and other["standing"] != "not needed"]
-    base = min(smaller, key=lambda other: float(other[f"left_{ending}"]), default=None)
+    base = min(smaller, key=lambda other: float(amount(other, f"left_{ending}")), default=None)
     if base is None:
         return "takes away too little for one effect more"
     row = next((str(number) for number, each in rows.items() if each is base), rivals.called(base["ids"]))
     adds = f"adds {listing([id_ for id_ in larger['ids'] if id_ not in base['ids']])} to {row}"
-    exactly = [float(each[f"left_{ending}"]) for each in (base, larger)]
+    exactly = [float(amount(each, f"left_{ending}")) for each in (base, larger)]
     roughly = [left_with_discrepancy(each, ending) for each in (base, larger)]
     saved, surely = (math.sqrt(max(less**2 - more**2, 0.0)) for less, more in (exactly, roughly))
-    if saved < ADDS * content["evidence"][f"floor_{ending}"]:
+    if saved < ADDS * amount(content["evidence"], f"floor_{ending}"):
         return f"{adds}, which takes away nothing (less than {ADDS:g} times the noise)"
     more, sure = size(saved, words.unit), size(surely, words.unit)
     takes = f"{adds}, which takes away {more} rms more"
-    if saved > VISIBLE * content["evidence"][f"floor_{ending}"] and surely < saved and more != sure:
+    if saved > VISIBLE * amount(content["evidence"], f"floor_{ending}") and surely < saved and more != sure:
         takes += f" (only {sure} are sure {rivals.ALLOWED[0].lower()}{rivals.ALLOWED[1:]})"
     kept = [other for other in rivals.entries(content, "tied") if len(other["ids"]) >= len(larger["ids"])]
-    if any(other[f"left_{ending}"] >= larger[f"left_{ending}"] for other in kept):
+    if any(amount(other, f"left_{ending}") >= amount(larger, f"left_{ending}") for other in kept):
         return f"{takes}; some that are likely leave as much, and are ranked before it all the same"
     return f"{takes}: too little for {'one effect' if len(larger['ids']) - len(base['ids']) == 1 else 'so many'} more"
 
@@ -165,12 +167,12 @@ def only_if_wrong(content: Verdict, rows: Numbered, words: Vocabulary) -> list[i
     """The rows that leave the noise only if formulas err by 10 % and are left out; of a rig without probabilities."""
     if probability.known(content) or rivals.all_below_noise(content, words.ending):
         return []
-    floor = content["evidence"][f"floor_{words.ending}"]
+    floor = amount(content["evidence"], f"floor_{words.ending}")
     return [
         number
         for number, each in rows.items()
         if each["standing"] == "beaten"
-        and left_with_discrepancy(each, words.ending) <= rivals.NOISY * floor < each[f"left_{words.ending}"]
+        and left_with_discrepancy(each, words.ending) <= rivals.NOISY * floor < amount(each, f"left_{words.ending}")
     ]
 
 

@@ -2,7 +2,9 @@
 
 import math
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.explanations import Change, NotKept, Stood
+from ...document.keyed import amount, amount_or_none
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, of_column, percent, size, times
 from ..language.table import UNKNOWN, aligned
@@ -28,14 +30,18 @@ SAME = "{}: hardly more than the best one leaves, but less likely by other signs
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """What was tried, a row an effect, the nearest first, and what no row can say; nothing where a file has none."""
-    first, *others = content["evidence"].get("not_kept") or [None]
-    others = [entry for entry in others if words.twisted or not mechanisms()[entry["id"]].twisted]
-    if first is None or not others:
+    entries = content["evidence"].get("not_kept") or []
+    others = [entry for entry in entries[1:] if words.twisted or not mechanisms()[entry["id"] or ""].twisted]
+    if not others:
         return []
-    key = f"left_{words.ending}"
-    tried = sorted((each for each in others if each["possible"] and each[key] is not None), key=lambda each: each[key])
-    counted = listing([f"{known['count']} {phase}s" for phase, known in first["stands"].items()])
-    stands = [phase for phase in STANDS if phase in first["stands"]]
+    first, key = entries[0], f"left_{words.ending}"
+    tried = sorted(
+        (each for each in others if each["possible"] and amount_or_none(each, key) is not None),
+        key=lambda each: amount(each, key),
+    )
+    stood = first["stands"] or {}
+    counted = listing([f"{known['count']} {phase}s" for phase, known in stood.items()])
+    stands = [phase for phase in STANDS if phase in stood]
     head = [
         "effect",
         "in place of",
@@ -44,44 +50,44 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         "added, takes away",
     ]
     rows = [_row(entry, first, stands, content, words) for entry in tried]
-    alike = [entry["id"] for entry in tried if entry[key] <= ALIKE * first[key]]
+    alike = [entry["id"] or "" for entry in tried if amount(entry, key) <= ALIKE * amount(first, key)]
     likely = [f"{entry['id']} {percent(entry['likely'])}" for entry in others if entry["likely"] >= WORTH]
     wrong = [called(entry["ids"]) for entry in first["tied"] if _wrong(entry, first, content, words)]
     return [
-        TRIED.format(left=size(first[key], words.unit)),
+        TRIED.format(left=size(amount(first, key), words.unit)),
         *(aligned([head, *rows]) if rows else []),
         WRONG.format(counted=counted) if stands else NEVER,
         *([f"Wrong while the motor stands, though likely: {listing(wrong)}."] if wrong else []),
         *([SAME.format(listing(alike))] if alike else []),
         *([f"How likely at work: {listing(likely)}; each other one less than 1 %."] if likely else []),
-        *_not_shown([entry["id"] for entry in others if entry not in tried], words),
+        *_not_shown([entry["id"] or "" for entry in others if entry not in tried], words),
     ]
 
 
-def _row(entry: Part, first: Part, stands: list[str], content: Verdict, words: Vocabulary) -> list[str]:
+def _row(entry: NotKept, first: NotKept, stands: list[str], content: Verdict, words: Vocabulary) -> list[str]:
     """In whose place an effect was tried, what is left with it, where that is wrong, and what it adds."""
-    floor, left = content["evidence"][f"floor_{words.ending}"], entry[f"left_{words.ending}"]
-    best = [each["id"] for each in content["mechanisms"]]
-    replaced = [id_ for id_ in best if id_ not in entry["instead"]]
+    floor, left = amount(content["evidence"], f"floor_{words.ending}"), amount(entry, f"left_{words.ending}")
+    best, instead = [each["id"] for each in content["mechanisms"]], entry["instead"] or []
+    replaced = [id_ for id_ in best if id_ not in instead]
     place = ALONE if len(replaced) == len(best) > 1 else listing(replaced) or UNKNOWN
-    if beside_it := [id_ for id_ in entry["instead"] if id_ not in (entry["id"], *best)]:
+    if beside_it := [id_ for id_ in instead if id_ not in (entry["id"], *best)]:
         place += f", with {listing(beside_it)}"
     leaves = NO_LESS if _helps_nothing(entry, content, words) else f"{size(left, words.unit)} ({times(left / floor)})"
     known = wrong_by(entry, first, floor, words)
-    beside = entry[f"beside_{words.ending}"]
-    saved = 0.0 if beside is None else math.sqrt(max(first[f"left_{words.ending}"] ** 2 - beside**2, 0.0))
+    beside = amount_or_none(entry, f"beside_{words.ending}")
+    saved = 0.0 if beside is None else math.sqrt(max(amount(first, f"left_{words.ending}") ** 2 - beside**2, 0.0))
     takes = UNKNOWN if beside is None else NOTHING if saved < ADDS * floor else of_column(saved, words.unit, left)
-    return [entry["id"], place, leaves, *(known.get(phase, UNKNOWN) for phase in stands), takes]
+    return [entry["id"] or "", place, leaves, *(known.get(phase, UNKNOWN) for phase in stands), takes]
 
 
-def _helps_nothing(entry: Part, content: Verdict, words: Vocabulary) -> bool:
+def _helps_nothing(entry: NotKept, content: Verdict, words: Vocabulary) -> bool:
     """Whether what is left with an effect is no less than without it: by calibration alone, or by the others alone."""
-    rest, left = set(entry["instead"]) - {entry["id"]}, entry[f"left_{words.ending}"]
-    alone = content["evidence"].get(f"calibrated_{words.ending}")
+    rest, left = set(entry["instead"] or []) - {entry["id"]}, amount(entry, f"left_{words.ending}")
+    alone = amount_or_none(content["evidence"], f"calibrated_{words.ending}")
     if not rest:
         return alone is not None and bool(left >= LITTLE * alone)
     smaller = [each for each in content["evidence"]["explanations"] if set(each["ids"]) == rest]
-    return any(left > ALIKE * each[f"left_{words.ending}"] for each in smaller)
+    return any(left > ALIKE * amount(each, f"left_{words.ending}") for each in smaller)
 
 
 def _not_shown(ids: list[str], words: Vocabulary) -> list[str]:
@@ -96,7 +102,7 @@ def _not_shown(ids: list[str], words: Vocabulary) -> list[str]:
     return [f"This recording could not show {listing(why, 'or')}."] if why else []
 
 
-def wrong_by(entry: Part, first: Part, floor: float, words: Vocabulary) -> dict[str, str]:
+def wrong_by(entry: NotKept, first: NotKept, floor: float, words: Vocabulary) -> dict[str, str]:
     """By how much an effect is wrong while the motor stands, by `hold` and `rest`; nothing where it is not.
 
     `first` is the entry of the best explanation.
@@ -104,20 +110,20 @@ def wrong_by(entry: Part, first: Part, floor: float, words: Vocabulary) -> dict[
     return {
         phase: size(abs(known["change"]), words.unit)
         for phase, known in (entry["stands"] or {}).items()
-        if _contradicts(phase, entry, first, floor)
+        if _contradicts(phase, entry["stands"], first, floor)
     }
 
 
-def _contradicts(phase: str, entry: Part, first: Part, floor: float) -> bool:
+def _contradicts(phase: str, stands: dict[str, Change] | None, first: NotKept, floor: float) -> bool:
     """Whether what an effect leaves changes while the motor stands, beyond chance and more than the best one's does."""
-    known, best = (entry["stands"] or {}).get(phase), first["stands"].get(phase, {"change": 0.0})
+    known, best = (stands or {}).get(phase), (first["stands"] or {}).get(phase)
     if known is None:
         return False
     change = abs(known["change"])
-    return bool(change > max(CLEAR * known["error"], VISIBLE * floor, MORE * abs(best["change"])))
+    return bool(change > max(CLEAR * known["error"], VISIBLE * floor, MORE * abs(best["change"] if best else 0.0)))
 
 
-def _wrong(entry: Part, first: Part, content: Verdict, words: Vocabulary) -> bool:
+def _wrong(entry: Stood, first: NotKept, content: Verdict, words: Vocabulary) -> bool:
     """Whether the stands of the motor speak against an effect, or an explanation."""
-    floor = content["evidence"][f"floor_{words.ending}"]
-    return any(_contradicts(phase, entry, first, floor) for phase in (entry["stands"] or {}))
+    floor = amount(content["evidence"], f"floor_{words.ending}")
+    return any(_contradicts(phase, entry["stands"], first, floor) for phase in entry["stands"])

@@ -1,7 +1,8 @@
 """How probable each explanation is, and by which rule the likely ones are kept, in words."""
 
 from ...choice.judged import HELD
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.explanations import ExplanationEntry
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..language.quantity import percent
@@ -27,9 +28,8 @@ def known(content: Verdict) -> bool:
     return any(explanation.get("probability") is not None for explanation in content["evidence"]["explanations"])
 
 
-def said(explanation: Part) -> str:
+def said(share: float | None) -> str:
     """An explanation's probability as `probability 26 %`; nothing where it has none."""
-    share = explanation.get("probability")
     if share is None:
         return ""
     if share == 0.0:
@@ -60,7 +60,7 @@ def rule(content: Verdict) -> list[str]:
     return [f"{kept} {_left_out(content)}None of the others is impossible.{f' {OF_NONE}' * (none >= WORTH)}"]
 
 
-def likeliest(explanations: list[Part]) -> list[Part]:
+def likeliest(explanations: list[ExplanationEntry]) -> list[ExplanationEntry]:
     """Explanations by falling probability; those without one as they came, last."""
     return sorted(explanations, key=lambda explanation: -(explanation.get("probability") or 0.0))
 

@@ -1,6 +1,6 @@
 """Why an explanation is less likely than the best one: what counts most against it, in words."""
 
-from ...document.content import Part
+from ...document.explanations import Cause, ExplanationEntry
 from ..language.quantity import number, times
 
 # of each aspect: what is said where its sign is smaller than that of the best explanation, and where it is larger
@@ -35,16 +35,16 @@ NEARLY_0 = 0.01  # log odds: an aspect that counts less is no reason
 LEAST = 1.05  # times less likely: less is alike
 
 
-def less_often(explanation: Part, best: Part | None) -> str:
+def less_often(explanation: ExplanationEntry, best: ExplanationEntry | None) -> str:
     """How many times less likely an explanation is than the best one: 37; nothing where unknown, or hardly less."""
-    mine, first = explanation.get("probability"), (best or {}).get("probability")
+    mine, first = explanation.get("probability"), best.get("probability") if best else None
     if not mine or not first or first < LEAST * mine:
         return ""
     less = first / mine
     return times(less) if less < 1000.0 else number(less, 1)
 
 
-def chiefly(explanation: Part) -> str:
+def chiefly(explanation: ExplanationEntry) -> str:
     """What counts most against an explanation, as a part of a sentence; nothing where no reason is known."""
     known = explanation.get("because") or []
     because = [cause for cause in known if abs(cause.get("log_odds", 1.0)) >= NEARLY_0] or known
@@ -56,12 +56,12 @@ def chiefly(explanation: Part) -> str:
     return f"{how} {' and '.join(reasons)}" if reasons else ""
 
 
-def speaks_for(cause: Part) -> bool:
+def speaks_for(cause: Cause) -> bool:
     """Whether a reader would take what counts against an explanation for a merit of it."""
     return SPEAKS_FOR.get(cause["aspect"]) == (cause["more"] > 0.0)
 
 
-def reason(cause: Part) -> str:
+def reason(cause: Cause) -> str:
     """One aspect in words."""
     aspect, larger = cause["aspect"], cause["more"] > 0.0
     if aspect.startswith("mark_"):

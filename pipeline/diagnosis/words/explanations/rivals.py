@@ -1,6 +1,8 @@
 """The explanations that were weighed, in words: what ties, and why the others were beaten."""
 
-from ...document.content import Part, Verdict, left_with_discrepancy
+from ...document.content import Verdict, left_with_discrepancy
+from ...document.explanations import ExplanationEntry
+from ...document.keyed import amount, amount_or_none
 from ..language.quantity import size, times
 from ..language.vocabulary import Vocabulary
 
@@ -19,7 +21,7 @@ def called(ids: list[str]) -> str:
     return " + ".join(ids) or "calibration alone"
 
 
-def entries(content: Verdict, *standings: str) -> list[Part]:
+def entries(content: Verdict, *standings: str) -> list[ExplanationEntry]:
     """Explanations of some standing, the best first."""
     return [
         explanation
@@ -28,34 +30,34 @@ def entries(content: Verdict, *standings: str) -> list[Part]:
     ]
 
 
-def left_of(explanation: Part, content: Verdict, ending: str) -> float:
+def left_of(explanation: ExplanationEntry, content: Verdict, ending: str) -> float:
     """What an explanation leaves, rms; of calibration alone not what the search's approximation says, but the fit's.
 
     Of effects that were fitted worse than some of them alone it is what these leave: the others could do nothing.
     """
     ids = set(explanation["ids"])
     parts = [each for each in content["evidence"]["explanations"] if each["ids"] and set(each["ids"]) < ids]
-    known = content["evidence"].get(f"calibrated_{ending}")
+    known = amount_or_none(content["evidence"], f"calibrated_{ending}")
     alone = [float(known)] if known is not None else []
-    own = [] if alone and not ids else [float(explanation[f"left_{ending}"])]
-    return min([*own, *alone, *(float(each[f"left_{ending}"]) for each in parts)])
+    own = [] if alone and not ids else [float(amount(explanation, f"left_{ending}"))]
+    return min([*own, *alone, *(float(amount(each, f"left_{ending}")) for each in parts)])
 
 
-def left(explanation: Part, content: Verdict, words: Vocabulary) -> str:
+def left(explanation: ExplanationEntry, content: Verdict, words: Vocabulary) -> str:
     """What an explanation leaves, and in noise floors."""
-    rms, floor = left_of(explanation, content, words.ending), content["evidence"][f"floor_{words.ending}"]
+    rms, floor = left_of(explanation, content, words.ending), amount(content["evidence"], f"floor_{words.ending}")
     return f"{size(rms, words.unit)} rms ({times(rms / floor)} times the noise)"
 
 
-def no_less(explanation: Part, content: Verdict, words: Vocabulary) -> bool:
+def no_less(explanation: ExplanationEntry, content: Verdict, words: Vocabulary) -> bool:
     """Whether an explanation leaves as much as calibration alone, or even more; False in an older file."""
-    alone, ids = content["evidence"].get(f"calibrated_{words.ending}"), explanation["ids"]
-    return bool(alone and ids and explanation[f"left_{words.ending}"] >= LITTLE * alone)
+    alone, ids = amount_or_none(content["evidence"], f"calibrated_{words.ending}"), explanation["ids"]
+    return bool(alone and ids and amount(explanation, f"left_{words.ending}") >= LITTLE * alone)
 
 
 def all_below_noise(content: Verdict, ending: str) -> bool:
     """Whether every explanation comes below the noise if its formulas may be a little wrong: that decides nothing."""
-    floor = content["evidence"][f"floor_{ending}"]
+    floor = amount(content["evidence"], f"floor_{ending}")
     with_discrepancy = [
         left_with_discrepancy(explanation, ending)
         for explanation in content["evidence"]["explanations"]
@@ -64,8 +66,11 @@ def all_below_noise(content: Verdict, ending: str) -> bool:
     return len(with_discrepancy) > 1 and max(with_discrepancy) < floor
 
 
-def with_discrepancy(explanation: Part, content: Verdict, words: Vocabulary) -> float | None:
+def with_discrepancy(explanation: ExplanationEntry, content: Verdict, words: Vocabulary) -> float | None:
     """What is left, in noise floors, if the true effects may differ a little from the formulas; None where no less."""
-    mine, with_discrepancy = explanation[f"left_{words.ending}"], left_with_discrepancy(explanation, words.ending)
-    floor = content["evidence"][f"floor_{words.ending}"]
+    mine, with_discrepancy = (
+        amount(explanation, f"left_{words.ending}"),
+        left_with_discrepancy(explanation, words.ending),
+    )
+    floor = amount(content["evidence"], f"floor_{words.ending}")
     return None if with_discrepancy > WORTH_SAYING * mine or mine < NOISY * floor else float(with_discrepancy / floor)

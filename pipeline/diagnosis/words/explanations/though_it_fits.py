@@ -28,7 +28,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if first is None or none is None or first.get("probability") is None:
         return []
     name, looks = called(first["ids"]), content["evidence"].get("looks_like", {})
-    why = WHY.format(name, percent(none), percent(first["probability"]), name)
+    why = WHY.format(name, percent(none), percent(first["probability"] or 0.0), name)
     if set(first["ids"]) < set(looks) and len(first["ids"]) == 1 and looks[name] < looks["outside"]:
         why += f" {LOOKS.format(name, percent(looks[name]), percent(looks['outside']))}"
     return [why, *would_be(content, words)]

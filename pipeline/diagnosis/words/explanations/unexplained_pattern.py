@@ -2,6 +2,7 @@
 
 from ....ground.outside_library import is_outside
 from ...document.content import Verdict, mismatch_of
+from ...document.keyed import amount, amount_or_none, by_name
 from ..held_out import holdout, level, unseen
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
@@ -14,11 +15,11 @@ LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth
 
 def pattern(content: Verdict, words: Vocabulary) -> list[str]:
     """How large a pattern is left without a name, where, and what it follows; nothing where none is left."""
-    rms, evidence = mismatch_of(content)[f"rms_{words.ending}"], content["evidence"]
+    rms, evidence = amount(mismatch_of(content), f"rms_{words.ending}"), content["evidence"]
     if not rms:
         return []
-    ratio = times(rms / evidence[f"floor_{words.ending}"])
-    least = min(content["fit"][f"detectable_{words.ending}"].values(), default=0.0)
+    ratio = times(rms / amount(evidence, f"floor_{words.ending}"))
+    least = min(by_name(content["fit"], f"detectable_{words.ending}").values(), default=0.0)
     if unseen.left_over(content, words):  # how much is said once, below
         how_large = "A pattern is left that no effect is named for."
     else:
@@ -49,15 +50,15 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
     `least`: noise floors from which on it leaves more.
     """
     left_pattern, evidence = content["evidence"].get("pattern"), content["evidence"]
-    floor, best = evidence[f"floor_{words.ending}"], next(iter(entries(content, "named")), None)
-    if not left_pattern or best is None or best[f"left_{words.ending}"] <= least * floor:
+    floor, best = amount(evidence, f"floor_{words.ending}"), next(iter(entries(content, "named")), None)
+    if not left_pattern or best is None or amount(best, f"left_{words.ending}") <= least * floor:
         return []
     where = place(left_pattern["location"], evidence, words)
     half = place(left_pattern["half"], evidence, words) if "half" in left_pattern else EVERYWHERE
     lies = "is spread over the whole recording" if where == EVERYWHERE else f"lies mostly {where}"
     lies += f", half of its energy {half}" if half not in (EVERYWHERE, where) else ""
     follows = listing([words.follows(driver, evidence["loaded"]) for driver in left_pattern["driver"]])
-    rms = size(left_pattern[f"rms_{words.ending}"], words.unit)
+    rms = size(amount(left_pattern, f"rms_{words.ending}"), words.unit)
     fitted = " of all strokes" * bool(level.beaten(content, words))  # else than on unseen ones
     holds = f"What {called(best['ids'])} leaves{fitted} holds a pattern of {rms} rms beside the noise"
     if where != EVERYWHERE and half.startswith(f"{where}, "):  # one range, said once
@@ -68,9 +69,9 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
 def nearest(content: Verdict, words: Vocabulary) -> list[str]:
     """The one effect that would leave least, where it would leave a little less; it is not named."""
     shown = [explanation for explanation in content["evidence"]["explanations"] if explanation["ids"]]
-    best = min(shown, key=lambda explanation: explanation[f"left_{words.ending}"], default=None)
-    alone = content["evidence"].get(f"calibrated_{words.ending}")
-    if best is None or not alone or best[f"left_{words.ending}"] > LESS * alone:
+    best = min(shown, key=lambda explanation: amount(explanation, f"left_{words.ending}"), default=None)
+    alone = amount_or_none(content["evidence"], f"calibrated_{words.ending}")
+    if best is None or not alone or amount(best, f"left_{words.ending}") > LESS * alone:
         return []
     kind = "one more effect" if holdout.included(content) else "an effect"
     before = size(alone, words.unit)

@@ -1,7 +1,5 @@
 """The range in which a planned motion is answered with an error band, as a verdict's page says it before any plan."""
 
-from typing import Any
-
 from ....run.course import ALIKE
 from ....run.planned_limits import (
     LONGER,
@@ -14,6 +12,8 @@ from ....run.planned_limits import (
     up_to,
 )
 from ...document.content import Verdict
+from ...document.evidence import Covered
+from ...document.keyed import amount, extent
 from ...mechanisms.library import mechanisms
 from ..language.quantity import at, duration, ends, listing, span
 from ..language.vocabulary import Vocabulary
@@ -30,7 +30,7 @@ def within(content: Verdict, words: Vocabulary) -> str:
     known = content["evidence"].get("covered")
     if known is None:
         return ""
-    low, high = content["evidence"][words.driver]
+    low, high = extent(content["evidence"], words.driver)
     slow, fast = known.get("strokes_per_s") or known["speed_per_s"]
     acting = [entry["id"] for entry in content["mechanisms"]]
     likely = {*acting, *(id_ for ids in content["alternatives"] for id_ in ids)}
@@ -42,14 +42,14 @@ def within(content: Verdict, words: Vocabulary) -> str:
         least, most = known["load"]
         usual = ends(0.5 * (least + most), 0.5 * (least + most), words.load_unit)
         parts.append(usual if stands_still(least, most) else ends(least, most, words.load_unit))
-    stands_s = {name: max(LONGER * known[f"longest_{name}_s"], SHORT_S) for name in ("hold", "rest")}
+    stands_s = {name: max(LONGER * amount(known, f"longest_{name}_s"), SHORT_S) for name in ("hold", "rest")}
     parts += [f"{name}s of up to {duration(longest_s)}" for name, longest_s in stands_s.items()]
     if any(library[id_].remembers_turns for id_ in acting if id_ in library):
         parts.append(f"reversals near {_turned(known, words, high - low)}")
     return f"{listing(parts)} ({WIDER})"
 
 
-def _speeds(known: dict[str, Any], other: bool, words: Vocabulary) -> str:
+def _speeds(known: Covered, other: bool, words: Vocabulary) -> str:
     """How slow and how fast a planned stroke may be, as a plan is told it; nothing where an older file lacks that."""
     if "strokes_per_s" not in known:
         return ""
@@ -59,7 +59,7 @@ def _speeds(known: dict[str, Any], other: bool, words: Vocabulary) -> str:
     return f"a speed of {least} to {most} {unit} in each stroke (its median; recorded: {ends(slow, fast, unit)})"
 
 
-def _turned(known: dict[str, Any], words: Vocabulary, whole: float) -> str:
+def _turned(known: Covered, words: Vocabulary, whole: float) -> str:
     """The motions near which a plan may turn, at the top and at the bottom; `whole` is the recorded range."""
     turned = known.get("turned")
     if not turned:

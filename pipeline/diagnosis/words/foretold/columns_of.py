@@ -31,7 +31,7 @@ def not_in(content: Verdict) -> list[str]:
     ]
     if content["verdict"] != "explained" or not rivals_left:
         return []
-    likeliest = max(rivals_left, key=lambda each: float(each["probability"]))
+    likeliest = max(rivals_left, key=lambda each: each["probability"] or 0.0)
     name = _called(content, likeliest["ids"])
     if set(first["ids"]) < set(likeliest["ids"]):
         return [f"Not in the table: {name}, which only adds to the best one."]

@@ -2,7 +2,9 @@
 
 import re
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.expected import Expected, ExpectedExplanation
+from ...document.keyed import amount, extent
 from ..language.quantity import at, duration, listing, plus_minus, quantity, size
 from ..language.sections import WIDE
 from ..language.table import UNKNOWN, aligned
@@ -58,13 +60,18 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
 
 
 def _table(
-    content: Verdict, known: Part, columns: list[Part], words: Vocabulary, shown: set[str] | None, bare: bool = False
+    content: Verdict,
+    known: Expected,
+    columns: list[ExpectedExplanation],
+    words: Vocabulary,
+    shown: set[str] | None,
+    bare: bool = False,
 ) -> tuple[list[str], list[str], bool]:
     """The table of some explanations, how to read it, and whether a row tells them apart.
 
     Nothing where nobody would see a number of it. `bare`: the columns have numbers, which are said below it.
     """
-    limit = SEEN * content["evidence"][f"floor_{words.ending}"]
+    limit = SEEN * amount(content["evidence"], f"floor_{words.ending}")
     names = {key: row for key, row in _rows(content, known, words).items() if shown is None or key in shown}
     cells = {key: [of_explanation(each, key, content, words) for each in columns] for key in names}
     seen = {key: any(cell is not None and abs(cell.value) >= limit for cell in row) for key, row in cells.items()}
@@ -147,9 +154,9 @@ def _is_loop(key: str) -> bool:
     return key.startswith("loop")
 
 
-def _rows(content: Verdict, known: Part, words: Vocabulary) -> dict[str, str]:
+def _rows(content: Verdict, known: Expected, words: Vocabulary) -> dict[str, str]:
     """What each number is of, by its key."""
-    low, high = content["evidence"][words.driver]
+    low, high = extent(content["evidence"], words.driver)
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     hung = words.load is not None and known["load"]
     full, half, twice = (

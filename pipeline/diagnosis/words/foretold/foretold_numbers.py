@@ -4,7 +4,9 @@ import math
 from dataclasses import dataclass
 from itertools import combinations
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.expected import ExpectedExplanation
+from ...document.keyed import amount
 from ..explanations import rivals
 from ..held_out import unseen
 from ..language.vocabulary import Vocabulary
@@ -31,7 +33,7 @@ def tells(row: list[Number | None]) -> float | None:
     return max(ratios, default=None)
 
 
-def of_explanation(explanation: Part, key: str, content: Verdict, words: Vocabulary) -> Number | None:
+def of_explanation(explanation: ExpectedExplanation, key: str, content: Verdict, words: Vocabulary) -> Number | None:
     """A number of an explanation, by its key without the unit; None where it foretells no such number.
 
     Of an older file the error on unseen strokes stands for its interval.
@@ -41,16 +43,16 @@ def of_explanation(explanation: Part, key: str, content: Verdict, words: Vocabul
         return None
     spread = explanation.get("plus_minus", {}).get(key)
     usual = error(content, words) / math.sqrt(2.0)  # of two, as much as the simulator errs by
-    return Number(explanation[key], usual if spread is None else spread, spread is not None)
+    return Number(amount(explanation, key), usual if spread is None else spread, spread is not None)
 
 
 def error(content: Verdict, words: Vocabulary) -> float:
     """What the explained simulator errs by on strokes that no fit has seen, or the noise."""
-    noise, held = content["fit"][f"noise_floor_{words.ending}"], unseen.errors(content, words)
+    noise, held = amount(content["fit"], f"noise_floor_{words.ending}"), unseen.errors(content, words)
     return float(max(held[2], noise) if held else noise)
 
 
-def compared(content: Verdict) -> list[Part]:
+def compared(content: Verdict) -> list[ExpectedExplanation]:
     """The best explanation, then its rivals in the order of their probability.
 
     Where one is likely, those that are not are left out. Those that only add to the best one come last of equals.
@@ -77,7 +79,7 @@ def probability(content: Verdict, ids: list[str]) -> float | None:
     return held[0].get("probability") if held else None
 
 
-def apart(first: Part, other: Part) -> tuple[str, str]:
+def apart(first: ExpectedExplanation, other: ExpectedExplanation) -> tuple[str, str]:
     """The names of two explanations without what both have, or in full where nothing is left of one of them then."""
     both = set(first["ids"]) & set(other["ids"])
     cut = set() if both in (set(first["ids"]), set(other["ids"])) else both

@@ -8,7 +8,9 @@ from ....ground.counts import are
 from ....ground.kinematics import Array
 from ....run.course import Mask
 from ...choice.outcome import rms
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.evidence import Evidence
+from ...document.keyed import amount
 from ...prediction.prediction_band import Foretold
 from ..held_out import holdout
 from ..language.quantity import listing, number, percent, plus_minus, quantity, size, times
@@ -54,7 +56,7 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, words: Vocabu
 
 def _readings(foretold: Foretold) -> str:
     """What the band holds: single readings, or where a rig is compared in averages alone, these."""
-    evidence: Part = (foretold.content.get("evidence") if foretold.content else None) or {}
+    evidence: Evidence = (foretold.content.get("evidence") if foretold.content else None) or {}
     averaged = evidence.get("scored_step_s") and not any(name.startswith("single_floor_") for name in evidence)
     return f"readings, averaged over {number(evidence['scored_step_s'])} s," if averaged else "single readings"
 
@@ -116,16 +118,17 @@ def of_half_speed(content: Verdict, too_slow_below: float, ending: str, motion_u
     reading's channel has the `ending`; `unit` is the reading's.
     """
     expected = content.get("evidence", {}).get("expected") or {}
-    first: Part = next(iter(expected.get("explanations", [])), {})
+    shown = expected.get("explanations", [])
     half = 0.5 * expected.get("speed_per_s", 0.0)
     key = f"loop_half_speed_{ending}"
-    if key not in first or not 0.0 < half < too_slow_below:
+    if not shown or key not in shown[0] or not 0.0 < half < too_slow_below:
         return []
+    first = shown[0]
     spread = first.get("plus_minus", {}).get(key)
-    recorded = expected.get("recorded", {}).get(f"loop_{ending}", abs(first[key]))
+    recorded = expected.get("recorded", {}).get(f"loop_{ending}", abs(amount(first, key)))
     if spread is not None and spread > recorded:
         return []  # a loop of 0 ± 4 mm says nothing
-    loop = size(first[key], unit) if spread is None else plus_minus(first[key], spread, unit)
+    loop = size(amount(first, key), unit) if spread is None else plus_minus(amount(first, key), spread, unit)
     return [
         f"the verdict foretells a loop of {loop} at {quantity(half, f'{motion_unit}/s')}, half the usual speed, if the "
         "explanation is right. Nothing that was recorded says whether it is right at that speed: hence no band there"

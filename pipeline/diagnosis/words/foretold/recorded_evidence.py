@@ -1,6 +1,7 @@
 """Which explanations the loop that was recorded already excludes: nobody need wait for the next stroke for that."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.expected import ExpectedExplanation
 from ..language.quantity import listing, plus_minus, size
 from ..language.vocabulary import Vocabulary
 from .foretold_numbers import Number, apart, compared, of_explanation, tells
@@ -8,7 +9,7 @@ from .foretold_numbers import Number, apart, compared, of_explanation, tells
 LOOP = "loop_as_before"
 
 
-def excluded(content: Verdict, words: Vocabulary) -> list[Part]:
+def excluded(content: Verdict, words: Vocabulary) -> list[ExpectedExplanation]:
     """The rivals whose loop differs from the recorded one by more than both intervals together, and the best's less."""
     shown, explanations = recorded(content, words), compared(content)
     if shown is None or not explanations:
@@ -45,13 +46,13 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     ]
 
 
-def _loop(explanation: Part, content: Verdict, words: Vocabulary) -> Number | None:
+def _loop(explanation: ExpectedExplanation, content: Verdict, words: Vocabulary) -> Number | None:
     """The loop that an explanation has in the recorded strokes, as exact as that of the next one."""
     ahead, known = of_explanation(explanation, LOOP, content, words), explanation.get("recorded", {})
     value = known.get(f"loop_{words.ending}")
     return None if ahead is None or value is None else Number(float(value), ahead.half_width, ahead.known)
 
 
-def _cell(explanation: Part, content: Verdict, words: Vocabulary) -> str:
+def _cell(explanation: ExpectedExplanation, content: Verdict, words: Vocabulary) -> str:
     cell = _loop(explanation, content, words)
     return plus_minus(abs(cell.value), cell.half_width, words.unit) if cell else ""

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.expected import ExpectedExplanation
+from ...document.keyed import amount_or_none
 from ...proposal import design
 from ..language.quantity import duration, listing, size
 from ..language.vocabulary import Vocabulary
@@ -19,7 +21,7 @@ class _Sign:
     `firm`: the best explanation's own plus-minus leaves no doubt that it changes by more than that.
     """
 
-    rival: Part
+    rival: ExpectedExplanation
     stands: tuple[str, ...]
     still: float
     firm: bool
@@ -32,7 +34,7 @@ def of_whole_run(content: Verdict) -> list[str]:
     return [WHOLE_RUN] if decides else []
 
 
-def lines(content: Verdict, words: Vocabulary, compared: list[Part]) -> list[str]:
+def lines(content: Verdict, words: Vocabulary, compared: list[ExpectedExplanation]) -> list[str]:
     """The decision in words between the best explanation and a rival; that there is none, where there is none.
 
     Nothing where the best explanation foretells no hold. The rival is the one that most stands tell from it.
@@ -55,7 +57,7 @@ def lines(content: Verdict, words: Vocabulary, compared: list[Part]) -> list[str
     return [_decision(named, rival, best, own, stand, words)]
 
 
-def _sign(first: Part, other: Part, content: Verdict, words: Vocabulary) -> _Sign:
+def _sign(first: ExpectedExplanation, other: ExpectedExplanation, content: Verdict, words: Vocabulary) -> _Sign:
     """Where the rival stands still within its interval, and the best explanation moves by more than that."""
     stands, still, firm = [], 0.0, True
     for stand in STANDS:
@@ -86,7 +88,7 @@ def _decision(named: str, rival: str, sign: _Sign, own: dict[str, Number | None]
 def _undecided(named: str, rival: str, sign: _Sign, stand: str, content: Verdict, words: Vocabulary) -> str:
     """What the rival does alone, and why nobody can say by how much the best explanation changes there."""
     known = content["evidence"].get("covered") or {}
-    longest_s = {each: known.get(f"longest_{each}_s") for each in STANDS}
+    longest_s = {each: amount_or_none(known, f"longest_{each}_s") for each in STANDS}
     longest = [f"{each}s of up to {duration(seconds)}" for each, seconds in longest_s.items() if seconds is not None]
     where = listing([f"in a {each} of {stand}" for each in sign.stands])
     short = f" (it has {listing(longest)})" if longest else ""

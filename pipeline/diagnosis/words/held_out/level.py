@@ -1,6 +1,7 @@
 """The level that physics has to reach: what a regression without physics foretells of unseen strokes, in words."""
 
 from ...document.content import Verdict
+from ...document.keyed import amount, amount_or_none
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import size
 from ..language.vocabulary import Vocabulary
@@ -19,7 +20,7 @@ def beaten(content: Verdict, words: Vocabulary) -> list[str]:
     who = "the explanation" if content["verdict"] in ("explained", "ambiguous") else "the calibrated simulator"
     who = holdout.of_other(content) or who
     own, without = (f"{size(error, words.unit)} rms" for error in errors)
-    floor = content["fit"][f"noise_floor_{words.ending}"]
+    floor = amount(content["fit"], f"noise_floor_{words.ending}")
     noise = f" So it is partly counted in the noise of {size(floor, words.unit)}." if errors[1] < floor else ""
     return [
         f"{METHOD} foretells the {holdout.strokes(content)} better than {who}: {without} against {own}. "
@@ -53,9 +54,9 @@ def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _errors(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
     """The error of the verdict's simulator on unseen strokes, and that of a regression; None where none was asked."""
-    held = content["fit"]["heldout"] or {}
-    without = held.get(f"without_physics_{words.ending}")
-    return None if without is None else (held[f"explained_{words.ending}"], without)
+    held = content["fit"]["heldout"]
+    without = amount_or_none(held or {}, f"without_physics_{words.ending}")
+    return None if held is None or without is None else (amount(held, f"explained_{words.ending}"), without)
 
 
 def _where(content: Verdict, words: Vocabulary) -> str:

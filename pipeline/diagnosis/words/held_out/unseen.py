@@ -4,6 +4,7 @@ import math
 
 from ....ground.command import program_name
 from ...document.content import Verdict
+from ...document.keyed import amount, amount_or_none
 from ..language.quantity import duration, size, times
 from ..language.vocabulary import Vocabulary
 from . import holdout
@@ -23,7 +24,9 @@ def errors(content: Verdict, words: Vocabulary) -> tuple[float, float, float] | 
     held = content["fit"]["heldout"]
     if not held:
         return None
-    nominal, calibrated, explained = (held[f"{name}_{words.ending}"] for name in ("nominal", "calibrated", "explained"))
+    nominal, calibrated, explained = (
+        amount(held, f"{name}_{words.ending}") for name in ("nominal", "calibrated", "explained")
+    )
     return nominal, calibrated, explained
 
 
@@ -62,7 +65,7 @@ def partly(content: Verdict, words: Vocabulary) -> bool:
     """Whether unseen strokes are missed by more than the noise."""
     unseen_errors = errors(content, words)
     return unseen_errors is not None and unseen_errors[2] > STILL_MISSING * float(
-        content["fit"][f"noise_floor_{words.ending}"]
+        amount(content["fit"], f"noise_floor_{words.ending}")
     )
 
 
@@ -130,17 +133,17 @@ def nothing_new(content: Verdict, words: Vocabulary) -> bool:
     unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=True)
     if unseen_errors is None or fitted is None:
         return False
-    return unseen_errors[2] / float(content["fit"][f"noise_floor_{words.ending}"]) <= NOTHING_NEW * fitted
+    return unseen_errors[2] / float(amount(content["fit"], f"noise_floor_{words.ending}")) <= NOTHING_NEW * fitted
 
 
 def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | None:
     """What the verdict's simulator leaves of the whole recording, which it was fitted to, in noise floors."""
     evidence = content["evidence"]
-    left = evidence.get(f"calibrated_{words.ending}")
+    left = amount_or_none(evidence, f"calibrated_{words.ending}")
     if named:
         best = [shown for shown in evidence["explanations"] if shown["standing"] == "named"]
-        left = best[0][f"left_{words.ending}"] if best else None
-    return float(left) / float(evidence[f"floor_{words.ending}"]) if left is not None else None
+        left = amount(best[0], f"left_{words.ending}") if best else None
+    return float(left) / float(amount(evidence, f"floor_{words.ending}")) if left is not None else None
 
 
 def inexact(content: Verdict, words: Vocabulary) -> bool:
@@ -151,7 +154,7 @@ def inexact(content: Verdict, words: Vocabulary) -> bool:
 
 def left_over(content: Verdict, words: Vocabulary) -> float:
     """What a simulator without a name leaves beyond the noise, rms, of all or of unseen strokes; 0 near the noise."""
-    noise, unseen_errors = content["fit"][f"noise_floor_{words.ending}"], errors(content, words)
+    noise, unseen_errors = amount(content["fit"], f"noise_floor_{words.ending}"), errors(content, words)
     beyond = [left_of_whole(content, words)]
     if unseen_errors is not None and unseen_errors[2] > STILL_MISSING * noise:
         beyond.append(math.sqrt(unseen_errors[2] ** 2 - noise**2))
@@ -163,12 +166,15 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> float:
     fitted = fitted_times(content, words, named=False)
     if fitted is None or fitted <= STILL_MISSING:
         return 0.0
-    return float(content["evidence"][f"floor_{words.ending}"]) * math.sqrt(fitted**2 - 1.0)
+    return float(amount(content["evidence"], f"floor_{words.ending}")) * math.sqrt(fitted**2 - 1.0)
 
 
 def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:
     """The noise of what was compared over the whole recording, and that of unseen strokes: by name with its size."""
-    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    noise, floor = (
+        amount(content["fit"], f"noise_floor_{words.ending}"),
+        amount(content["evidence"], f"floor_{words.ending}"),
+    )
     whole, held = (f" of {kind}" if kind else "" for kind in kinds(content, words))
     return f"noise{whole}: {size(floor, words.unit)}", f"noise{held}: {size(noise, words.unit)}"
 
@@ -178,7 +184,7 @@ def kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
 
     Nothing where both are the single samples.
     """
-    over, scored = (content["evidence"].get(key) for key in ("step_s", "scored_step_s"))
+    over, scored = content["evidence"].get("step_s"), content["evidence"].get("scored_step_s")
     if not averaged(content, words) and not scored:
         return "", ""
     held = f"averages of {duration(scored)}" if scored else "single samples"
@@ -187,5 +193,8 @@ def kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
 
 def averaged(content: Verdict, words: Vocabulary) -> bool:
     """Whether the whole recording was compared in averages, which have less noise than its single samples."""
-    noise, floor = content["fit"][f"noise_floor_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    noise, floor = (
+        amount(content["fit"], f"noise_floor_{words.ending}"),
+        amount(content["evidence"], f"floor_{words.ending}"),
+    )
     return bool(abs(floor - noise) > AVERAGED * noise)

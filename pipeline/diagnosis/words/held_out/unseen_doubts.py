@@ -1,6 +1,7 @@
 """What must be known first of a simulator that errs on strokes that no fit has seen."""
 
 from ...document.content import Verdict
+from ...document.keyed import amount
 from ...study.heldout import WORSE
 from ..language.quantity import ends, listing, percent, size
 from ..language.vocabulary import Vocabulary
@@ -13,7 +14,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
     if unseen_errors is None:
         return left_of_whole(content, words)
     nominal, calibrated, explained = unseen_errors
-    noise, sentences = content["fit"][f"noise_floor_{words.ending}"], []
+    noise, sentences = amount(content["fit"], f"noise_floor_{words.ending}"), []
     named, strokes = content["verdict"] in ("explained", "ambiguous"), holdout.strokes(content)
     named_helps = named and explained < nominal  # then the first line says it
     if calibrated > WORSE * nominal and not named_helps:
@@ -72,7 +73,7 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     if fitted is None or fitted <= unseen.STILL_MISSING:
         return []
-    left = size(fitted * float(content["evidence"][f"floor_{words.ending}"]), words.unit)
+    left = size(fitted * float(amount(content["evidence"], f"floor_{words.ending}")), words.unit)
     more = f"{unseen.exact(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
     none = content["evidence"].get("probability_of_none")
     share = "" if none is None else f"; the {percent(none)} for physics that the library lacks does not cover that"

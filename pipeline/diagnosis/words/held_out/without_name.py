@@ -1,6 +1,7 @@
 """A verdict that names no effect: whether it moved dimensions in vain, and whether what was adopted still holds."""
 
 from ...document.content import Verdict
+from ...document.keyed import amount, amount_or_none
 from ..language.vocabulary import Vocabulary
 from . import unseen
 
@@ -10,14 +11,16 @@ UNNAMED = ("consistent", "parameters")
 
 def kept_times(content: Verdict, words: Vocabulary) -> float:
     """What the simulator leaves as it was adopted, in noise floors, where that explains the recording; else 0."""
-    left = content["evidence"].get(f"adopted_{words.ending}")
+    left = amount_or_none(content["evidence"], f"adopted_{words.ending}")
     if content["verdict"] not in UNNAMED or left is None:
         return 0.0
-    ratio = float(left) / float(content["evidence"][f"floor_{words.ending}"])
+    ratio = float(left) / float(amount(content["evidence"], f"floor_{words.ending}"))
     return ratio if ratio <= unseen.STILL_MISSING else 0.0
 
 
 def moved_in_vain(content: Verdict, words: Vocabulary) -> bool:
     """Whether the simulation is hardly nearer to the recording with its dimensions moved than without."""
-    before, after = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    before, after = (
+        amount_or_none(content["evidence"], f"{name}_{words.ending}") for name in ("nominal", "calibrated")
+    )
     return before is not None and after is not None and bool(before <= LITTLE * after)

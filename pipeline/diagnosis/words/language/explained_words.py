@@ -3,7 +3,8 @@
 import re
 
 from ....ground.glossary import MEANING
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.effects_named import MechanismEntry
 from ...mechanisms.library import mechanisms
 from .quantity import quantity
 from .vocabulary import ANGLES, Vocabulary
@@ -33,7 +34,7 @@ def meaning(word: str) -> str:
     return MEANING.get(word) or f"a mechanism of your own; it follows {mechanisms()[word].driver}."
 
 
-def of_effect(entry: Part, words: Vocabulary) -> str:
+def of_effect(entry: MechanismEntry, words: Vocabulary) -> str:
     """What a named mechanism does on the rig; of a ripple whose pitch was found, how far its waves are apart."""
     pitch = next((known for name, known in entry["parameters"].items() if name.startswith("pitch_")), None)
     if pitch is None or not pitch["value"]:

@@ -1,6 +1,8 @@
 """Where something is, in words: motion, strokes and phase; what spans everything is not said."""
 
-from ...document.content import Part
+from ...document.effects_named import Location
+from ...document.evidence import Evidence
+from ...document.keyed import extent
 from .quantity import span
 from .vocabulary import Vocabulary
 
@@ -8,16 +10,16 @@ EVERYWHERE = "over the whole range"
 NEARLY_ALL = 0.75  # of the range of motion, and of the strokes
 
 
-def lying(location: Part, evidence: Part, words: Vocabulary) -> str:
+def lying(location: Location, evidence: Evidence, words: Vocabulary) -> str:
     """The same as what is missing lies: `mostly at 0 to 12 turns`, or spread."""
     where = place(location, evidence, words)
     return "spread over the whole range" if where == EVERYWHERE else f"mostly {where}"
 
 
-def place(location: Part, evidence: Part, words: Vocabulary) -> str:
+def place(location: Location, evidence: Evidence, words: Vocabulary) -> str:
     """A box as `at 0 to 12 turns, in strokes 2 to 9, while winding`."""
-    low, high = evidence[words.driver]
-    start, end = location[words.driver]
+    low, high = extent(evidence, words.driver)
+    start, end = extent(location, words.driver)
     parts = []
     if end - start < NEARLY_ALL * (high - low):
         parts.append(f"at {span(start, end, words.motion_unit, high - low)}")

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from ....ground.units import unit_of
 from ...document.bounds import BOUND, at_bound, of_later_run
 from ...document.content import Verdict
+from ...document.keyed import amount, amount_or_none
 from ..held_out import holdout
 from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing, number, said_unit, size, times
@@ -124,7 +125,8 @@ def decimals(content: Verdict, name: str) -> int:
     sigma = content["evidence"].get("tolerance", {}).get(name)
     known = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
     places = max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
-    low, value, high = (content["parameters"][name].get(end, 0.0) for end in ("low", "value", "high"))
+    dimension = content["parameters"][name]
+    low, value, high = (amount_or_none(dimension, end) or 0.0 for end in ("low", "value", "high"))
     inside = [low, value, high] if low < value < high else [low, high]
     while low < high and places < FINEST and len({round(each, places) for each in inside}) < len(inside):
         places += 1
@@ -144,8 +146,8 @@ def likely_range(content: Verdict, name: str) -> str:
 def beyond(content: Verdict, name: str) -> bool:
     """Whether the interval of a dimension reaches further than calibration may move it."""
     known, sigma = content["parameters"][name], content["evidence"].get("tolerance", {}).get(name)
-    ends = [known.get(end, known["nominal"]) for end in ("low", "high")]
-    return bool(sigma) and max(abs(end - known["nominal"]) for end in ends) > BOUND * sigma
+    ends = [known.get("low", known["nominal"]), known.get("high", known["nominal"])]
+    return bool(sigma) and max(abs(end - known["nominal"]) for end in ends) > BOUND * (sigma or 0.0)
 
 
 def corrected(content: Verdict, words: Vocabulary) -> list[str]:
@@ -154,7 +156,7 @@ def corrected(content: Verdict, words: Vocabulary) -> list[str]:
     if content["verdict"] != "parameters":
         return []
     if f"nominal_{words.ending}" in shown:
-        before, after, floor = (shown[f"{name}_{words.ending}"] for name in ("nominal", "calibrated", "floor"))
+        before, after, floor = (amount(shown, f"{name}_{words.ending}") for name in ("nominal", "calibrated", "floor"))
         sizes = [f"{size(value, words.unit)} rms ({times(value / floor)} times the noise)" for value in (before, after)]
         lines.append(f"The misfit was {sizes[0]} with the dimensions of run.yaml. It is {sizes[1]} once they move.")
     in_step = holdout.included(content) and not moved_in_vain(content, words)  # such a page is long

@@ -49,7 +49,7 @@ def is_default(content: Verdict, name: str, words: Vocabulary) -> bool:
         return False
     sigma, part = content["evidence"].get("tolerance", {}).get(name), share(content, name, words)
     usual = words.usual.get(key_of(name))
-    return bool(sigma and usual) and math.isclose(sigma if part is None else part, usual or 0.0, rel_tol=1e-6)
+    return bool(sigma and usual) and math.isclose((sigma if part is None else part) or 0.0, usual or 0.0, rel_tol=1e-6)
 
 
 def marked(content: Verdict, name: str, words: Vocabulary) -> str:

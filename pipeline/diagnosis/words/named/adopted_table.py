@@ -1,7 +1,9 @@
 """The table of what run.yaml has adopted: each effect by its name, as what it was adopted, how large it is here."""
 
 from ....ground.outside_library import is_outside
-from ...document.content import Adoption, Part, Verdict
+from ...document.content import Adoption, Verdict
+from ...document.effects_named import AdoptedEffect
+from ...document.keyed import amount, amount_or_none
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import size
 from ..language.table import aligned
@@ -15,18 +17,18 @@ HELD = "Sizes are what the adopted numbers do here. How sure each effect is stan
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """A row for each adopted effect with what it does below it; nothing where none was, or an older file has none."""
-    entries: list[Part] = content["evidence"].get("adopted_effects", [])
+    entries: list[AdoptedEffect] = content["evidence"].get("adopted_effects", [])
     if not entries:
         return []
     rows = [
-        [entry["id"], _adopted_as(content, entry["id"]), size(entry[f"rms_{words.ending}"], words.unit)]
+        [entry["id"], _adopted_as(content, entry["id"]), size(amount(entry, f"rms_{words.ending}"), words.unit)]
         for entry in entries
     ]
     head, *table = aligned([HEAD, *rows])
     table_lines = [head]
     for entry, row in zip(entries, table, strict=True):
         does = entry["sentence"] or on_rig(meaning(entry["id"]), words)
-        top = at_the_top(content, entry.get(f"top_{words.ending}"), words)
+        top = at_the_top(content, amount_or_none(entry, f"top_{words.ending}"), words)
         table_lines += [row, f"    {does}{top}"]
     return [*table_lines, HELD]
 

@@ -1,6 +1,8 @@
 """Effects of one explanation together: their sizes do not add up, and loops may partly cancel."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.effects_named import MechanismEntry
+from ...document.keyed import amount, interval
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
@@ -8,25 +10,27 @@ from ..measured.dimensions import far_moved
 FAR = 2.0  # times the recorded loop: effects that open wider ones must take most of each other back
 
 
-def lines(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+def lines(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
     """What several effects do together, and that their loops partly cancel where they do; nothing of one effect."""
     return [*_together(content, entries, words), *_cancel(content, entries, words)]
 
 
-def _together(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+def _together(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
     """What several effects do together: a reader would add up their sizes."""
-    missing = content["mismatch"][f"rms_{words.ending}"] if content["mismatch"] else 0.0
-    largest = max(entry[f"rms_{words.ending}"]["value"] for entry in entries)
+    missing = amount(content["mismatch"], f"rms_{words.ending}") if content["mismatch"] else 0.0
+    largest = max(interval(entry, f"rms_{words.ending}")["value"] for entry in entries)
     if len(entries) < 2 or largest > missing or content["verdict"] != "explained" or far_moved(content):
         return []
     return [f"Sizes in rms do not add up: together the effects make the {size(missing, words.unit)} that is missing."]
 
 
-def _cancel(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+def _cancel(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
     """That the loops of some effects partly cancel; nothing where fewer than two are far wider than what is seen."""
     seen = ((content["evidence"].get("expected") or {}).get("recorded") or {}).get(f"loop_{words.ending}") or 0.0
     opened = content["evidence"].get("loops") or {}
-    by_id = {entry["id"]: opened[entry["id"]][f"width_{words.ending}"] for entry in entries if entry["id"] in opened}
+    by_id = {
+        entry["id"]: amount(opened[entry["id"]], f"width_{words.ending}") for entry in entries if entry["id"] in opened
+    }
     wide = {id_: width for id_, width in by_id.items() if width > FAR * seen > 0.0}
     if len(wide) < 2:
         return []

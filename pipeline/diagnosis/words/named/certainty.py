@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from ...document.bounds import at_bound
 from ...document.content import Verdict, mismatch_of
+from ...document.keyed import Interval, amount, interval
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals
@@ -117,7 +118,7 @@ def _only(count: int) -> str:
 
 def than_the_explanation(content: Verdict) -> list[str]:
     """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
-    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    share = next((best.get("probability") for best in rivals.entries(content, "named")), None)
     if share is None:
         return []
     shares = {id_: its for id_, its in known(content).items() if its > share and percent(its) != percent(share)}
@@ -135,7 +136,7 @@ def no_promise(content: Verdict, words: Vocabulary) -> list[str]:
 
 def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, float]]:
     """The effects whose own size the recording leaves open, each with its interval."""
-    sizes_of = {entry["id"]: entry[f"rms_{words.ending}"] for entry in content["mechanisms"]}
+    sizes_of = {entry["id"]: interval(entry, f"rms_{words.ending}") for entry in content["mechanisms"]}
     return {
         id_: (known["low"], known["high"])
         for id_, known in sizes_of.items()
@@ -146,15 +147,15 @@ def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, 
 def partly_hidden(content: Verdict, words: Vocabulary) -> list[str]:
     """The effects that are larger than what is missing, so that moved dimensions must take some of each back."""
     key = f"rms_{words.ending}"
-    limit = rivals.MORE * mismatch_of(content)[key] if content["mismatch"] else float("inf")
-    return [entry["id"] for entry in content["mechanisms"] if entry[key]["value"] > limit]
+    limit = rivals.MORE * amount(mismatch_of(content), key) if content["mismatch"] else float("inf")
+    return [entry["id"] for entry in content["mechanisms"] if interval(entry, key)["value"] > limit]
 
 
-def wide(known: dict[str, float]) -> bool:
+def wide(known: Interval) -> bool:
     """Whether the interval of a size is wide."""
     return known["high"] > max(WIDE * known["low"], known["low"])
 
 
 def hidden(own: float, content: Verdict, words: Vocabulary) -> bool:
     """Whether an effect is far larger than what is missing, so that moved dimensions must take most of it back."""
-    return bool(own > rivals.LARGER * mismatch_of(content)[f"rms_{words.ending}"])
+    return bool(own > rivals.LARGER * amount(mismatch_of(content), f"rms_{words.ending}"))

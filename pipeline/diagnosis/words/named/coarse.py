@@ -6,7 +6,9 @@ stroke as an effect does (Widrow and Kollár, Quantization Noise, 2008).
 
 import math
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.effects_named import MechanismEntry
+from ...document.keyed import amount, amount_or_none, by_name, interval
 from ..language.quantity import size
 from ..language.vocabulary import Vocabulary
 
@@ -19,8 +21,8 @@ def too_small(content: Verdict, words: Vocabulary, id_: str) -> str:
 
     What counts of an effect is what no dimension could do.
     """
-    step = content["evidence"].get(f"resolution_{words.ending}", 0.0)
-    if not step or content["fit"][f"noise_floor_{words.ending}"] > STIRRED * step:
+    step = amount_or_none(content["evidence"], f"resolution_{words.ending}") or 0.0
+    if not step or amount(content["fit"], f"noise_floor_{words.ending}") > STIRRED * step:
         return ""
     own = min((_own(content, entry, words) for entry in content["mechanisms"] if entry["id"] == id_), default=math.inf)
     if own >= ROUNDED * step:
@@ -28,7 +30,7 @@ def too_small(content: Verdict, words: Vocabulary, id_: str) -> str:
     return f"{size(own, words.unit)} is too small for a sensor that reads in steps of {size(step, words.unit)}"
 
 
-def _own(content: Verdict, entry: Part, words: Vocabulary) -> float:
+def _own(content: Verdict, entry: MechanismEntry, words: Vocabulary) -> float:
     """The rms of an effect, or of what no dimension could do of it."""
-    beyond = content["evidence"].get(f"beyond_dimensions_{words.ending}", {}).get(entry["id"], math.inf)
-    return min(float(entry[f"rms_{words.ending}"]["value"]), float(beyond))
+    beyond = by_name(content["evidence"], f"beyond_dimensions_{words.ending}").get(entry["id"], math.inf)
+    return min(float(interval(entry, f"rms_{words.ending}")["value"]), float(beyond))

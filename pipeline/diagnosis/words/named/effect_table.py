@@ -1,6 +1,8 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
-from ...document.content import Part, Verdict, mismatch_of
+from ...document.content import Verdict, mismatch_of
+from ...document.effects_named import MechanismEntry
+from ...document.keyed import Interval, amount, by_name, interval
 from ...mechanisms.library import mechanisms
 from ..explanations import probability
 from ..held_out import holdout
@@ -83,8 +85,8 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
             *([] if far_moved(content) else certainty.to_write(content, words, short)),  # else it is said first
         ]
     thoughts = " ".join(cell for cells in sizes.values() for cell in cells)
-    of_own: list[Part] = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
-    exact = [entry["id"] for entry in entries if _exact(entry[f"rms_{words.ending}"])]
+    of_own: list[MechanismEntry] = content.get("of_your_own", {"mechanisms": []})["mechanisms"]
+    exact = [entry["id"] for entry in entries if _exact(interval(entry, f"rms_{words.ending}"))]
     largest = UP_TO * any("up to" in entry["sentence"] for entry in entries)
     sure = SURE_FROM.format(percent(certainty.SURE), percent(certainty.PROBABLE))
     return [
@@ -103,14 +105,14 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     ]
 
 
-def _sentence(entry: Part, content: Verdict) -> str:
+def _sentence(entry: MechanismEntry, content: Verdict) -> str:
     """What an effect does; not what it does at a stand, where the motor never stood long enough to show it."""
     tried = content["evidence"].get("not_kept")
     never = tried is not None and bool(tried) and not tried[0]["stands"]
     return str(entry["sentence"]).replace(AT_A_STAND, "") if never else str(entry["sentence"])
 
 
-def _in_a_line(entry: Part, words: Vocabulary) -> str:
+def _in_a_line(entry: MechanismEntry, words: Vocabulary) -> str:
     """What an effect does; of a temperature that is calculated, that nobody measured it."""
     does, mechanism = of_effect(entry, words), mechanisms()[entry["id"]]
     calculated = "a temperature that is calculated from the motion, not measured"
@@ -123,7 +125,7 @@ def _on_two_lines(head: str) -> list[str]:
     return [head[: start + len(OF_IT[0])], " " * start + OF_IT[1]]
 
 
-def _in_all(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+def _in_all(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
     """The part of each effect that no dimension could do, and what could do the rest; nothing where it is the whole."""
     parts = {
         entry["id"]: own_with_interval(entry, content, words) for entry in entries if own_part(entry, content, words)
@@ -140,9 +142,9 @@ def _in_its_place(content: Verdict) -> str:
     return f"a slightly different {listing([name_of(name) for name in names])}" if names else "moved dimensions"
 
 
-def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -> str:
+def _sure_and_near_0(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> str:
     """Why an effect can be sure whose interval reaches 0; nothing where none is so."""
-    shares, sizes = certainty.known(content), {entry["id"]: entry[f"rms_{words.ending}"] for entry in entries}
+    shares, sizes = certainty.known(content), {entry["id"]: interval(entry, f"rms_{words.ending}") for entry in entries}
     both = [
         id_
         for id_, known in sizes.items()
@@ -153,7 +155,7 @@ def _sure_and_near_0(content: Verdict, entries: list[Part], words: Vocabulary) -
     return BOTH_HOLD.format(listing(both), f"{are} {sure}") if both else ""
 
 
-def _exact(known: Part) -> bool:
+def _exact(known: Interval) -> bool:
     """Whether a size has no interval."""
     return bool(known["value"]) and bool(known["high"] <= known["low"])
 
@@ -165,7 +167,7 @@ def _in_one(sentences: list[str]) -> list[str]:
 
 def _of_strokes(content: Verdict, id_: str, words: Vocabulary) -> str:
     """What a named effect does from stroke to stroke."""
-    return effects.at_the_top(content, content["evidence"].get(f"tops_{words.ending}", {}).get(id_), words)
+    return effects.at_the_top(content, by_name(content["evidence"], f"tops_{words.ending}").get(id_), words)
 
 
 def only_elsewhere(content: Verdict) -> list[str]:
@@ -195,4 +197,4 @@ def only_probable(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _missing(content: Verdict, words: Vocabulary) -> str:
-    return size(mismatch_of(content)[f"rms_{words.ending}"], words.unit)
+    return size(amount(mismatch_of(content), f"rms_{words.ending}"), words.unit)

@@ -3,7 +3,9 @@
 import re
 from string import Formatter
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.effects_named import Loop, MechanismEntry, Quantity, WithParameters
+from ...document.keyed import amount, extent, interval
 from ...document.time_constants import BRANCH_S, time_constants_s
 from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units
@@ -31,8 +33,8 @@ CONSTANT = re.compile(r"\d [^()]*\(-?[0-9.,]+ to -?[0-9.,]+\)")  # its unit may 
 
 
 def sentence(
-    mechanism: Mechanism, entry: Part, span: float | None, words: Vocabulary, units: Units,
-    opened: Part | None = None, trend: float | None = None, whole: float = 0.0, mass_kg: float | None = None,
+    mechanism: Mechanism, entry: WithParameters, span: float | None, words: Vocabulary, units: Units,
+    opened: Loop | None = None, trend: float | None = None, whole: float = 0.0, mass_kg: float | None = None,
 ) -> str:  # fmt: skip
     """What a mechanism does on this rig, in one sentence; `entry` is its own of `mechanisms`, `span` low to high.
 
@@ -40,7 +42,7 @@ def sentence(
     by how much it moves the reading in the course of the recording; None in an older file. `whole`: the motion's range.
     `mass_kg`: what moves, if the rig knows it.
     """
-    worth = entry[f"rms_{words.ending}"]["value"]
+    worth = interval(entry, f"rms_{words.ending}")["value"]
     if not worth:
         return f"{NOTHING} So nothing shows that it is at work."
     fields = {**words.fields, "size": f"{size(worth, words.unit)} rms"}
@@ -58,25 +60,25 @@ def sentence(
     return f"{phrase}{': ' if detail else ''}{detail}."
 
 
-def loop(span: str, words: Vocabulary, opened: Part | None, whole: float = 0.0) -> str:
+def loop(span: str, words: Vocabulary, opened: Loop | None, whole: float = 0.0) -> str:
     """By how much both ways differ at one place, and where; where that is unknown, the span, called what it is."""
     if opened:
-        near = place_near(opened[words.driver], words.motion_unit, whole)
+        near = place_near(amount(opened, words.driver), words.motion_unit, whole)
         widths = [
             f"{size(width, words.unit)} under {quantity(load, words.load_unit)}"
             for load, width in opened.get("by_load", [])
         ]
-        return f"up to {listing(widths) or size(opened[f'width_{words.ending}'], words.unit)}, most near {near}"
+        return f"up to {listing(widths) or size(amount(opened, f'width_{words.ending}'), words.unit)}, most near {near}"
     return f"{span} from the lowest to the highest value" if span else ""
 
 
-def between_runs(entry: Part, words: Vocabulary) -> str:
+def between_runs(entry: MechanismEntry, words: Vocabulary) -> str:
     """In what state the runs of one diagnosis begin, where an effect remembers; nothing where it does not."""
     way = entry["parameters"].get("later_runs")
     return f" {BETWEEN_RUNS[way['value']].format(**words.fields)}" if way else ""
 
 
-def calculated(mechanism: Mechanism, entry: Part) -> bool:
+def calculated(mechanism: Mechanism, entry: WithParameters) -> bool:
     """Whether a mechanism follows a temperature, and this one is that of self-heating, from the motion."""
     return "{temperature}" in mechanism.sentence and not entry["parameters"].get("measured", {"value": 0.0})["value"]
 
@@ -95,7 +97,7 @@ def names_in(template: str) -> list[str]:
     return [name for _, name, _, _ in Formatter().parse(template) if name]
 
 
-def details(mechanism: Mechanism, parameters: Part, words: Vocabulary, units: Units) -> str:
+def details(mechanism: Mechanism, parameters: dict[str, Quantity], words: Vocabulary, units: Units) -> str:
     """The first detail whose parameters were all found, once for every event."""
     parameters = parameters | _usual_load(parameters, units)
     for template in mechanism.details:
@@ -113,36 +115,37 @@ def details(mechanism: Mechanism, parameters: Part, words: Vocabulary, units: Un
     return ""
 
 
-def _usual_load(parameters: Part, units: Units) -> Part:
+def _usual_load(parameters: dict[str, Quantity], units: Units) -> dict[str, Quantity]:
     """The load that a law's numbers are of, in its unit: the recording's usual one; nothing where a law has none."""
     known = parameters.get("usual_load")
     if known is None:
         return {}
-    ends = {key: units.load_size * known[key] for key in ("value", "low", "high")}
-    return {units.name("usual_load_n"): {**ends, "unit": units.load}}
+    value, low, high = (units.load_size * end for end in (known["value"], known["low"], known["high"]))
+    return {units.name("usual_load_n"): {"value": value, "low": low, "high": high, "unit": units.load}}
 
 
-def _late(parameters: Part, units: Units, mass_kg: float | None) -> Part:
+def _late(parameters: dict[str, Quantity], units: Units, mass_kg: float | None) -> dict[str, Quantity]:
     """The delay of a moving mass, from its product with that mass; nothing where one of them is unknown."""
     known = parameters.get(units.name("late_mm_s3_per_turn"))
     if known is None or not mass_kg or (units.reading, units.motion) != ("N", "m"):
         return {}
-    return {"late_ms": {**{key: 1e3 * known[key] / mass_kg for key in ("value", "low", "high")}, "unit": "ms"}}
+    value, low, high = (1e3 * end / mass_kg for end in (known["value"], known["low"], known["high"]))
+    return {"late_ms": {"value": value, "low": low, "high": high, "unit": "ms"}}
 
 
-def with_interval(known: Part) -> str:
+def with_interval(known: Quantity) -> str:
     """A constant of an effect with its 90 % interval, if it has one: `0.141 turns (0.137 to 0.144)`."""
     value, low, high = (quantity(known[key], known["unit"], digits=3) for key in ("value", "low", "high"))
     unit = value.partition(" ")[2]
     return value if low == high else f"{value} ({low.removesuffix(unit).strip()} to {high.removesuffix(unit).strip()})"
 
 
-def has_constants(entry: Part) -> bool:
+def has_constants(entry: MechanismEntry) -> bool:
     """Whether an effect's sentence gives a constant with its interval."""
     return bool(CONSTANT.search(entry["sentence"]))
 
 
-def no_constants(entries: list[Part]) -> list[str]:
+def no_constants(entries: list[MechanismEntry]) -> list[str]:
     """Why effects have no constant to report; nothing where each has one, a sentence for those that share a reason."""
     without = [entry for entry in entries if not has_constants(entry)]
     single = [entry["id"] for entry in without if BARE.search(entry["sentence"])]
@@ -154,7 +157,7 @@ def no_constants(entries: list[Part]) -> list[str]:
     ]
 
 
-def time_constants(parameters: Part) -> str:
+def time_constants(parameters: dict[str, Quantity]) -> str:
     """The time constants that carry most of an effect, from the names of its strengths."""
     kept = time_constants_s(
         {"parameters": {name: value for name, value in parameters.items() if BRANCH_S.search(name)}}
@@ -172,9 +175,9 @@ def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str
 
     `change` is from the first stroke to the last.
     """
-    if not change or abs(change) < content["evidence"][f"floor_{words.ending}"]:
+    if not change or abs(change) < amount(content["evidence"], f"floor_{words.ending}"):
         return ""
-    low, high = content["evidence"][words.driver]
+    low, high = extent(content["evidence"], words.driver)
     top, way = at(high, words.motion_unit, high - low), "more" if change > 0.0 else "less"
     load = " under the same load" if content["evidence"]["loaded"] else ""
     return (

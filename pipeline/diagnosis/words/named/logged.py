@@ -1,6 +1,7 @@
 """What was logged, and is followed by nothing that is named: said in one sentence, or a reader wonders."""
 
 from ...document.content import Verdict
+from ...document.keyed import by_name
 from ...mechanisms.library import mechanisms
 from ..language.quantity import number, size
 from ..language.vocabulary import Vocabulary
@@ -14,7 +15,7 @@ SEEN = "; an effect of it would be seen from {} rms on"
 def temperature(content: Verdict, words: Vocabulary) -> list[str]:
     """That the logged temperature was not needed; nothing where none was logged, or where something may follow it."""
     ends = (content["evidence"].get("covered") or {}).get("temperature_c")
-    driver = (content["mismatch"] or {}).get("driver", "") if content["verdict"] == "unknown" else ""
+    driver = content["mismatch"]["driver"] if content["verdict"] == "unknown" and content["mismatch"] else ""
     following = {id_ for id_, mechanism in mechanisms().items() if mechanism.driver == FOLLOWED}
     named = {entry["id"]: entry for entry in content["mechanisms"]}
     best = {id_ for id_, entry in named.items() if not effects.calculated(mechanisms()[id_], entry)}
@@ -22,6 +23,6 @@ def temperature(content: Verdict, words: Vocabulary) -> list[str]:
     adopted = {entry["id"] for entry in content.get("simulation", [])} - named.keys()
     if not ends or FOLLOWED in driver or following & (best | maybe | adopted):
         return []
-    least = [content["fit"][f"detectable_{words.ending}"].get(id_) for id_ in following]
+    least = [by_name(content["fit"], f"detectable_{words.ending}").get(id_) for id_ in following]
     seen = "".join(SEEN.format(size(each, words.unit)) for each in least if each)
     return [SAYS.format(low=number(ends[0], 3), high=number(ends[1], 3), seen=seen)]

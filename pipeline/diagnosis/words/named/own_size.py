@@ -1,6 +1,8 @@
 """The size of a named effect in a cell: what no dimension could do of it, all of it, and what to think of that."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.effects_named import MechanismEntry
+from ...document.keyed import by_name, interval
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
@@ -12,9 +14,9 @@ TO_REPORT = "Of {} report the last column, not the size before it: moved dimensi
 OWN = 0.8  # of an effect's size: a part that no dimension could do stands first if it is less
 
 
-def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
+def own_size(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
     """How much an effect moves the reading, with its interval if it has one, and what to think of it."""
-    known = entry[f"rms_{words.ending}"]
+    known = interval(entry, f"rms_{words.ending}")
     if not known["value"]:
         return "none"
     if known["high"] <= known["low"]:
@@ -25,12 +27,12 @@ def own_size(entry: Part, content: Verdict, words: Vocabulary) -> str:
     return f"{with_interval(entry, words)}{doubt_of(entry, content, words)}"
 
 
-def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, short: bool) -> list[str]:
+def in_columns(entry: MechanismEntry, content: Verdict, words: Vocabulary, parts: bool, short: bool) -> list[str]:
     """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one.
 
     `short`: of a size that is partly hidden, also that nobody quotes it, for the page has no more on it.
     """
-    known = entry[f"rms_{words.ending}"]
+    known = interval(entry, f"rms_{words.ending}")
     if not known["value"]:
         return ["none", *["–"] * parts]
     whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
@@ -43,27 +45,27 @@ def in_columns(entry: Part, content: Verdict, words: Vocabulary, parts: bool, sh
     return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
 
 
-def with_interval(entry: Part, words: Vocabulary, factor: float = 1.0) -> str:
+def with_interval(entry: MechanismEntry, words: Vocabulary, factor: float = 1.0) -> str:
     """All of an effect with its 90 % interval, or a part of it, `factor` of all: 0.25 mm (0.21 to 0.32 mm)."""
-    value, low, high = (factor * entry[f"rms_{words.ending}"][end] for end in ("value", "low", "high"))
-    own, interval = ends.sized(value, low, high, words)
-    return f"{own} ({interval})"
+    value, low, high = (factor * interval(entry, f"rms_{words.ending}")[end] for end in ("value", "low", "high"))
+    own, range_ = ends.sized(value, low, high, words)
+    return f"{own} ({range_})"
 
 
-def own_with_interval(entry: Part, content: Verdict, words: Vocabulary) -> str:
+def own_with_interval(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
     """The part of an effect that no dimension could do: as a share of its strength, it is as uncertain as that."""
     own = own_part(entry, content, words)
-    return with_interval(entry, words, own / entry[f"rms_{words.ending}"]["value"])
+    return with_interval(entry, words, own / interval(entry, f"rms_{words.ending}")["value"])
 
 
-def reportable(entry: Part, content: Verdict, words: Vocabulary) -> bool:
+def reportable(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> bool:
     """Whether an effect has a size that can be reported: all of it, or the part that no dimension could do."""
     doubt = doubt_of(entry, content, words)
-    narrow = not certainty.wide(entry[f"rms_{words.ending}"])
+    narrow = not certainty.wide(interval(entry, f"rms_{words.ending}"))
     return narrow and (not doubt or own_part(entry, content, words) > 0.0)
 
 
-def to_report(content: Verdict, entries: list[Part], words: Vocabulary) -> list[str]:
+def to_report(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
     """Which of two sizes is to be reported, where some have two and each effect can be reported; nothing elsewhere."""
     if far_moved(content) or not all(reportable(entry, content, words) for entry in entries):
         return []
@@ -71,15 +73,15 @@ def to_report(content: Verdict, entries: list[Part], words: Vocabulary) -> list[
     return [TO_REPORT.format(listing(ids))] if ids else []
 
 
-def doubt_of(entry: Part, content: Verdict, words: Vocabulary) -> str:
+def doubt_of(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
     """What to think of an effect's size: that it is poorly known, or hidden; nothing where it is known."""
-    known = entry[f"rms_{words.ending}"]
+    known = interval(entry, f"rms_{words.ending}")
     much = content["mismatch"] and certainty.hidden(known["value"], content, words)
     partly = entry["id"] in certainty.partly_hidden(content, words)
     return HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if partly else ""
 
 
-def own_part(entry: Part, content: Verdict, words: Vocabulary) -> float:
+def own_part(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> float:
     """How much of an effect no dimension could do, rms, where that is clearly less than all of it; else 0."""
-    left = content["evidence"].get(f"beyond_dimensions_{words.ending}", {}).get(entry["id"])
-    return float(left) if left and left < OWN * entry[f"rms_{words.ending}"]["value"] else 0.0
+    left = by_name(content["evidence"], f"beyond_dimensions_{words.ending}").get(entry["id"])
+    return float(left) if left and left < OWN * interval(entry, f"rms_{words.ending}")["value"] else 0.0

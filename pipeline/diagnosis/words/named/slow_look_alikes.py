@@ -1,6 +1,7 @@
 """Of each slow effect that looks like a named one under one load: excluded by this recording, or open; in words."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.keyed import amount, amount_or_none
 from ..explanations import other_effects
 from ..language.explained_words import tells
 from ..language.quantity import listing, size, times
@@ -19,10 +20,10 @@ def excluded(content: Verdict, words: Vocabulary) -> list[str]:
 
     Nothing where the motor never stood long enough, and of a file that does not say what each effect leaves.
     """
-    first, *others = content["evidence"].get("not_kept") or [None]
-    if first is None:
+    if not content["evidence"].get("not_kept"):
         return []
-    alike, floor = _all(content, words), content["evidence"][f"floor_{words.ending}"]
+    first, *others = content["evidence"]["not_kept"]
+    alike, floor = _all(content, words), amount(content["evidence"], f"floor_{words.ending}")
     return [
         entry["id"] for entry in others
         if entry["id"] in alike and other_effects.wrong_by(entry, first, floor, words)
@@ -32,7 +33,7 @@ def excluded(content: Verdict, words: Vocabulary) -> list[str]:
 def _by_how_much(content: Verdict, ids: list[str], words: Vocabulary) -> list[str]:
     """Excluded look-alikes, each with by how much it is wrong in a hold and in a rest."""
     first, *others = content["evidence"]["not_kept"]
-    entries, floor = {entry["id"]: entry for entry in others}, content["evidence"][f"floor_{words.ending}"]
+    entries, floor = {entry["id"]: entry for entry in others}, amount(content["evidence"], f"floor_{words.ending}")
     known = {id_: other_effects.wrong_by(entries[id_], first, floor, words) for id_ in ids}
     stands = other_effects.STANDS
     return [f"{id_} ({listing([f'by {wrong} {stands[phase]}' for phase, wrong in known[id_].items()])})" for id_ in ids]
@@ -95,10 +96,10 @@ def _why_open(content: Verdict, id_: str, words: Vocabulary) -> str:
     test = f"A recording tells: {tells(id_, words)}."
     if any(id_ in ids for ids in content["alternatives"]):
         return f": another likely explanation has it. {test}"
-    entry: Part = next((entry for entry in content["evidence"].get("not_kept", []) if entry["id"] == id_), {})
-    left = entry.get(f"left_{words.ending}")
+    entries = [entry for entry in content["evidence"].get("not_kept", []) if entry["id"] == id_]
+    left = amount_or_none(entries[0], f"left_{words.ending}") if entries else None
     if left is None:
         return f": this recording does not show it. {test}"
-    ratio = times(left / content["evidence"][f"floor_{words.ending}"])
+    ratio = times(left / amount(content["evidence"], f"floor_{words.ending}"))
     leaves = f"the library's formula of it leaves {size(left, words.unit)} ({ratio} times the noise)"
     return f": {leaves}, but another law of it could do what is seen. {test}"

@@ -1,6 +1,7 @@
 """The run to make next, in words: the protocol, what it is expected to tell, and how its recording is diagnosed."""
 
-from ...document.content import NextRun, Verdict, proposal
+from ...document.content import Verdict, proposal
+from ...document.expected import NextRun
 from ...proposal.design import AS_BEFORE
 from ..language.quantity import number
 from ..language.vocabulary import Vocabulary

@@ -2,7 +2,8 @@
 
 from itertools import combinations
 
-from ...document.content import NextRun, Verdict, proposal
+from ...document.content import Verdict, proposal
+from ...document.expected import NextRun
 from ...proposal import design
 from ..explanations import rivals
 from ..language.quantity import listing

@@ -1,6 +1,7 @@
 """The next recording as a recipe: so many strokes, under which load, at which speed, with which holds and rests."""
 
 from ...document.content import Verdict
+from ...document.keyed import extent
 from ...mechanisms.library import mechanisms
 from ..language.quantity import at, duration, ends, quantity, span
 from ..language.vocabulary import Vocabulary
@@ -51,7 +52,7 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     lasting = _lasting(content, ids)
     if known is None or not words.twisted or not (lacking or lasting):
         return ""
-    (first, last), (low, high) = content["evidence"]["strokes"], content["evidence"][words.driver]
+    (first, last), (low, high) = content["evidence"]["strokes"], extent(content["evidence"], words.driver)
     runs = 1 if isinstance(content["run"], str) else len(content["run"])
     count, (slow, fast) = max((last - first + 1) // runs, FEWEST), known["speed_per_s"]
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 
-from ...document.content import LegSaid, NextRun
+from ...document.expected import LegSaid, NextRun
 from ..language.quantity import at, duration, listing, number, quantity
 from ..language.vocabulary import Vocabulary
 

@@ -1,6 +1,8 @@
 """What a proposed run tells apart, for the details: both predictions in a table, how far they are apart, its worth."""
 
-from ...document.content import NextRun, Verdict, proposal
+from ...document.content import Verdict, proposal
+from ...document.expected import NextRun
+from ...document.keyed import amount, extent
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
 from ..language.quantity import duration, first_upper, number, percent, place_near, quantity, size, to_tell
@@ -61,7 +63,11 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
     """The table's cells: an explanation, its probability if it has one, and its reading where both differ the most."""
     known, rows = run.get("apart"), []
     ends = [f"{which}_{words.ending}" for which in ("first", "second")]
-    both = to_tell([known[end] for end in ends], known[f"by_{words.ending}"], words.unit) if known else ["", ""]
+    both = (
+        to_tell([amount(known, end) for end in ends], amount(known, f"by_{words.ending}"), words.unit)
+        if known
+        else ["", ""]
+    )
     likelier = sorted(
         zip(run["parts"], both, strict=True), key=lambda pair: worth.share(pair[0], content) or 0.0, reverse=True
     )
@@ -75,12 +81,12 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
         rows.append(cells)
     head = ["it is to tell apart", *(["probability"] if probability.known(content) else [])]
     if known:
-        low, high = content["evidence"][words.driver]
-        near = place_near(known[words.driver], words.motion_unit, high - low)
+        low, high = extent(content["evidence"], words.driver)
+        near = place_near(amount(known, words.driver), words.motion_unit, high - low)
         after_s = known.get("after_s", 0.0)
         when = f"after {duration(after_s)}" if after_s > 0.0 else "in it"  # an older file does not say it
         head.append(f"reading {when}, {words.motion} near {near}")
-        apart = size(known[f"by_{words.ending}"], words.unit)
+        apart = size(amount(known, f"by_{words.ending}"), words.unit)
         rows.append(["their difference, if the run follows this one at once", *[UNKNOWN] * (len(head) - 2), apart])
     return [head, *rows]
 

@@ -4,7 +4,8 @@ import shlex
 from pathlib import Path
 
 from ....ground.command import command
-from ...document.content import NextRun, Verdict
+from ...document.content import Verdict
+from ...document.expected import NextRun
 from ..language.quantity import listing, quantity
 from ..language.vocabulary import Vocabulary
 from ..named import effect_table

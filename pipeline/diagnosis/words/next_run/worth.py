@@ -1,7 +1,9 @@
 """What a proposed run is expected to tell, and whether it is worth making, in words."""
 
 from ....ground.command import command
-from ...document.content import NextRun, Verdict, proposal
+from ...document.content import Verdict, proposal
+from ...document.expected import NextRun
+from ...document.keyed import amount, extent
 from ...fit.adopt import NO_USE
 from ...proposal import design
 from ...proposal.design import PLAIN, deviations
@@ -79,12 +81,12 @@ def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     known = run.get("apart")
     if not known:
         return ""
-    low, high = content["evidence"][words.driver]
-    most = size(known[f"by_{words.ending}"], words.unit)
-    near = place_near(known[words.driver], words.motion_unit, high - low)
+    low, high = extent(content["evidence"], words.driver)
+    most = size(amount(known, f"by_{words.ending}"), words.unit)
+    near = place_near(amount(known, words.driver), words.motion_unit, high - low)
     names = [rivals.called(ids) for ids in run["parts"]]
-    differ = known[f"by_{words.ending}"]
-    both = to_tell([known[f"{which}_{words.ending}"] for which in ("first", "second")], differ, words.unit)
+    differ = amount(known, f"by_{words.ending}")
+    both = to_tell([amount(known, f"{which}_{words.ending}") for which in ("first", "second")], differ, words.unit)
     return (
         f"In it, if it follows this recording at once, the two predicted readings differ by up to {most}, most near "
         f"{near}: {both[0]} if it is {names[0]}, {both[1]} if it is {names[1]}."
@@ -93,7 +95,7 @@ def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:
 
 def probable(ids: list[str], content: Verdict) -> str:
     """An explanation by its name with its probability, if it has one."""
-    likely = probability.said({"probability": share(ids, content)})
+    likely = probability.said(share(ids, content))
     return f"{rivals.called(ids)}{f' ({likely})' if likely else ''}"
 
 

@@ -3,6 +3,7 @@
 from ....ground.command import program_name
 from ....ground.verdict_text import MAY_ADOPT as MAY
 from ...document.content import Verdict
+from ...document.keyed import amount, interval
 from ..held_out import holdout, in_vain, unseen
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
@@ -76,8 +77,8 @@ def _sizes(content: Verdict, words: Vocabulary) -> str:
     """The sizes that are not to be reported; of one effect, why."""
     if len(content["mechanisms"]) > 1 or not content["mismatch"]:
         return "its sizes"
-    (entry,), missing = content["mechanisms"], content["mismatch"][f"rms_{words.ending}"]
-    own = entry[f"rms_{words.ending}"]["value"]
+    (entry,), missing = content["mechanisms"], amount(content["mismatch"], f"rms_{words.ending}")
+    own = interval(entry, f"rms_{words.ending}")["value"]
     if own <= missing:
         return "its size: it is poorly known"
     sizes = f"{size(own, words.unit)} is more than the {size(missing, words.unit)} that is missing"

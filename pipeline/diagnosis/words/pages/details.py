@@ -5,6 +5,7 @@ from pathlib import Path
 
 from ....systems import System
 from ...document.content import Verdict, mismatch_of
+from ...document.keyed import amount
 from ..explanations import (
     chances,
     closest,
@@ -82,7 +83,7 @@ def missing(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     if content["verdict"] == "parameters":
         return unexplained_pattern.pattern(content, words)
-    rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    rms, floor = amount(mismatch, f"rms_{words.ending}"), amount(content["evidence"], f"floor_{words.ending}")
     where = place(mismatch["location"], content["evidence"], words)
     small = "The effect is smaller than the noise of one sample; it shows only over many samples."
     how_large = f"{size(rms, words.unit)} rms is missing after calibration (noise taken off)"

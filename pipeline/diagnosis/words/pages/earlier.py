@@ -6,7 +6,8 @@ from typing import cast
 from ....ground.errors import BadInput
 from ....ground.outside_library import is_outside
 from ...document.bounds import of_later_run
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.effects_named import Dimension, MechanismEntry
 from ...prediction.simulation import read_diagnosis
 from ..language.quantity import listing, percent
 from ..measured.dimensions import from_to, name_of
@@ -89,7 +90,7 @@ def _moved(before: Verdict, content: Verdict) -> list[tuple[str, str, str]]:
     return apart[:MOST]
 
 
-def _whole(known: Part) -> bool:
+def _whole(known: Dimension) -> bool:
     """Whether a dimension has a value with its interval."""
     return all(isinstance(known.get(key), int | float) for key in ("value", "low", "high"))
 
@@ -110,10 +111,10 @@ def _said(content: Verdict) -> str:
     return f"named {listing([_sure(entry) for entry in sorted(entries, key=lambda entry: -_share(entry))])}"
 
 
-def _sure(entry: Part) -> str:
+def _sure(entry: MechanismEntry) -> str:
     return f"{entry['id']} ({percent(_share(entry))})" if _share(entry) else str(entry["id"])
 
 
-def _share(entry: Part) -> float:
+def _share(entry: MechanismEntry) -> float:
     share = entry.get("confidence")
     return float(share) if isinstance(share, int | float) else 0.0

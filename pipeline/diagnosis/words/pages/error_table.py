@@ -4,6 +4,7 @@ import math
 
 from ....ground.command import program_name
 from ...document.content import Verdict
+from ...document.keyed import amount, amount_or_none
 from ..explanations import rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import kept_times
@@ -46,9 +47,9 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first."""
     seen, held = _seen(content, words), unseen.errors(content, words)
-    columns = [(WHOLE, seen, content["evidence"][f"floor_{words.ending}"])]
+    columns = [(WHOLE, seen, amount(content["evidence"], f"floor_{words.ending}"))]
     if held:
-        columns.append((held_out(content), list(held), content["fit"][f"noise_floor_{words.ending}"]))
+        columns.append((held_out(content), list(held), amount(content["fit"], f"noise_floor_{words.ending}")))
     rows = [["simulator", *(head for head, _, _ in columns)]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
@@ -60,7 +61,7 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
             rows[-1] = [name if len(name) <= NARROW else CLOSEST, of_whole, rows[-1][-1]]
         elif rows[-1][1:] == rows[-2][1:]:
             rows.pop()
-    adopted = content["evidence"].get(f"adopted_{words.ending}")
+    adopted = amount_or_none(content["evidence"], f"adopted_{words.ending}")
     if adopted is not None:
         rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])
     if held and content["mechanisms"] and (other := holdout.other_name(content)):
@@ -83,7 +84,7 @@ def _left_with(closest: str, content: Verdict, words: Vocabulary) -> float | Non
     """What comes closest leaves of the whole recording; None where nobody weighed it there."""
     shown = content["evidence"]["explanations"]
     weighed = [each for each in shown if set(each["ids"]) == set(closest.split(" + "))]
-    return float(weighed[0][f"left_{words.ending}"]) if weighed else None
+    return float(amount(weighed[0], f"left_{words.ending}")) if weighed else None
 
 
 def _row_of(other: str) -> str:
@@ -108,7 +109,7 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
         "noise": "noise: about the least possible",
     }
     cells = aligned([[in_words.get(first, first), *rest] for first, *rest in rows])
-    single = content["evidence"].get(f"single_floor_{words.ending}")
+    single = amount_or_none(content["evidence"], f"single_floor_{words.ending}")
     counts = (
         [SINGLE.format(size(single, words.unit), program_name("simulate"), program_name("adopt"))] if single else []
     )
@@ -142,9 +143,9 @@ def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
 
     Averages take noise away and leave what is systematic, so the noise of single samples comes in its place.
     """
-    floor, noise = content["evidence"][f"floor_{words.ending}"], content["fit"][f"noise_floor_{words.ending}"]
-    scored = content["evidence"].get("scored_step_s")
-    noise = content["evidence"].get(f"single_floor_{words.ending}") if scored else noise
+    floor, scored = amount(content["evidence"], f"floor_{words.ending}"), content["evidence"].get("scored_step_s")
+    single_floor = amount_or_none(content["evidence"], f"single_floor_{words.ending}")
+    noise = single_floor if scored else amount(content["fit"], f"noise_floor_{words.ending}")
     if error is None or noise is None or not any(unseen.kinds(content, words)):
         return ""
     single = math.sqrt(max(error**2 - floor**2, 0.0) + noise**2)
@@ -161,7 +162,7 @@ def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
 
 def held_out(content: Verdict) -> str:
     """What the strokes are that were held out, and who has seen them."""
-    split = content["fit"]["heldout"]["split"]
+    split = content["fit"]["heldout"]["split"] if content["fit"]["heldout"] else ""
     return {
         holdout.UNSEEN: f"{split} (seen by no fit)",
         holdout.SEEN: f"{split} (seen before)",
@@ -172,8 +173,8 @@ def held_out(content: Verdict) -> str:
 def _seen(content: Verdict, words: Vocabulary) -> list[float | None]:
     """Errors over the whole recording: nominal, calibrated, as diagnosed; None where an older file has none."""
     evidence, named = content["evidence"], rivals.entries(content, "named")
-    nominal, calibrated = (evidence.get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
-    return [nominal, calibrated, named[0][f"left_{words.ending}"] if named else calibrated]
+    nominal, calibrated = (amount_or_none(evidence, f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    return [nominal, calibrated, amount(named[0], f"left_{words.ending}") if named else calibrated]
 
 
 def _cell(error: float | None, noise: float, words: Vocabulary) -> str:

@@ -3,6 +3,7 @@
 from ...choice.judged import UNKNOWN
 from ...document.bounds import at_bound
 from ...document.content import Verdict
+from ...document.keyed import amount, amount_or_none
 from ..explanations import excursions, left_out, rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
@@ -62,7 +63,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     if adopted and likely:
         named = f"{named}; what was adopted is one of {1 + likely} likely explanations"
     fields = {
-        "floor": size(content["fit"][f"noise_floor_{words.ending}"], words.unit)
+        "floor": size(amount(content["fit"], f"noise_floor_{words.ending}"), words.unit)
         + (f" rms in {unseen.kinds(content, words)[1]}" if unseen.averaged(content, words) else " rms"),
         "best": holdout.named(content),
         "sure": how_sure(content),
@@ -74,12 +75,15 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         "beside": f"{named}; with {_them(adopted)} " if adopted else "",
         "it": _them(adopted),
         "far": FAR if at_bound(evidence["moved_sigma"]) else "",
-        "left": size(evidence.get(f"calibrated_{words.ending}", 0.0), words.unit),
+        "left": size((amount_or_none(evidence, f"calibrated_{words.ending}") or 0.0), words.unit),
         "ratio": times(fitted or 0.0),
     }
     if kept := kept_times(content, words):
         sentence = AS_ADOPTED
-        fields |= {"error": size(content["evidence"][f"adopted_{words.ending}"], words.unit), "ratio": times(kept)}
+        fields |= {
+            "error": size(amount(content["evidence"], f"adopted_{words.ending}"), words.unit),
+            "ratio": times(kept),
+        }
     warning = unfit(content, words)
     state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
     state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
@@ -174,7 +178,9 @@ def errors_of_adopted(content: Verdict, words: Vocabulary) -> tuple[float, float
     """The errors of run.yaml with adopted effects and its own dimensions, nominal and calibrated; else None."""
     if any(adoption.get("dimensions") for adoption in content.get("adopted", [])):
         return None  # run.yaml simulates with these
-    nominal, calibrated = (content["evidence"].get(f"{name}_{words.ending}") for name in ("nominal", "calibrated"))
+    nominal, calibrated = (
+        amount_or_none(content["evidence"], f"{name}_{words.ending}") for name in ("nominal", "calibrated")
+    )
     return (nominal, calibrated) if holdout.included(content) and nominal and calibrated else None
 
 
@@ -186,7 +192,7 @@ def lacks(content: Verdict) -> str:
 
 def how_sure(content: Verdict) -> str:
     """How probable the one explanation is; nothing where no probability is known."""
-    share = next(iter(rivals.entries(content, "named")), {}).get("probability")
+    share = next((best.get("probability") for best in rivals.entries(content, "named")), None)
     if share is None:
         return ""
     best = ", the likeliest that can be named" if left_out.likelier(content, share) else ""

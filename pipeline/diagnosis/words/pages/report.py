@@ -1,6 +1,8 @@
 """What of a verdict can go into a paper, with its numbers, and what cannot."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.effects_named import MechanismEntry
+from ...document.keyed import amount
 from ..explanations import chances, left_out, probability, rivals
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED
@@ -30,9 +32,9 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if not content["mismatch"]:
         return []
     beyond = unseen.left_of_whole(content, words) if content["verdict"] in UNNAMED else 0.0
-    left = size(beyond or content["mismatch"][f"rms_{words.ending}"], words.unit)
+    left = size(beyond or amount(content["mismatch"], f"rms_{words.ending}"), words.unit)
     missing = f"{left} rms is missing after calibration, noise taken off"
-    if not (beyond or content["mismatch"][f"rms_{words.ending}"]):
+    if not (beyond or amount(content["mismatch"], f"rms_{words.ending}")):
         missing = "after calibration nothing is missing beyond the noise"
     missing += _where(content, words) + _beside(content) + _unseen(content, words)
     statements = [
@@ -57,7 +59,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 def _where(content: Verdict, words: Vocabulary) -> str:
     """Where what has no name lies, and what it follows; ends a statement. Nothing where something is named."""
     mismatch = content["mismatch"]
-    if content["verdict"] != "unknown" or not mismatch or not mismatch[f"rms_{words.ending}"]:
+    if content["verdict"] != "unknown" or not mismatch or not amount(mismatch, f"rms_{words.ending}"):
         return ""
     return f", {lying(mismatch['location'], content['evidence'], words)}, following {mismatch['driver']}"
 
@@ -130,14 +132,14 @@ def _head(content: Verdict, words: Vocabulary) -> str:
     return ONLY_WITH.format(vain) if vain else TO_REPORT
 
 
-def _size(entry: Part, content: Verdict, words: Vocabulary) -> str:
+def _size(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
     """The size of an effect to quote: the part that no dimension could do, said so, or all of it."""
     if own_size.own_part(entry, content, words):
         return f"{own_size.own_with_interval(entry, content, words)}, {own_size.PART}"
     return own_size.with_interval(entry, words)
 
 
-def _to_report(content: Verdict, words: Vocabulary, is_open: bool) -> list[Part]:
+def _to_report(content: Verdict, words: Vocabulary, is_open: bool) -> list[MechanismEntry]:
     """The effects whose size can be reported, those that are open or all others."""
     shares, ids = certainty.known(content), own_sizes(content, words)
     entries = [entry for entry in content["mechanisms"] if entry["id"] in ids]

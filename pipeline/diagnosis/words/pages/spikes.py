@@ -1,13 +1,14 @@
 """Spikes of a recording that do not count, in words: how many, of which channel, and where the first one is."""
 
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.evidence import Spike
 from ..language.quantity import listing, number
 from ..language.vocabulary import Vocabulary
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """One sentence with the count and the first time of each channel; nothing where there is no spike."""
-    entries: list[Part] = content["evidence"].get("spikes", [])
+    entries: list[Spike] = content["evidence"].get("spikes", [])
     if not entries:
         return []
     several = len({entry["run"] for entry in entries}) > 1 or not isinstance(content["run"], str)
@@ -23,19 +24,19 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     return [f"{number(whole, 9)} single samples (spikes) were left out: {each}."]
 
 
-def _of(entry: Part, words: Vocabulary, several: bool) -> str:
+def _of(entry: Spike, words: Vocabulary, several: bool) -> str:
     """The spikes of one channel with the time stamp of the first."""
     first = "the first " if entry["count"] > 1 else ""
     return f"{_channel(entry, words, several)} ({first}at {_at(entry)})"
 
 
-def _channel(entry: Part, words: Vocabulary, several: bool) -> str:
+def _channel(entry: Spike, words: Vocabulary, several: bool) -> str:
     """The channel of some spikes; `several`: the runs are more than one, and are named."""
     called = {words.driver: words.motion, words.load: "load"}.get(entry["column"], words.reading)
     inside = f" in {entry['run']}" if several else ""
     return f"the {called}{inside}"
 
 
-def _at(entry: Part) -> str:
+def _at(entry: Spike) -> str:
     """The time stamp of the first spike of an entry, to a hundredth of a second."""
     return f"{number(round(entry['first_s'], 2), 12).replace(',', '')} s"

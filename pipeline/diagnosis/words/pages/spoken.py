@@ -1,7 +1,11 @@
 """The content of a diagnosis, all numbers → the same with the sentences of `diagnosis/document/content.py`."""
 
+from typing import cast
+
 from ....systems import System
-from ...document.content import Part, Verdict
+from ...document.content import Verdict
+from ...document.evidence import Evidence
+from ...document.keyed import amount, by_name, extent
 from ...mechanisms.library import mechanisms
 from ...recording.system_units import Units
 from ..language.quantity import listing
@@ -13,8 +17,8 @@ from ..next_run import experiment
 def spoken(content: Verdict, system: System) -> Verdict:
     """The content with `sentence` of each mechanism, `next_experiment`, and the driver of the mismatch in words."""
     words, units, evidence = Vocabulary.of(system), Units.of(system), content["evidence"]
-    spans, opened = evidence[f"spans_{words.ending}"], evidence.get("loops", {})
-    trends = evidence.get(f"trends_{words.ending}", {})
+    spans, opened = by_name(evidence, f"spans_{words.ending}"), evidence.get("loops", {})
+    trends = by_name(evidence, f"trends_{words.ending}")
     for entry in [*content["mechanisms"], *content.get("of_your_own", {"mechanisms": []})["mechanisms"]]:
         mechanism = mechanisms()[entry["id"]]
         entry["sentence"] = effects.sentence(
@@ -28,11 +32,12 @@ def spoken(content: Verdict, system: System) -> Verdict:
             whole(evidence, words),
             content["parameters"].get("mass_kg", {}).get("value"),
         )
-    for entry in content.get("beside", []):
-        span = entry[f"span_{words.ending}"]
-        entry["sentence"] = effects.sentence(mechanisms()[entry["id"]], entry, span, words, units)
+    for beside in content.get("beside", []):
+        span = amount(beside, f"span_{words.ending}")
+        beside["sentence"] = effects.sentence(mechanisms()[beside["id"]], beside, span, words, units)
     if content["mismatch"]:
-        driver = followed(content["mismatch"]["driver"], words, evidence["loaded"])
+        listed = cast(list[str], content["mismatch"]["driver"])  # as it was found: the words are made here
+        driver = followed(listed, words, evidence["loaded"])
         if any(effects.calculated(mechanisms()[entry["id"]], entry) for entry in content["mechanisms"]):
             driver = driver.replace("the temperature", effects.CALCULATED)
         content["mismatch"]["driver"] = driver
@@ -47,7 +52,7 @@ def followed(drivers: list[str], words: Vocabulary, loaded: bool) -> str:
     return "; ".join(phrases) if any(" and " in phrase for phrase in phrases) and len(phrases) > 1 else listing(phrases)
 
 
-def whole(evidence: Part, words: Vocabulary) -> float:
+def whole(evidence: Evidence, words: Vocabulary) -> float:
     """Range of the motion."""
-    low, high = evidence[words.driver]
+    low, high = extent(evidence, words.driver)
     return float(high - low)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from ....systems import System
 from ...document.content import Verdict
+from ...document.keyed import amount, by_name
 from ...mechanisms.interface import physics
 from ..explanations import chances, closest, excursions, rivals, stand_ins, unexplained_pattern
 from ..held_out import holdout, in_vain, level, unseen, unseen_doubts
@@ -130,7 +131,7 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
     mismatch = content["mismatch"]
     if not mismatch or content["verdict"] != "unknown":
         return []
-    rms, floor = mismatch[f"rms_{words.ending}"], content["evidence"][f"floor_{words.ending}"]
+    rms, floor = amount(mismatch, f"rms_{words.ending}"), amount(content["evidence"], f"floor_{words.ending}")
     lies = lying(mismatch["location"], content["evidence"], words)
     beyond = f"{size(rms, words.unit)} rms is missing after calibration"
     missing = f"{beyond}, noise taken off ({times(rms / floor)} times the noise)"
@@ -145,7 +146,7 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _would(content: Verdict, words: Vocabulary) -> list[str]:
     """What a verdict without a name is worth, in short: from which size on effects would have been seen."""
-    detectable = content["fit"][f"detectable_{words.ending}"]
+    detectable = by_name(content["fit"], f"detectable_{words.ending}")
     sizes = {
         id_: least for id_, least in detectable.items() if physics((id_,)) and id_ not in holdout.included(content)
     }
