@@ -90,7 +90,7 @@ def diagnosed(
 
 def missed(study: Study, content: Verdict, ending: str) -> float:
     """What the simulator misses a stroke by that no fit has seen, its single samples' noise averaged: rms, its unit."""
-    noise = float(amount(content["fit"], f"noise_floor_{ending}"))
+    noise = amount(content["fit"], f"noise_floor_{ending}")
     known = amount_or_none(content["fit"]["heldout"] or {}, f"explained_{ending}")
     unseen = noise if known is None else float(known)
     return math.hypot(told_floor(study), math.sqrt(max(unseen**2 - noise**2, 0.0)))

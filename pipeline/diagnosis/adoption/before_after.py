@@ -9,7 +9,7 @@ from ...ground.errors import BadInput
 from ...ground.units import unit_of
 from ...run.description import Run
 from ..document.content import Simulated, Verdict
-from ..document.keyed import amount_or_none
+from ..document.explanations import share_of
 from ..fit.adopt import fitted, is_number
 from ..fit.problem import Problem
 from ..prediction.later_run import names_before
@@ -114,7 +114,7 @@ def probable(ids: list[str], content: Verdict) -> str:
             and explanation.get("ids") == ids
             and is_number(explanation.get("probability"))
         ):
-            return f"{called(ids)} ({percent(explanation['probability'] or 0.0)})"
+            return f"{called(ids)} ({percent(share_of(explanation))})"
     return called(ids)
 
 
@@ -132,15 +132,13 @@ def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
     fit, verdict = content.get("fit"), content.get("verdict")
     held = fit.get("heldout") if isinstance(fit, dict) else None
     values = (
-        [amount_or_none(held, f"{name}_{words.ending}") for name in ("calibrated", "explained")]
-        if isinstance(held, dict)
-        else []
+        [held.get(f"{name}_{words.ending}") for name in ("calibrated", "explained")] if isinstance(held, dict) else []
     )
     if not is_of(content, run) or verdict not in ("explained", "ambiguous"):
         return []
     if len(values) != 2 or not all(map(is_number, values)):
         return []
-    calibrated, explained = (float(value) for value in values if value is not None)
+    calibrated, explained = (float(value) for value in values if isinstance(value, int | float))
     sentences = [
         "Those errors are of strokes that the fit has seen. On unseen ones the verdict says "
         f"{size(explained, words.unit)}"

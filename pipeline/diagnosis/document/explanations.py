@@ -66,3 +66,8 @@ class NotKept(TypedDict):
     likely: NotRequired[float]  # a probability
     possible: NotRequired[bool]
     instead: NotRequired[list[str] | None]  # the effects of the explanation in place of the best
+
+
+def share_of(explanation: ExplanationEntry | LeftOut) -> float:
+    """The probability of an explanation, from 0 to 1; 0 where nobody weighed it."""
+    return explanation.get("probability") or 0.0

@@ -11,7 +11,7 @@ from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from ...ground.outside_library import is_outside
 from ..document.content import HeldOut, Verdict, left_with_discrepancy
-from ..document.explanations import ExplanationEntry
+from ..document.explanations import ExplanationEntry, share_of
 from ..document.keyed import amount
 from ..recording.drivers import Drivers
 from ..words.explanations import explanation_table, probability, rivals
@@ -74,9 +74,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
         listed = [each for each in all_explanations if each["standing"] not in passed_over or each in in_table]
     others = [explanation for explanation in listed if not adopted & set(explanation["ids"])]
     unknown = content.get("verdict") == "unknown"
-    shown = sorted(
-        others, key=lambda each: (bool(each["ids"]), each["standing"] in KEPT, each.get("probability") or 0.0)
-    )  # from below
+    shown = sorted(others, key=lambda each: (bool(each["ids"]), each["standing"] in KEPT, share_of(each)))  # from below
     floor = amount(content["evidence"], f"floor_{ending}")
     left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
     standing_of = [_standing(each, shown[-1], unknown) for each in shown]

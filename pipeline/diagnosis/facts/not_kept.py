@@ -13,7 +13,7 @@ from ..document.explanations import Change, NotKept, Stood
 from ..document.keyed import with_made
 from ..mechanisms.interface import physics
 from ..recording.working_samples import PHASES
-from .evidence import fitted
+from .explanations import fitted
 
 LEAST_S, LEAST_SAMPLES, LEAST_STANDS = 1.0, 9, 3  # shorter, coarser and fewer stands say nothing
 PART = 3  # of a stand: its last third is held against its first

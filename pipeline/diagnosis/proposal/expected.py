@@ -47,9 +47,8 @@ def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending:
     `rest_…`: by how much it changes while the rig stands wound, and then unwound, for `stand_s` each: twice the longest
     time constant. All in the unit of the reading, whose channel has this `ending`. `plus_minus` has of each number, by
     its key, half of the interval that holds nine of ten true values if the explanation is right. `recorded`: the loop
-    that the recording itself shows, under one load, and that each explanation has in it. `load` and `speed_per_s` are
-    the usual ones, in the units of the load and of the motion per second. Empty where nothing is named, and where
-    chance acts: it foretells nothing.
+    that the recording itself shows, under one load, and that each explanation has in it. Empty where nothing is named,
+    and where chance acts: it foretells nothing.
     """
     if study.random or not named:
         return {}
@@ -63,9 +62,7 @@ def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending:
         longest_s = max((seconds for entry in named for seconds in time_constants_s(entry)), default=0.0)
         known["stand_s"] = 2.0 * longest_s or STAND_S
 
-    ahead = _Ahead(study, run, rig, known, ending)
-
-    shown = recorded_loop(study.problem, study.base)
+    ahead, shown = _Ahead(study, run, rig, known, ending), recorded_loop(study.problem, study.base)
     known["recorded"] = {f"loop_{ending}": shown} if shown else {}
 
     def foretold(explanation: Explanation) -> ExpectedExplanation:
@@ -77,8 +74,8 @@ def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending:
 
         spread = plus_minus(study.problem, state, study.noise, numbers, missed)
         spread = _with_load(spread, numbers(state), explanation, ending)
-        row: ExpectedExplanation = {"ids": list(explanation.ids)}
-        row = with_made(row, numbers(state))
+        ids: ExpectedExplanation = {"ids": list(explanation.ids)}
+        row = with_made(ids, numbers(state))
         if shown:
             row["recorded"] = {f"loop_{ending}": recorded_loop(study.problem, study.base, state)}
         return row | {"plus_minus": spread} if spread else row
@@ -95,9 +92,8 @@ def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending:
 
 def _differ(row: ExpectedExplanation, other: ExpectedExplanation) -> float:
     """The largest difference between the numbers of two explanations, in their unit."""
-    return max(
-        (abs(amount(row, key) - amount(other, key)) for key in row.keys() & other.keys() - NO_NUMBERS), default=0.0
-    )
+    both = row.keys() & other.keys() - NO_NUMBERS
+    return max((abs(amount(row, key) - amount(other, key)) for key in both), default=0.0)
 
 
 def _alike(study: Study) -> list[tuple[str, ...]]:

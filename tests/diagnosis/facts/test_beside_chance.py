@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from pipeline.diagnosis.facts.evidence import explanations
+from pipeline.diagnosis.facts.explanations import explanations
 from pipeline.diagnosis.proposal.foretold import foretold, rivals
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study

@@ -2,6 +2,7 @@
 
 from ...document.bounds import of_later_run
 from ...document.content import Verdict
+from ...document.explanations import share_of
 from ...mechanisms.interface import physics
 from ..language.quantity import listing, percent, quantity
 from ..language.table import aligned
@@ -38,8 +39,8 @@ def lines(content: Verdict) -> list[str]:
     sets = [entry["ids"] for entry in rivals.entries(content, "named", "tied")]
     left = max(1.0 - none - sum(share for name, share in kept if physics(tuple(name.split(" + ")))), 0.0)
     for entry in out[:LEFT_OUT]:
-        rows.append([rivals.called(entry["ids"]), percent(entry["probability"] or 0.0), "left out: see below"])
-        left = max(left - (entry["probability"] or 0.0), 0.0)
+        rows.append([rivals.called(entry["ids"]), percent(share_of(entry)), "left out: see below"])
+        left = max(left - share_of(entry), 0.0)
     following = next_best(content)
     if following:
         rows.append([following[0], percent(following[1]), "less likely"])
@@ -88,14 +89,14 @@ def stands_on(content: Verdict, words: Vocabulary) -> list[str]:
 def kept_shares(content: Verdict) -> list[tuple[str, float]]:
     """The explanations that the verdict keeps by name, each with its probability, the best one first."""
     best, ties = rivals.entries(content, "named"), rivals.entries(content, "tied")
-    kept = [*best, *sorted(ties, key=lambda explanation: -(explanation.get("probability") or 0.0))]
-    return [(rivals.called(explanation["ids"]), float(explanation.get("probability") or 0.0)) for explanation in kept]
+    kept = [*best, *sorted(ties, key=lambda explanation: -share_of(explanation))]
+    return [(rivals.called(explanation["ids"]), share_of(explanation)) for explanation in kept]
 
 
 def next_best(content: Verdict) -> tuple[str, float] | None:
     """The likeliest explanation that is not kept, with its probability, if it is worth a word."""
     out = [entry["ids"] for entry in left_out.entries(content)]
     others = [other for other in rivals.entries(content, "beaten", "not needed") if other["ids"] not in out]
-    likeliest = max(others, key=lambda explanation: explanation.get("probability") or 0.0, default=None)
-    share = float(likeliest.get("probability") or 0.0) if likeliest else 0.0
+    likeliest = max(others, key=share_of, default=None)
+    share = share_of(likeliest) if likeliest else 0.0
     return (rivals.called(likeliest["ids"]), share) if likeliest and share >= WORTH else None

@@ -1,7 +1,7 @@
 """The explanations that were weighed, a numbered row each, the best one first; what no row can say follows."""
 
 from ...document.content import Verdict
-from ...document.explanations import ExplanationEntry
+from ...document.explanations import ExplanationEntry, share_of
 from ...document.keyed import amount, amount_or_none
 from ...mechanisms.interface import physics
 from ..language.quantity import of_column, percent, size, times
@@ -89,7 +89,7 @@ def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> li
         cells.append([_name(str(number), called), probable, leaves, differs])
     if known:
         none = content["evidence"].get("probability_of_none") or 0.0
-        of_library = [each.get("probability") or 0.0 for each in rows.values() if physics(tuple(each["ids"]))]
+        of_library = [share_of(each) for each in rows.values() if physics(tuple(each["ids"]))]
         stand_ins = probability.stand_ins([each["ids"] for each in rows.values()])
         rest = max(1.0 - none - sum(of_library), 0.0)
         cells.append([_name(UNKNOWN, "all others of the library"), percent(rest), UNKNOWN, UNKNOWN])

@@ -2,7 +2,7 @@
 
 from ...choice.disguise import DIMENSIONS, IDLE, OUTSIDE
 from ...document.content import Verdict
-from ...document.explanations import LeftOut
+from ...document.explanations import LeftOut, share_of
 from ..language.quantity import listing, percent
 
 WORTH = 0.01  # a probability from which on one is worth a word
@@ -17,18 +17,18 @@ BECAUSE = {
 
 def entries(content: Verdict) -> list[LeftOut]:
     """What is left out and worth a word, the likeliest first."""
-    out = [entry for entry in content["evidence"].get("left_out", []) if (entry["probability"] or 0.0) >= WORTH]
-    return sorted(out, key=lambda entry: -(entry["probability"] or 0.0))
+    out = [entry for entry in content["evidence"].get("left_out", []) if share_of(entry) >= WORTH]
+    return sorted(out, key=lambda entry: -share_of(entry))
 
 
 def together(content: Verdict) -> float:
     """The probability of all that is left out."""
-    return float(sum(entry["probability"] or 0.0 for entry in content["evidence"].get("left_out", [])))
+    return float(sum(share_of(entry) for entry in content["evidence"].get("left_out", [])))
 
 
 def likelier(content: Verdict, share: float | None) -> bool:
     """Whether something that is left out is more probable than `share`, that of the best one."""
-    return share is not None and any((entry["probability"] or 0.0) > share for entry in entries(content))
+    return share is not None and any(share_of(entry) > share for entry in entries(content))
 
 
 def reason(entry: LeftOut) -> str:
@@ -46,9 +46,7 @@ def lines(content: Verdict) -> list[str]:
     """A sentence for each reason, with the explanations that it leaves out."""
     names_by_reason: dict[str, list[str]] = {}
     for entry in entries(content):
-        names_by_reason.setdefault(reason(entry), []).append(
-            f"{' + '.join(entry['ids'])} ({percent(entry['probability'] or 0.0)})"
-        )
+        names_by_reason.setdefault(reason(entry), []).append(f"{' + '.join(entry['ids'])} ({percent(share_of(entry))})")
     return [
         f"Left out, however probable: {listing(names)}. The reason: {why}." for why, names in names_by_reason.items()
     ]

@@ -125,12 +125,12 @@ def _adds(larger: ExplanationEntry, rows: Numbered, content: Verdict, words: Voc
     """What a larger explanation adds to the best one that it contains, without a full stop."""
     ending, shown = words.ending, content["evidence"]["explanations"]
     smaller = [other for other in shown if set(other["ids"]) < set(larger["ids"]) and other["standing"] != "not needed"]
-    base = min(smaller, key=lambda other: float(amount(other, f"left_{ending}")), default=None)
+    base = min(smaller, key=lambda other: amount(other, f"left_{ending}"), default=None)
     if base is None:
         return "takes away too little for one effect more"
     row = next((str(number) for number, each in rows.items() if each is base), rivals.called(base["ids"]))
     adds = f"adds {listing([id_ for id_ in larger['ids'] if id_ not in base['ids']])} to {row}"
-    exactly = [float(amount(each, f"left_{ending}")) for each in (base, larger)]
+    exactly = [amount(each, f"left_{ending}") for each in (base, larger)]
     roughly = [left_with_discrepancy(each, ending) for each in (base, larger)]
     saved, surely = (math.sqrt(max(less**2 - more**2, 0.0)) for less, more in (exactly, roughly))
     if saved < ADDS * amount(content["evidence"], f"floor_{ending}"):

@@ -2,7 +2,7 @@
 
 from ...choice.judged import HELD
 from ...document.content import Verdict
-from ...document.explanations import ExplanationEntry
+from ...document.explanations import ExplanationEntry, share_of
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..language.quantity import percent
@@ -40,7 +40,7 @@ def said(share: float | None) -> str:
 def at_work(content: Verdict, id_: str) -> float:
     """How probable it is that an effect acts, whatever is beside it: the sum over the explanations that have it."""
     shown = content["evidence"]["explanations"]
-    return float(sum(explanation.get("probability") or 0.0 for explanation in shown if id_ in explanation["ids"]))
+    return float(sum(share_of(explanation) for explanation in shown if id_ in explanation["ids"]))
 
 
 def rule(content: Verdict) -> list[str]:
@@ -51,7 +51,7 @@ def rule(content: Verdict) -> list[str]:
         return [WITHOUT] if "probability_of_none" in content["evidence"] else []
     shown = content["evidence"]["explanations"]
     kept_ones = [explanation for explanation in shown if explanation["standing"] in HELD_STANDINGS]
-    together = sum(explanation.get("probability") or 0.0 for explanation in kept_ones)
+    together = sum(share_of(explanation) for explanation in kept_ones)
     none = content["evidence"].get("probability_of_none") or 0.0
     several = content["verdict"] == "ambiguous"
     count = f"{1 + len(content['alternatives'])} explanations" if several else "1 explanation"
@@ -62,7 +62,7 @@ def rule(content: Verdict) -> list[str]:
 
 def likeliest(explanations: list[ExplanationEntry]) -> list[ExplanationEntry]:
     """Explanations by falling probability; those without one as they came, last."""
-    return sorted(explanations, key=lambda explanation: -(explanation.get("probability") or 0.0))
+    return sorted(explanations, key=lambda explanation: -share_of(explanation))
 
 
 def stand_ins(kept: list[list[str]]) -> str:

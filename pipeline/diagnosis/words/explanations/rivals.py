@@ -39,8 +39,8 @@ def left_of(explanation: ExplanationEntry, content: Verdict, ending: str) -> flo
     parts = [each for each in content["evidence"]["explanations"] if each["ids"] and set(each["ids"]) < ids]
     known = amount_or_none(content["evidence"], f"calibrated_{ending}")
     alone = [float(known)] if known is not None else []
-    own = [] if alone and not ids else [float(amount(explanation, f"left_{ending}"))]
-    return min([*own, *alone, *(float(amount(each, f"left_{ending}")) for each in parts)])
+    own = [] if alone and not ids else [amount(explanation, f"left_{ending}")]
+    return min([*own, *alone, *(amount(each, f"left_{ending}") for each in parts)])
 
 
 def left(explanation: ExplanationEntry, content: Verdict, words: Vocabulary) -> str:

@@ -25,10 +25,11 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """Why the likeliest explanation is no name though it fits, then what it would be; nothing where none is weighed."""
     first = next(iter(likeliest(entries(content, "not enough"))), None)
     none = content["evidence"].get("probability_of_none")
-    if first is None or none is None or first.get("probability") is None:
+    share = first.get("probability") if first else None
+    if first is None or none is None or share is None:
         return []
     name, looks = called(first["ids"]), content["evidence"].get("looks_like", {})
-    why = WHY.format(name, percent(none), percent(first["probability"] or 0.0), name)
+    why = WHY.format(name, percent(none), percent(share), name)
     if set(first["ids"]) < set(looks) and len(first["ids"]) == 1 and looks[name] < looks["outside"]:
         why += f" {LOOKS.format(name, percent(looks[name]), percent(looks['outside']))}"
     return [why, *would_be(content, words)]

@@ -1,6 +1,7 @@
 """Which explanations the table of foretold numbers has: what they are called in it, and which likely ones it lacks."""
 
 from ...document.content import Verdict
+from ...document.explanations import share_of
 from ..explanations import rivals
 from ..language.quantity import listing, percent
 from .foretold_numbers import LEAST, compared, probability
@@ -27,11 +28,11 @@ def not_in(content: Verdict) -> list[str]:
     rivals_left = [
         each
         for each in rivals.entries(content, "beaten", "not needed")
-        if set(each["ids"]) not in known and (each.get("probability") or 0.0) > min(shares, default=1.0)
+        if set(each["ids"]) not in known and share_of(each) > min(shares, default=1.0)
     ]
     if content["verdict"] != "explained" or not rivals_left:
         return []
-    likeliest = max(rivals_left, key=lambda each: each["probability"] or 0.0)
+    likeliest = max(rivals_left, key=share_of)
     name = _called(content, likeliest["ids"])
     if set(first["ids"]) < set(likeliest["ids"]):
         return [f"Not in the table: {name}, which only adds to the best one."]

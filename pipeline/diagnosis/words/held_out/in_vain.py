@@ -20,9 +20,7 @@ def harmful(content: Verdict, words: Vocabulary) -> bool:
     if unseen_errors is None or content["verdict"] not in ("explained", "ambiguous"):
         return False
     _, calibrated, explained = unseen_errors
-    return explained > max(
-        WORSE * calibrated, calibrated + 0.1 * float(amount(content["fit"], f"noise_floor_{words.ending}"))
-    )
+    return explained > max(WORSE * calibrated, calibrated + 0.1 * amount(content["fit"], f"noise_floor_{words.ending}"))
 
 
 def improves_nothing(content: Verdict, words: Vocabulary) -> bool:
@@ -61,7 +59,7 @@ def too_small(content: Verdict, words: Vocabulary) -> bool:
     if unseen_errors is None or not missing or harmful(content, words) or not improves_nothing(content, words):
         return False
     _, calibrated, _ = unseen_errors
-    least = math.sqrt(max(calibrated**2 - float(amount(missing, f"rms_{words.ending}")) ** 2, 0.0))
+    least = math.sqrt(max(calibrated**2 - amount(missing, f"rms_{words.ending}") ** 2, 0.0))
     return least > NO_BETTER * calibrated
 
 

@@ -133,7 +133,7 @@ def nothing_new(content: Verdict, words: Vocabulary) -> bool:
     unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=True)
     if unseen_errors is None or fitted is None:
         return False
-    return unseen_errors[2] / float(amount(content["fit"], f"noise_floor_{words.ending}")) <= NOTHING_NEW * fitted
+    return unseen_errors[2] / amount(content["fit"], f"noise_floor_{words.ending}") <= NOTHING_NEW * fitted
 
 
 def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | None:
@@ -143,7 +143,7 @@ def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | No
     if named:
         best = [shown for shown in evidence["explanations"] if shown["standing"] == "named"]
         left = amount(best[0], f"left_{words.ending}") if best else None
-    return float(left) / float(amount(evidence, f"floor_{words.ending}")) if left is not None else None
+    return float(left) / amount(evidence, f"floor_{words.ending}") if left is not None else None
 
 
 def inexact(content: Verdict, words: Vocabulary) -> bool:
@@ -166,7 +166,7 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> float:
     fitted = fitted_times(content, words, named=False)
     if fitted is None or fitted <= STILL_MISSING:
         return 0.0
-    return float(amount(content["evidence"], f"floor_{words.ending}")) * math.sqrt(fitted**2 - 1.0)
+    return amount(content["evidence"], f"floor_{words.ending}") * math.sqrt(fitted**2 - 1.0)
 
 
 def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:

@@ -14,7 +14,7 @@ def kept_times(content: Verdict, words: Vocabulary) -> float:
     left = amount_or_none(content["evidence"], f"adopted_{words.ending}")
     if content["verdict"] not in UNNAMED or left is None:
         return 0.0
-    ratio = float(left) / float(amount(content["evidence"], f"floor_{words.ending}"))
+    ratio = float(left) / amount(content["evidence"], f"floor_{words.ending}")
     return ratio if ratio <= unseen.STILL_MISSING else 0.0
 
 

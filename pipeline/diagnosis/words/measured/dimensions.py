@@ -125,8 +125,7 @@ def decimals(content: Verdict, name: str) -> int:
     sigma = content["evidence"].get("tolerance", {}).get(name)
     known = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
     places = max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
-    dimension = content["parameters"][name]
-    low, value, high = (amount_or_none(dimension, end) or 0.0 for end in ("low", "value", "high"))
+    low, value, high = (amount_or_none(content["parameters"][name], end) or 0.0 for end in ("low", "value", "high"))
     inside = [low, value, high] if low < value < high else [low, high]
     while low < high and places < FINEST and len({round(each, places) for each in inside}) < len(inside):
         places += 1

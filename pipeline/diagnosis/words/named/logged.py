@@ -15,7 +15,8 @@ SEEN = "; an effect of it would be seen from {} rms on"
 def temperature(content: Verdict, words: Vocabulary) -> list[str]:
     """That the logged temperature was not needed; nothing where none was logged, or where something may follow it."""
     ends = (content["evidence"].get("covered") or {}).get("temperature_c")
-    driver = content["mismatch"]["driver"] if content["verdict"] == "unknown" and content["mismatch"] else ""
+    mismatch = content["mismatch"] if content["verdict"] == "unknown" else None
+    driver = mismatch.get("driver", "") if mismatch else ""
     following = {id_ for id_, mechanism in mechanisms().items() if mechanism.driver == FOLLOWED}
     named = {entry["id"]: entry for entry in content["mechanisms"]}
     best = {id_ for id_, entry in named.items() if not effects.calculated(mechanisms()[id_], entry)}

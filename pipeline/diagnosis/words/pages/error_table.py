@@ -84,7 +84,7 @@ def _left_with(closest: str, content: Verdict, words: Vocabulary) -> float | Non
     """What comes closest leaves of the whole recording; None where nobody weighed it there."""
     shown = content["evidence"]["explanations"]
     weighed = [each for each in shown if set(each["ids"]) == set(closest.split(" + "))]
-    return float(amount(weighed[0], f"left_{words.ending}")) if weighed else None
+    return amount(weighed[0], f"left_{words.ending}") if weighed else None
 
 
 def _row_of(other: str) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.diagnosis.facts.aspects import MARKS, SIGNS, by_aspect, chief
-from pipeline.diagnosis.facts.evidence import explanations
+from pipeline.diagnosis.facts.explanations import explanations
 from pipeline.diagnosis.numerics.judge import Weighed, judge
 from pipeline.diagnosis.numerics.recogniser import OF_ALL, OF_EXPLANATION
 from pipeline.diagnosis.words.explanations.reasons import NAMES, SAID, chiefly, less_often, reason
