@@ -1,12 +1,11 @@
 """What the words of a verdict stand on: explanations, sizes, dimensions and what was covered, as one document."""
 
 from ..choice.outcome import Study, rms
-from ..document.evidence import Evidence
+from ..document.evidence import Evidence, Excursion
 from ..document.keyed import with_made
 from ..recording.covered import covered
 from . import extents, mechanism_entries
 from .explanations import explanations, left_out
-from .gone_off import gone_off
 from .look_alikes import look_alikes
 from .recognised import recognised
 from .told_floor import told_floor
@@ -36,6 +35,15 @@ def misfits(study: Study, ending: str) -> dict[str, float]:
         f"{name}_{ending}": rms((problem.measured - problem.simulate(state))[: problem.rows])
         for name, state in (("nominal", study.nominal), ("calibrated", study.base))
     }
+
+
+def gone_off(study: Study, ending: str) -> Evidence:
+    """`excursions`: when, for how long and by how much, in s and in the reading's unit `ending`; nothing if none is."""
+    times: list[tuple[Excursion, float]] = [
+        ({"at_s": each.at_s, "lasts_s": each.lasts_s}, each.size) for each in study.gone_off
+    ]
+    entries = [with_made(when, {f"size_{ending}": size}) for when, size in times]
+    return {"excursions": entries} if entries else {}
 
 
 def evidence(study: Study) -> Evidence:

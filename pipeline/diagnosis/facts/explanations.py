@@ -1,4 +1,4 @@
-"""Each explanation that was weighed: what it leaves, where it differs from the best one, and what counts against it.
+"""Each explanation that was weighed: what it leaves, where it differs from the best one, what counts against it.
 
 Nothing here decides: the verdict is already made.
 """

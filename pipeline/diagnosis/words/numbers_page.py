@@ -16,7 +16,7 @@ ROOM = Path(__file__).resolve().parents[1]
 SAYING = ("drawing", "words")  # rooms whose numbers decide no verdict
 # modules of others that say or propose, keep memory small, or reckon a planned motion: their numbers decide none
 DECIDE_NOTHING = (
-    *("adopt", "aspects", "bounds", "closest", "covered", "design", "evidence", "expected", "foretold"),
+    *("adopt", "aspects", "bounds", "closest", "covered", "design", "evidence", "expected", "explanations", "foretold"),
     *("legs", "loops", "mechanism_entries", "nextrun", "not_kept", "own_rate", "planned_motion", "prediction_band"),
     *("problem", "products", "recursions", "residual", "simulation", "tidy", "uncertainty", "verdict"),
     *("without_a_name", "without_last"),
