@@ -54,8 +54,8 @@ class Covered(TypedDict, total=False):
 class Evidence(TypedDict, total=False):
     """All of it; made keys, in the reading's unit: `floor_…`, `nominal_…`, `calibrated_…`, `adopted_…`, …
 
-    `resolution_…`, `single_floor_…`, and by effect `spans_…`, `trends_…`, `tops_…` and `beyond_dimensions_…`. The
-    channel that moves is one too: its lowest and highest value.
+    `resolution_…`, `single_floor_…`, `between_…` (outside of excursions), and by effect `spans_…`, `trends_…`,
+    `tops_…` and `beyond_dimensions_…`. The channel that moves is one too: its lowest and highest value.
     """
 
     explanations: list[ExplanationEntry]

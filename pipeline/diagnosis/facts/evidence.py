@@ -1,5 +1,7 @@
 """What the words of a verdict stand on: explanations, sizes, dimensions and what was covered, as one document."""
 
+import numpy as np
+
 from ..choice.outcome import Study, rms
 from ..document.evidence import Evidence, Excursion
 from ..document.keyed import with_made
@@ -38,12 +40,22 @@ def misfits(study: Study, ending: str) -> dict[str, float]:
 
 
 def gone_off(study: Study, ending: str) -> Evidence:
-    """`excursions`: when, for how long and by how much, in s and in the reading's unit `ending`; nothing if none is."""
+    """`excursions`: when, for how long and by how much, in s and in the reading's unit `ending`; nothing if none is.
+
+    Beside it `between_…`: what calibration leaves of the time between them, rms.
+    """
     times: list[tuple[Excursion, float]] = [
         ({"at_s": each.at_s, "lasts_s": each.lasts_s}, each.size) for each in study.gone_off
     ]
     entries = [with_made(when, {f"size_{ending}": size}) for when, size in times]
-    return {"excursions": entries} if entries else {}
+    if not entries:
+        return {}
+    problem = study.problem
+    time_s, off = problem.record.time_s[: problem.rows], np.zeros(problem.rows, bool)
+    for each in study.gone_off:
+        off |= (time_s >= each.at_s) & (time_s <= each.at_s + each.lasts_s)
+    left = (problem.measured - problem.simulate(study.base))[: problem.rows]
+    return with_made(Evidence(excursions=entries), {f"between_{ending}": rms(left[~off])})
 
 
 def evidence(study: Study) -> Evidence:

@@ -37,6 +37,8 @@ def test_drops_that_come_back_are_unknown_and_said(leaning) -> None:
     assert len(entries) == 7 and min(entry["lasts_s"] for entry in entries) > 1.0
     page = " ".join(verdict_text(content, leaning.run.system, [Path("raw/made")]).split())
     assert "The displacement goes off 7 times for 1.8 s to 15 s, by up to 1.8 mm, and comes back (at 44, 72" in page
+    assert 0.05 < content["evidence"]["between_mm"] < 0.5 * content["evidence"]["calibrated_mm"]
+    assert f"outside of them calibration leaves {content['evidence']['between_mm']:.2f} mm rms" in page
     assert page.startswith("made: unknown: the displacement goes off 7 times and comes back, which no explanation")
     assert "1. Look at the rig and at the sensor at 44, 72, 88 and 203 s and later of the recording" in page
     assert "2. Measure again what calibration moved far" in page

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...document.evidence import Excursion
-from ...document.keyed import amount
+from ...document.keyed import amount, amount_or_none
 from ..language.quantity import duration, listing, number, size
 from ..language.vocabulary import Vocabulary
 
@@ -17,9 +17,12 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     ends = [min(entry["lasts_s"] for entry in entries), max(entry["lasts_s"] for entry in entries)]
     largest = size(max(amount(entry, f"size_{words.ending}") for entry in entries), words.unit)
     long = " to ".join(dict.fromkeys(map(duration, ends)))
+    between = amount_or_none(content["evidence"], f"between_{words.ending}")
+    apart = f": outside of {'them' if len(entries) > 1 else 'it'} calibration leaves {{}} rms, noise and all"
     return [
         f"The {words.reading} goes off {_often(entries)} for {long}, by up to {largest}, and comes back "
-        f"({_when(entries)}). The noise holds some of it, so it is told too large."
+        f"({_when(entries)}). The noise holds some of it, so it is told too large"
+        f"{'' if between is None else apart.format(size(between, words.unit))}."
     ]
 
 
