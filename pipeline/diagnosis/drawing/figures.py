@@ -140,7 +140,9 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
         top.suptitle(warned, fontsize=8.5, color=AFTER)
     before = content.get("without_last_strokes")
     seen_s = before["seen_s"] if before else None
-    overview(top, drivers, problem.measured, simulations, vocabulary.reading, seen_s)
+    starts_s = problem.record.time_s[0]
+    off_s = [(each.at_s - starts_s, each.at_s + each.lasts_s - starts_s) for each in study.gone_off]
+    overview(top, drivers, problem.measured, simulations, vocabulary.reading, seen_s, off_s)
     for axes, (name, residual) in zip(maps.subplots(1, 2, sharey=True), residuals.items(), strict=True):
         limit = max(float(np.nanpercentile(np.abs(map_of(drivers, residual)[0]), 98)), 2.0 * floor)
         called = f"Recording − simulation, {name} (own scale)"

@@ -1,5 +1,6 @@
 """The panels over time: the recording with what can be told from it, what each simulator leaves, and the load."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from ..words.language.quantity import listing, size
 from .panels import SHADES
 
 SHADE, UNSEEN = "#f4ecd8", "shaded: the strokes that are left out for the error on unseen strokes"
+OFF, GOES_OFF = "#f6d5d5", "red: the reading goes off"
 SEEN = 0.02  # of the recording's range: a simulator that never leaves it by more would lie on it, and is not drawn
 APART = 0.2  # of the range of a run: zeros of runs that differ by more would squash the strokes
 WIDE = 4.0  # times the largest other residual: a wider one would squash the others, and is told as a number
@@ -22,12 +24,13 @@ LEAST, MOST = 1.0, 99.0  # percentiles: of the readings of a run, for its lowest
 
 def overview(
     part: SubFigure, drivers: Drivers, measured: Array, simulations: dict[str, Array], reading: str,
-    seen_s: list[float] | None = None,
+    seen_s: list[float] | None = None, off_s: Sequence[tuple[float, float]] = (),
 ) -> None:  # fmt: skip
     """Draw the panels; the last two of `simulations` are those whose residuals the other panels show.
 
     Each array has the shape (samples,), in the reading's unit; `reading` is what the reading is called, and
     `seen_s` how much of each run the fit had without the last strokes, from its begin; None where none were left out.
+    `off_s`: from when to when the reading goes off, on the clock of `drivers.elapsed_s`.
     """
     loaded, unit = drivers.loaded, drivers.units.reading
     heights = [2.0, 1.4, 0.6] if loaded else [2.0, 1.2]
@@ -51,8 +54,12 @@ def overview(
         over_time(axes, drivers, {"load": (load, {"color": "0.1", "lw": 0.8})}, f"load ({drivers.units.load})")
         axes.get_legend().remove()
     (rest or [under])[-1].set_xlabel("time (s)")
-    if unseen[over]:
-        under.set_title(UNSEEN, fontsize=7, loc="left")
+    for axes in panels:
+        for begin_s, end_s in off_s:
+            axes.axvspan(begin_s, end_s, color=OFF, lw=0, zorder=0.5)  # above what is shaded, below the lines
+    signs = [*([UNSEEN] if unseen[over] else []), *([GOES_OFF] if off_s else [])]
+    if signs:
+        under.set_title("; ".join(signs), fontsize=7, loc="left")
 
 
 def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:

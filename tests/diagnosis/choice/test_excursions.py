@@ -5,9 +5,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_rgba
 
 from pipeline.diagnosis.choice.excursions import excursions, far_off
-from pipeline.diagnosis.document.content import Verdict
+from pipeline.diagnosis.drawing import figures, overview
 from pipeline.diagnosis.fit import calibrate
 from pipeline.diagnosis.fit.problem import Act
 from pipeline.diagnosis.in_memory import diagnosed
@@ -31,7 +32,7 @@ def leaning() -> RecordedRun:
 
 
 def test_drops_that_come_back_are_unknown_and_said(leaning) -> None:
-    content: Verdict = diagnosed([leaning])[0]
+    content, study = diagnosed([leaning])
     assert content["verdict"] == "unknown" and content["mechanisms"] == []
     entries = content["evidence"]["excursions"]
     assert len(entries) == 7 and min(entry["lasts_s"] for entry in entries) > 1.0
@@ -42,6 +43,9 @@ def test_drops_that_come_back_are_unknown_and_said(leaning) -> None:
     assert page.startswith("made: unknown: the displacement goes off 7 times and comes back, which no explanation")
     assert "1. Look at the rig and at the sensor at 44, 72, 88 and 203 s and later of the recording" in page
     assert "2. Measure again what calibration moved far" in page
+    _, residual, *_ = figures.drawn(study, content).axes
+    shaded = [patch for patch in residual.patches if patch.get_facecolor() == to_rgba(overview.OFF)]
+    assert len(shaded) == 7 and residual.get_title(loc="left").endswith(overview.GOES_OFF)
 
 
 @pytest.mark.parametrize("author", sorted(authors()))
