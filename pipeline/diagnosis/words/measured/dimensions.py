@@ -146,7 +146,7 @@ def beyond(content: Verdict, name: str) -> bool:
     """Whether the interval of a dimension reaches further than calibration may move it."""
     known, sigma = content["parameters"][name], content["evidence"].get("tolerance", {}).get(name)
     ends = [known.get("low", known["nominal"]), known.get("high", known["nominal"])]
-    return bool(sigma) and max(abs(end - known["nominal"]) for end in ends) > BOUND * (sigma or 0.0)
+    return sigma is not None and sigma > 0.0 and max(abs(end - known["nominal"]) for end in ends) > BOUND * sigma
 
 
 def corrected(content: Verdict, words: Vocabulary) -> list[str]:

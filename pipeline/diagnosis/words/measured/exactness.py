@@ -37,9 +37,9 @@ def gross(content: Verdict, name: str) -> bool:
     """Whether a dimension that somebody measured stands at its bound, so that its own tolerance is exact enough."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
     bounds = at_bound(content["evidence"]["moved_sigma"])
-    return (
-        bool(sigma) and not assumed(name) and name in bounds and TELLS * way(content, name) >= ENOUGH * (sigma or 0.0)
-    )
+    if not sigma or assumed(name) or name not in bounds:
+        return False
+    return TELLS * way(content, name) >= ENOUGH * sigma
 
 
 def cell(content: Verdict, name: str) -> str:
