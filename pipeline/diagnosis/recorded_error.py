@@ -4,40 +4,31 @@ import shlex
 from pathlib import Path
 
 from ..ground.command import command
-from ..ground.kinematics import Array
 from ..run.folder import read_run
-from .document.content import Simulated, Verdict
-from .fit.problem import Problem
 from .one_rig import to_take_out
 from .prediction.another_rig import of_same_string
-from .prediction.carried_over import CarriedOver
 from .prediction.home import HOME
 from .prediction.simulation import compared, has_zero, off
 from .prediction.to_compare import ToCompare
-from .recording.recorded_run import RecordedRun
+from .simulated_recording import SimulatedRecording
 from .words.foretold.recorded_error import beside, computed_of, means
 from .words.language.quantity import number, size
 
 
-def lines(
-    recorded: RecordedRun, problem: Problem, predicted: Array, bare: Array | None, content: Simulated,
-    diagnosis: Verdict | None, acting: str, before: int, folder: Path, carried: CarriedOver | None = None,
-) -> list[str]:  # fmt: skip
-    """The lines, the error first; `bare` is what is predicted without the effects that are `acting`, if any is.
-
-    `diagnosis` is the one that `content` is from, None where it is gone; `before` how many runs are simulated before,
-    `folder` where the run lies.
-    Both predictions have the shape (samples,), in the channel's unit.
-    """
+def lines(simulated: SimulatedRecording, folder: Path) -> list[str]:
+    """The lines, the error first, of a recorded motion that was simulated; `folder` is where its run lies."""
+    recorded, problem, carried = simulated.recorded, simulated.problem, simulated.carried
     run, system, unit = recorded.run, problem.system, problem.drivers.units.reading
-    measured, shown = compared(run, problem, predicted)
+    content, diagnosis = simulated.simulator.content, simulated.simulator.diagnosis(run)[1]
+    measured, shown = compared(run, problem, simulated.predicted)
     error, at_best_zero = off(measured, shown)
-    own_zero = has_zero(content, system, run.run, 1 + before)
+    own_zero = has_zero(content, system, run.run, 1 + len(simulated.before))
     zero = f", its zero {'as it was fitted' if own_zero else 'set in the first second'}" * system.free_zero
-    every_s = problem.drivers.step_s * round(len(predicted) / len(shown))
-    of_means = f", of averages of {number(every_s)} s" * (len(shown) < len(predicted))
+    every_s = problem.drivers.step_s * round(len(simulated.predicted) / len(shown))
+    of_means = f", of averages of {number(every_s)} s" * (len(shown) < len(simulated.predicted))
     set_at_first = system.free_zero and not own_zero
     known = ToCompare.of(diagnosis, system.channel.rpartition("_")[2]) if diagnosis else None
+    bare = simulated.without_effects
     without = None if bare is None else off(*compared(run, problem, bare))[0]
     taken = carried is None or carried.effects or carried.dimensions
     hint = HOME if system.homed and not carried else ""
@@ -48,7 +39,7 @@ def lines(
     return [
         computed_of(system, recorded.samples, set_at_first, carried is not None),
         f"rms error against the recording{zero}: {size(error, unit)}{of_means}",
-        *beside(at_best_zero if set_at_first else None, without, acting, known, unit),
+        *beside(at_best_zero if set_at_first else None, without, simulated.simulator.acting, known, unit),
         *means(
             at_best_zero if set_at_first else error,
             run.run,

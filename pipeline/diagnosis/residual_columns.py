@@ -12,9 +12,9 @@ from .fit.problem import Problem
 from .prediction.planned_motion import Plan
 from .prediction.prediction_band import adopted_diagnosis
 from .prediction.residual import residual
-from .prediction.simulation import read_diagnosis
 from .recording.made_of import recordings_of
 from .recording.recorded_run import RecordedRun
+from .simulator import Simulator
 from .words.foretold.residual import RESIDUAL, columns_of, of_residual
 
 
@@ -23,16 +23,15 @@ def black_box(
     run: Run,
     plan: Plan | None,
     folder: Path,
-    given: Path | None,
+    simulator: Simulator,
     held: Sequence[RecordedRun] = (),
 ) -> tuple[dict[str, Array], list[str]]:
     """Columns of a black box beside a reading, each of shape (samples,) in its unit; and what is said of them.
 
-    `problem` is what was simulated of a run in `folder`, of which a plan's rows are the last; `given` is its
-    diagnosis.json, else the adopted one counts; what is `held` of its recordings is not read again. Raises BadInput
-    where a diagnosis does not hold what that takes.
+    `problem` is what the simulator has simulated of a run in `folder`, of which a plan's rows are the last; what is
+    `held` of its recordings is not read again. Raises BadInput where a diagnosis does not hold what that takes.
     """
-    place, diagnosis = (given, read_diagnosis(given)) if given else adopted_diagnosis(run)
+    place, diagnosis = (simulator.source, simulator.given) if simulator.given else adopted_diagnosis(run)
     again = f"{command('diagnose')} {shlex.quote(str(folder))} --out DIR"
     mend = f"diagnose again, {again}, and give its diagnosis.json by --simulation"
     if diagnosis is None:

@@ -1,7 +1,7 @@
 """What `simulate` may be told on its command line."""
 
-import argparse
 import shlex
+from dataclasses import dataclass
 from pathlib import Path
 
 from ..ground.command import command
@@ -12,8 +12,21 @@ from .words.foretold.prediction import AFTER_RECORDING
 from .words.foretold.residual import RESIDUAL
 
 
-def parsed(description: str) -> argparse.Namespace:
-    """The arguments of the command line; it ends the program with 2 where they do not go together."""
+@dataclass(frozen=True)
+class Asked:
+    """What a person asks of `simulate`: each option by its name, None or false where it is not given."""
+
+    run_dir: Path
+    simulation: Path | None
+    motion: Path | None
+    after_recording: bool
+    residual: bool
+    home: bool
+    out: Path
+
+
+def parsed(description: str) -> Asked:
+    """The command line; it ends the program with 2 where arguments do not go together."""
     parser = Parser(prog=command("simulate"), description=description)
     parser.add_argument("run_dir", type=run_dir, metavar="RUN_DIR", help="the run whose motion and load are simulated")
     parser.add_argument(
@@ -63,4 +76,4 @@ def parsed(description: str) -> argparse.Namespace:
             f"{command('simulate')} {folder} --simulation DIR/{arguments.run_dir.name}/diagnosis.json "
             f"--motion {shlex.quote(str(arguments.motion))} --out {shlex.quote(str(arguments.out))}"
         )
-    return arguments
+    return Asked(**vars(arguments))

@@ -21,20 +21,26 @@ RATE = " at your controller's rate: what is predicted needs the acceleration, so
 LONGEST_S = 86_400.0  # a plan that is made of corners
 
 
-def planned(run: Run, path: Path, recorded: pd.DataFrame | None = None) -> tuple[pd.DataFrame, bool]:
-    """Samples of a motion that a .csv or .parquet at `path` plans for a run's rig, and whether it was drawn by corners.
+def read_plan(path: Path) -> pd.DataFrame:
+    """The table of a planned motion in a .csv or .parquet, as it stands there; raises BadInput."""
+    return read_table(path, TextFile.model_validate({}))
 
-    The file has `time_s`, the motion (`motor_turns` of a string) and, where the rig has them, load and temperature,
-    under these names and in these units, or under the names that run.yaml gives to the columns of the recording, and
-    in the units that it gives to them. Points of a string that lie further apart than samples do are joined by
-    straight lines. Other columns are left out. A load that it lacks is that of what was `recorded` if
-    it stood still, or `rig.load_n`. Raises BadInput, also where nothing tells the load.
+
+def planned(
+    run: Run, given: pd.DataFrame, path: Path, recorded: pd.DataFrame | None = None
+) -> tuple[pd.DataFrame, bool]:
+    """Samples of the motion that a table plans for a run's rig, and whether it was drawn by corners.
+
+    The table, which messages call `path`, has `time_s`, the motion (`motor_turns` of a string) and, where the rig has
+    them, load and temperature, under these names and in these units, or under the names that run.yaml gives to the
+    columns of the recording, and in the units that it gives to them. Points of a string that lie further apart than
+    samples do are joined by straight lines. Other columns are left out. A load that it lacks is that of what was
+    `recorded` if it stood still, or `rig.load_n`. Raises BadInput, also where nothing tells the load.
     """
-    system, raw = run.system, read_table(path, TextFile.model_validate({}))
-    table = _by_own_names(run, raw, path)
+    system, table = run.system, _by_own_names(run, given, path)
     lacking = [name for name in ("time_s", system.driver) if name not in table.columns]
     if lacking:
-        columns_there = ", ".join(map(str, raw.columns[:12]))
+        columns_there = ", ".join(map(str, given.columns[:12]))
         mend = f"give a table with time_s, {system.driver}{f', {system.load}' if system.load else ''} in these units"
         own = [f"{run.channels[name].column} for {name}" for name in lacking if _own_column(run, name)]
         own_names = f", or with the columns of the recording: {' and '.join(own)}" if own else ""

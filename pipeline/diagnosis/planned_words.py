@@ -1,0 +1,57 @@
+"""What `simulate` says of the columns of a planned motion: where it leaves the recordings, its band, what else ties."""
+
+import shlex
+from pathlib import Path
+
+from ..ground.command import command
+from .planned_columns import PlannedColumns
+from .prediction.planned_motion import Plan, expected_error
+from .simulate_options import Asked
+from .words.foretold.prediction import (
+    AFTER_RECORDING,
+    in_one_number,
+    no_band,
+    of_band,
+    of_half_speed,
+    of_rivals,
+    of_state,
+    stretches,
+)
+from .words.foretold.residual import RESIDUAL
+from .words.language.quantity import listing
+from .words.language.vocabulary import Vocabulary
+
+
+def of_outside(plan: Plan, path: Path | None) -> list[str]:
+    """The warning that a plan, from a file, leaves what was recorded; nothing where it does not."""
+    if not plan.outside or not plan.outside.asks:
+        return []
+    when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())
+    asks = f"it asks for {'. It asks for '.join(plan.outside.asks)}. Nothing says how well the simulator does "
+    asks += f"there, {when}. Mend: {listing(plan.outside.mends)}, or record a stroke that does as the plan, "
+    return [f"{path}: {asks}diagnose both recordings together, and predict with that"]
+
+
+def of_columns(plan: Plan, made: PlannedColumns, asked: Asked) -> list[str]:
+    """What is said of the columns of a plan, a sentence or two an entry."""
+    called, channel = Vocabulary.of(plan.run.system), plan.run.system.channel
+    unit, inside, ending = called.unit, plan.inside(), channel.rpartition("_")[2]
+    expected = expected_error(made.width, inside)
+    if made.diagnosis is None or made.width is None:
+        words = [no_band(str(made.place), shlex.quote(str(asked.run_dir)), asked.simulation is None)]
+    else:
+        gaps = [curve - plan.predicted for curve in made.rivals.values()]
+        words = in_one_number(made.width, inside, gaps, len(plan.tied), channel, unit)
+        words += of_band(made.width, inside, f"low_{ending}", f"high_{ending}", called)
+        words += of_rivals(plan.predicted, made.rivals, inside, channel, unit)
+        slow = plan.outside.too_slow_below if plan.outside else 0.0
+        words += of_half_speed(made.diagnosis, slow, ending, plan.problem.drivers.units.motion, unit)
+    gap = plan.changed_by_recording(expected)
+    return [*words, *([] if gap is None else [of_state(gap, expected, called, _after_recording(asked))])]
+
+
+def _after_recording(asked: Asked) -> str:
+    """The command that simulates the same plan after the recorded motion."""
+    words = [str(asked.run_dir), *(["--simulation", str(asked.simulation)] if asked.simulation else [])]
+    words += ["--motion", str(asked.motion), AFTER_RECORDING, *([RESIDUAL] if asked.residual else [])]
+    return f"{command('simulate')} {shlex.join([*words, '--out', str(asked.out)])}"

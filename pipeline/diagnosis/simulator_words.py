@@ -1,0 +1,60 @@
+"""What `simulate` says of what simulates: what acts and whose dimensions, that it is no name, or of another rig."""
+
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+from typing import cast
+
+from ..ground.command import command
+from ..run.description import Run
+from .document.content import Verdict
+from .prediction.another_rig import other_dimensions, other_names
+from .prediction.later_run import said_of
+from .prediction.simulation import measured_since
+from .prediction.without_a_name import said_of_no_name
+from .recording.recorded_run import RecordedRun
+from .simulator import Simulator
+from .words.foretold.another_rig import warning as another_rig
+from .words.language.quantity import listing
+from .words.language.vocabulary import Vocabulary
+from .words.measured.dimensions import name_of
+from .words.pages.advice import contrary
+
+
+def by(simulator: Simulator, dimensions: Path) -> str:
+    """With what a motion was simulated: what acts, and the file of the dimensions."""
+    adopted = simulator.content["parameters"] and not simulator.given
+    return f"with {simulator.acting} and the dimensions {'that fit with them, in' if adopted else 'of'} {dimensions}"
+
+
+def of_simulator(simulator: Simulator, run: Run, before: Sequence[RecordedRun]) -> list[str]:
+    """What a person must know of what acts: the runs before, no name, advice against it."""
+    content, called = simulator.content, Vocabulary.of(run.system)
+    words = [*said_of(content, run.run, before, simulator.source), *said_of_no_name(content, called.ending)]
+    advised = contrary(cast(Verdict, content), called) if simulator.given and content["simulation"] else ""
+    return words + [f"beware: the verdict advises against what is simulated: {advised.rstrip('.')}"] * bool(advised)
+
+
+def of_another(simulator: Simulator, run: Run, folder: Path) -> list[str]:
+    """The warning that a run is of another string or rig than the runs that a given diagnosis was made of."""
+    content = simulator.content
+    runs = content.get("run")
+    runs = [str(name) for name in (runs if isinstance(runs, list) else [runs])]
+    if simulator.given is None or run.run in runs:
+        return []
+    dimensions, names = other_dimensions(content, run), other_names(content, run, folder)
+    warning = another_rig(run.run, runs, dimensions, names, Vocabulary.of(run.system))
+    return [warning] if warning else []
+
+
+def of_dimensions(run: Run, folder: Path) -> list[str]:
+    """The warning that a dimension of run.yaml is another than when effects were adopted, which fit no more."""
+    changed = measured_since(run)
+    if not changed:
+        return []
+    names = listing([f"the {name_of(name)}" for name in changed])
+    return [
+        f"{names} in run.yaml changed since the effects were adopted. The dimensions of run.yaml are taken, and the "
+        "effects may not fit them. Mend: take the effects out, diagnose again and adopt anew: "
+        f"{command('adopt')} --remove {shlex.quote(str(folder))}"
+    ]
