@@ -62,8 +62,7 @@ def of_plan(asked: Asked, motion: Path) -> Answer:
     run = recorded.run if recorded else read_run(asked.run_dir)
     simulator = Simulator.read(run, asked.run_dir, asked.simulation)
     plan = simulated_plan(run, asked.run_dir, recorded, simulator, read_plan(motion), motion, asked.after_recording)
-    problem, called, channel = plan.problem, Vocabulary.of(run.system), run.system.channel
-    predicted = plan.predicted
+    called, channel = Vocabulary.of(run.system), run.system.channel
     warn(of_another(simulator, run, asked.run_dir))
     warn(planned_words.of_outside(plan, motion))
     made = planned_columns(plan, simulator)
@@ -71,10 +70,9 @@ def of_plan(asked: Asked, motion: Path) -> Answer:
     columns = made.columns
     if asked.residual:
         held = [each for each in (recorded, *plan.beside) if each]
-        more, more_words = black_box(problem, run, plan, asked.run_dir, simulator, held)
+        more, more_words = black_box(plan.problem, run, plan, asked.run_dir, simulator, held)
         columns, words = columns | more, words + more_words
-    time_s = plan.samples["time_s"].to_numpy()
-    table = pd.DataFrame({"time_s": time_s, channel: predicted} | columns | plan.inputs)
+    table = plan.table(columns)
     begins = simulator.acting if recorded and not plan.after else None
     words += [of_zero(plan, called)] * run.system.free_zero
     words += of_ties(simulator.acting, len(plan.tied), list(table))

@@ -9,11 +9,12 @@ from typing import Protocol
 
 import pandas as pd
 
-from ..diagnosis.document.content import Simulated
-from ..diagnosis.prediction.simulation import of_run, tared
-from ..diagnosis.prediction.without_a_name import to_simulate
+from ..diagnosis.document.content import Verdict
+from ..diagnosis.planned_columns import planned_columns
 from ..diagnosis.recording.recorded_run import RecordedRun
-from ..diagnosis.study.own_rate import at_own_rate
+from ..diagnosis.simulated_plan import simulated_plan
+from ..diagnosis.simulated_recording import SimulatedRecording
+from ..diagnosis.simulator import Simulator
 from ..ground import schemas
 from ..ground.folders import whole_folder
 from ..ground.strict_yaml import write_yaml
@@ -32,7 +33,7 @@ class Explained(Protocol):
     """What says how a rig is simulated: a diagnosis."""
 
     @property
-    def content(self) -> Simulated:
+    def content(self) -> Verdict:
         """What `diagnosis.json` holds."""
 
 
@@ -87,17 +88,29 @@ class Recording:
             return self._strokes
         return segment(self.samples, self.run.system.driver, self.folder)
 
-    def simulate(self, diagnosis: Explained | None = None) -> pd.DataFrame:
+    def simulate(self, diagnosis: Explained | None = None, motion: pd.DataFrame | None = None) -> pd.DataFrame:
         """What the simulator reads along this recording's motion: `time_s` in s and the predicted channel.
 
         With a diagnosis its mechanisms and dimensions act; without one those that the description has adopted. The
-        measured channel serves for the zero alone. Raises BadInput where a diagnosis gives no number.
+        measured channel serves for the zero alone. A later run of a diagnosis of several goes on after those before
+        it, if they lie beside its folder.
+
+        `motion` is one that nobody has recorded, in place of the recording's: `time_s`, the rig's motion (`motor_turns`
+        of a string) and its load, one row a sample; corners of a string's motion will do. The answer has more columns
+        then, each in the unit that its name ends in: the motion itself, the reading without the effects
+        (`without_effects_mm`), the band in which nine of ten readings lie (`low_mm`, `high_mm`), whether a row lies
+        outside what was recorded (`outside`), and a reading for each explanation that ties (`if_…`).
+
+        Raises BadInput where a diagnosis gives no number, and for a motion that is none.
         """
-        problem = at_own_rate([RecordedRun(self.run, self.samples, self.strokes)], thin=False)
-        name = self.run.run
-        content = to_simulate(diagnosis.content, name) if diagnosis else of_run(self.run)
-        values = tared(problem, content, self.folder, name)
-        return pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: values})
+        source = self.folder / "run.yaml" if diagnosis is None else self.folder / "diagnosis.json"
+        simulator = Simulator.of(self.run, source, diagnosis.content if diagnosis else None)
+        recorded = RecordedRun(self.run, self.samples, self.strokes, self.folder)
+        if motion is None:
+            predicted = SimulatedRecording(recorded, simulator).predicted
+            return pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: predicted})
+        plan = simulated_plan(self.run, self.folder, recorded, simulator, motion, self.folder / "motion")
+        return plan.table(planned_columns(plan, simulator).columns)
 
     def save(self, raw: Path | str) -> Path:
         """Write it as the run folder `raw/<run>`, whole or not at all; raises BadInput where that is there already."""

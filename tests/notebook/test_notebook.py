@@ -147,6 +147,23 @@ def test_simulating_with_a_diagnosis_errs_less_and_never_follows_the_reading(nyl
     pd.testing.assert_frame_equal(blinded.simulate(), nylon.simulate())
 
 
+def test_a_planned_motion_is_simulated_as_the_program_does(nylon, diagnosis, tmp_path: Path) -> None:
+    folder, plan = nylon.save(tmp_path / "raw"), tmp_path / "plan.csv"
+    (tmp_path / "diagnosis.json").write_text(diagnosis.to_json())
+    top = float(nylon.samples["motor_turns"].max())
+    motion = pd.DataFrame({"time_s": [0.0, 1.0, 14.0, 15.0, 28.0], "motor_turns": [0.0, 0.0, top - 1, top - 1, 0.0]})
+    motion.to_csv(plan, index=False)
+    words = ["--simulation", tmp_path / "diagnosis.json", "--motion", plan, "--out", tmp_path / "out.parquet"]
+    done = programs.run("pipeline.simulate", folder, *words)
+    assert done.returncode == 0, done.stderr
+    made = nylon.simulate(diagnosis, motion)
+    pd.testing.assert_frame_equal(made, pd.read_parquet(tmp_path / "out.parquet"))
+    inside = made[made["outside"] == 0.0]
+    assert len(inside) > len(made) / 2 and inside["displacement_mm"].between(inside["low_mm"], inside["high_mm"]).all()
+    with pytest.raises(tb.BadInput, match="motor_turns"):
+        nylon.simulate(diagnosis, motion.drop(columns="motor_turns"))
+
+
 def test_models_fit_answer_and_come_back_by_name(nylon: tb.Recording, tmp_path: Path) -> None:
     points = tb.points([nylon])
     model = tb.fit("polynomial", points[points["within"] == "train"], degree=4)

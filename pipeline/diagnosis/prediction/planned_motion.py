@@ -1,6 +1,6 @@
 """A motion that nobody recorded, and what a simulator says of it: alone, or after the recorded motion of its run."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -141,6 +141,11 @@ class Plan:
         driver, load = self.run.system.driver, self.run.system.load
         hung = load in self.samples and (self.run.system.needs_string or bool(self.samples[load].any()))
         return {name: self.samples[name].to_numpy() for name in (driver, *([load] if load and hung else []))}
+
+    def table(self, columns: Mapping[str, Array]) -> pd.DataFrame:
+        """The answer, one row a sample: time in s, the reading, columns beside it, and what was planned."""
+        answer = {"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: self.predicted}
+        return pd.DataFrame({**answer, **columns, **self.inputs})
 
     def inside(self) -> Mask:
         """The rows within what was recorded, all where nothing was. Shape (samples,)."""

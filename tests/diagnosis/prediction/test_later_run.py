@@ -9,6 +9,7 @@ import pandas as pd
 import programs
 import pytest
 
+import pipeline
 from pipeline.diagnosis.prediction.simulation import state_of
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.own_rate import at_own_rate
@@ -57,6 +58,13 @@ def test_it_is_what_the_joint_simulator_gives_with_the_zero_that_was_fitted(join
     alone, said = simulate(first, diagnosis, tmp_path / "first.csv")
     assert "simulated after" not in said and "beware" not in said
     assert float(np.std(given - alone)) > 0.01, "the same motion again creeps less"
+
+
+def test_in_memory_it_is_simulated_after_the_run_before_too(joint, tmp_path):
+    _, later, diagnosis = joint
+    given, _ = simulate(later, diagnosis, tmp_path / "later.csv")
+    in_memory = pipeline.Recording.read(later).simulate(pipeline.Diagnosis.read(diagnosis))
+    assert in_memory["displacement_mm"].to_numpy() == pytest.approx(given, abs=1e-6)
 
 
 def test_a_plan_after_its_recording_goes_after_the_run_before_too(joint, tmp_path):
