@@ -11,7 +11,7 @@ from .diagnosis.planned_columns import planned_columns
 from .diagnosis.prediction.planned_motion import tied_with
 from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.residual_columns import black_box
-from .diagnosis.simulate_options import Asked, parsed
+from .diagnosis.simulate_options import SimulateOptions, parsed
 from .diagnosis.simulated_plan import simulated_plan
 from .diagnosis.simulated_recording import SimulatedRecording
 from .diagnosis.simulator import Simulator
@@ -41,7 +41,7 @@ from .run.samples import read_strokes
 class Answer:
     """What is given of a simulated motion of a run.
 
-    `table`: what is written. `by`: with what it was simulated. `drawn`: a table that is printed as it stands. `said`:
+    `table`: what is written. `by`: with what it was simulated. `drawn`: a table that is printed as it stands. `lines`:
     what is said of it, an entry a paragraph.
     """
 
@@ -49,64 +49,64 @@ class Answer:
     table: pd.DataFrame
     by: str
     drawn: list[str]
-    said: list[str]
+    lines: list[str]
 
 
-def of_plan(asked: Asked, motion: Path) -> Answer:
+def of_plan(options: SimulateOptions, motion: Path) -> Answer:
     """The motion that a file plans for a run, alone or after its recording. Raises BadInput."""
-    has_samples = has_recording(asked.run_dir)
-    if asked.after_recording and not has_samples:
+    has_samples = has_recording(options.run_dir)
+    if options.after_recording and not has_samples:
         mend = f"record the run first, or leave {AFTER_RECORDING} out"
-        raise BadInput(asked.run_dir, AFTER_RECORDING, "needs a recording, and there is none", mend)
-    recorded = RecordedRun(*read_strokes(asked.run_dir), asked.run_dir) if has_samples else None
-    run = recorded.run if recorded else read_run(asked.run_dir)
-    simulator = Simulator.read(run, asked.run_dir, asked.simulation)
-    plan = simulated_plan(run, asked.run_dir, recorded, simulator, read_plan(motion), motion, asked.after_recording)
+        raise BadInput(options.run_dir, AFTER_RECORDING, "needs a recording, and there is none", mend)
+    recorded = RecordedRun(*read_strokes(options.run_dir), options.run_dir) if has_samples else None
+    run = recorded.run if recorded else read_run(options.run_dir)
+    simulator = Simulator.read(run, options.run_dir, options.simulation)
+    plan = simulated_plan(run, options.run_dir, recorded, simulator, read_plan(motion), motion, options.after_recording)
     called, channel = Vocabulary.of(run.system), run.system.channel
-    warn(of_another(simulator, run, asked.run_dir))
+    warn(of_another(simulator, run, options.run_dir))
     warn(planned_words.of_outside(plan, motion))
     made = planned_columns(plan, simulator)
-    words = [*planned_words.of_columns(plan, made, asked), *of_simulator(simulator, run, plan.before)]
+    words = [*planned_words.of_columns(plan, made, options), *of_simulator(simulator, run, plan.before)]
     columns = made.columns
-    if asked.residual:
+    if options.residual:
         held = [each for each in (recorded, *plan.beside) if each]
-        more, more_words = black_box(plan.problem, run, plan, asked.run_dir, simulator, held)
+        more, more_words = black_box(plan.problem, run, plan, options.run_dir, simulator, held)
         columns, words = columns | more, words + more_words
     table = plan.table(columns)
     begins = simulator.acting if recorded and not plan.after else None
     words += [of_zero(plan, called)] * run.system.free_zero
     words += of_ties(simulator.acting, len(plan.tied), list(table))
     drawn = corners(table, run.system.driver, channel) if plan.drawn else []
-    said = [*loop_table.printed(table, called, channel, begins), *numbered(words)]
-    return Answer(run, table, by(simulator, simulator.source), drawn, said)
+    lines = [*loop_table.printed(table, called, channel, begins), *numbered(words)]
+    return Answer(run, table, by(simulator, simulator.source), drawn, lines)
 
 
-def of_recording(asked: Asked) -> Answer:
+def of_recording(options: SimulateOptions) -> Answer:
     """The recorded motion of a run. Raises BadInput."""
-    recorded = RecordedRun(*read_strokes(asked.run_dir), asked.run_dir)
+    recorded = RecordedRun(*read_strokes(options.run_dir), options.run_dir)
     run, channel = recorded.run, recorded.run.system.channel
-    simulated = SimulatedRecording(recorded, Simulator.read(run, asked.run_dir, asked.simulation), asked.home)
+    simulated = SimulatedRecording(recorded, Simulator.read(run, options.run_dir, options.simulation), options.home)
     source, carried = simulated.asked.source, simulated.carried
-    warn(of_another(simulated.asked, run, asked.run_dir))
+    warn(of_another(simulated.asked, run, options.run_dir))
     if carried:
         unit = simulated.problem.drivers.units.reading
         show([*of_carried_over(carried, run.run, unit), of_home(carried, unit)])
     simulator, predicted = simulated.simulator, simulated.predicted
     columns = {"time_s": recorded.samples["time_s"].to_numpy(), channel: predicted}
     words = of_simulator(simulator, run, simulated.before)
-    if asked.residual and carried and not carried.whole:
+    if options.residual and carried and not carried.whole:
         learnt = f"was learnt beside all of the diagnosis, of which {run.run} takes a part"
         raise BadInput(source, RESIDUAL, learnt, "leave it out, or diagnose this run itself")
-    if asked.residual:
+    if options.residual:
         held = [recorded, *simulated.before]
-        more, more_words = black_box(simulated.problem, run, None, asked.run_dir, simulator, held)
+        more, more_words = black_box(simulated.problem, run, None, options.run_dir, simulator, held)
         columns, words = columns | more, words + more_words
     tied = tied_with(run, simulator.content, simulator.given is None) if not carried or carried.effects else []
     words += of_ties(simulator.acting, len(tied), list(columns))
     own_dimensions = carried is not None and not carried.dimensions
-    dimensions = asked.run_dir / "run.yaml" if own_dimensions else source
-    said = [*numbered(words), *recorded_error.lines(simulated, asked.run_dir)]
-    return Answer(run, pd.DataFrame(columns), by(simulator, dimensions), [], said)
+    dimensions = options.run_dir / "run.yaml" if own_dimensions else source
+    lines = [*numbered(words), *recorded_error.lines(simulated, options.run_dir)]
+    return Answer(run, pd.DataFrame(columns), by(simulator, dimensions), [], lines)
 
 
 def warn(warnings: list[str]) -> None:
@@ -132,18 +132,18 @@ def write(table: pd.DataFrame, path: Path) -> None:
 @program
 def main() -> None:
     """Command line."""
-    asked = parsed(str(__doc__))
-    reads = [asked.simulation or asked.run_dir / "run.yaml", *([asked.motion] if asked.motion else [])]
-    file_to_write(asked.out, reads=reads)
-    answer = of_plan(asked, asked.motion) if asked.motion else of_recording(asked)
-    write(answer.table, asked.out)
+    options = parsed(str(__doc__))
+    reads = [options.simulation or options.run_dir / "run.yaml", *([options.motion] if options.motion else [])]
+    file_to_write(options.out, reads=reads)
+    answer = of_plan(options, options.motion) if options.motion else of_recording(options)
+    write(answer.table, options.out)
     print(f"{answer.run.run}: {counted(len(answer.table), 'sample')} simulated {answer.by}")
-    print(f"{asked.out} holds {listing(list(answer.table))}")
+    print(f"{options.out} holds {listing(list(answer.table))}")
     if answer.drawn:
         print("\n".join(answer.drawn))
-    show(answer.said)
-    if not asked.simulation:
-        warn(of_dimensions(answer.run, asked.run_dir))
+    show(answer.lines)
+    if not options.simulation:
+        warn(of_dimensions(answer.run, options.run_dir))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from pathlib import Path
 from ..ground.command import command
 from .planned_columns import PlannedColumns
 from .prediction.planned_motion import Plan, expected_error
-from .simulate_options import Asked
+from .simulate_options import SimulateOptions
 from .words.foretold.prediction import (
     AFTER_RECORDING,
     in_one_number,
@@ -32,13 +32,13 @@ def of_outside(plan: Plan, path: Path | None) -> list[str]:
     return [f"{path}: {asks}diagnose both recordings together, and predict with that"]
 
 
-def of_columns(plan: Plan, made: PlannedColumns, asked: Asked) -> list[str]:
+def of_columns(plan: Plan, made: PlannedColumns, options: SimulateOptions) -> list[str]:
     """What is said of the columns of a plan, a sentence or two an entry."""
     called, channel = Vocabulary.of(plan.run.system), plan.run.system.channel
     unit, inside, ending = called.unit, plan.inside(), channel.rpartition("_")[2]
     expected = expected_error(made.width, inside)
     if made.diagnosis is None or made.width is None:
-        words = [no_band(str(made.place), shlex.quote(str(asked.run_dir)), asked.simulation is None)]
+        words = [no_band(str(made.place), shlex.quote(str(options.run_dir)), options.simulation is None)]
     else:
         gaps = [curve - plan.predicted for curve in made.rivals.values()]
         words = in_one_number(made.width, inside, gaps, len(plan.tied), channel, unit)
@@ -47,11 +47,11 @@ def of_columns(plan: Plan, made: PlannedColumns, asked: Asked) -> list[str]:
         slow = plan.outside.too_slow_below if plan.outside else 0.0
         words += of_half_speed(made.diagnosis, slow, ending, plan.problem.drivers.units.motion, unit)
     gap = plan.changed_by_recording(expected)
-    return [*words, *([] if gap is None else [of_state(gap, expected, called, _after_recording(asked))])]
+    return [*words, *([] if gap is None else [of_state(gap, expected, called, _after_recording(options))])]
 
 
-def _after_recording(asked: Asked) -> str:
+def _after_recording(options: SimulateOptions) -> str:
     """The command that simulates the same plan after the recorded motion."""
-    words = [str(asked.run_dir), *(["--simulation", str(asked.simulation)] if asked.simulation else [])]
-    words += ["--motion", str(asked.motion), AFTER_RECORDING, *([RESIDUAL] if asked.residual else [])]
-    return f"{command('simulate')} {shlex.join([*words, '--out', str(asked.out)])}"
+    words = [str(options.run_dir), *(["--simulation", str(options.simulation)] if options.simulation else [])]
+    words += ["--motion", str(options.motion), AFTER_RECORDING, *([RESIDUAL] if options.residual else [])]
+    return f"{command('simulate')} {shlex.join([*words, '--out', str(options.out)])}"

@@ -13,7 +13,7 @@ from .words.foretold.residual import RESIDUAL
 
 
 @dataclass(frozen=True)
-class Asked:
+class SimulateOptions:
     """What a person asks of `simulate`: each option by its name, None or false where it is not given."""
 
     run_dir: Path
@@ -25,7 +25,7 @@ class Asked:
     out: Path
 
 
-def parsed(description: str) -> Asked:
+def parsed(description: str) -> SimulateOptions:
     """The command line; it ends the program with 2 where arguments do not go together."""
     parser = Parser(prog=command("simulate"), description=description)
     parser.add_argument("run_dir", type=run_dir, metavar="RUN_DIR", help="the run whose motion and load are simulated")
@@ -76,4 +76,4 @@ def parsed(description: str) -> Asked:
             f"{command('simulate')} {folder} --simulation DIR/{arguments.run_dir.name}/diagnosis.json "
             f"--motion {shlex.quote(str(arguments.motion))} --out {shlex.quote(str(arguments.out))}"
         )
-    return Asked(**vars(arguments))
+    return SimulateOptions(**vars(arguments))

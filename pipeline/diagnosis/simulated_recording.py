@@ -56,7 +56,10 @@ class SimulatedRecording:
 
     @cached_property
     def without_effects(self) -> Array | None:
-        """The reading with the same dimensions if no effect acted, in the shape of `predicted`; None if none does."""
+        """The reading with the same dimensions if no effect acted; None if none does.
+
+        Shape (samples,), in the channel's unit.
+        """
         content = self.simulator.content
         bare: Simulated = {**content, "simulation": []}
         return self._predicted_by(bare) if content["simulation"] else None

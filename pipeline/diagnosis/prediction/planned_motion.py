@@ -143,7 +143,10 @@ class Plan:
         return {name: self.samples[name].to_numpy() for name in (driver, *([load] if load and hung else []))}
 
     def table(self, columns: Mapping[str, Array]) -> pd.DataFrame:
-        """The answer, one row a sample: time in s, the reading, columns beside it, and what was planned."""
+        """The answer, one row a sample: time in s, the reading, columns beside it, and what was planned.
+
+        Each of `columns` has the shape (samples,), and the unit that its name ends in.
+        """
         answer = {"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: self.predicted}
         return pd.DataFrame({**answer, **columns, **self.inputs})
 
