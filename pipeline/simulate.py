@@ -90,7 +90,7 @@ def of_recording(options: SimulateOptions) -> Answer:
     warn(of_another(simulated.asked, run, options.run_dir))
     if carried:
         unit = simulated.problem.drivers.units.reading
-        show([*of_carried_over(carried, run.run, unit), of_home(carried, unit)])
+        show([*of_carried_over(carried, run.run, unit), *of_home(carried, unit)])
     simulator, predicted = simulated.simulator, simulated.predicted
     columns = {"time_s": recorded.samples["time_s"].to_numpy(), channel: predicted}
     words = of_simulator(simulator, run, simulated.before)

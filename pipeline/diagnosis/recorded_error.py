@@ -7,11 +7,10 @@ from ..ground.command import command
 from ..run.folder import read_run
 from .one_rig import to_take_out
 from .prediction.another_rig import of_same_string
-from .prediction.home import HOME
 from .prediction.simulation import compared, has_zero, off
 from .prediction.to_compare import ToCompare
 from .simulated_recording import SimulatedRecording
-from .words.foretold.recorded_error import beside, computed_of, means
+from .words.foretold.recorded_error import A_PART, SWITCHED_OFF, beside, computed_of, means
 from .words.language.quantity import number, size
 
 
@@ -31,7 +30,7 @@ def lines(simulated: SimulatedRecording, folder: Path) -> list[str]:
     bare = simulated.without_effects
     without = None if bare is None else off(*compared(run, problem, bare))[0]
     taken = carried is None or carried.effects or carried.dimensions
-    hint = HOME if system.homed and not carried else ""
+    hint = "" if carried else SWITCHED_OFF if system.homed else A_PART
     same = of_same_string(content, run, folder)
     folders = [shlex.quote(str(place)) for place in [*same, folder]]
     diagnosed = [f"{command('diagnose')} {' '.join(folders)} --together --out DIR"]

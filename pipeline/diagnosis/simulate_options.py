@@ -55,8 +55,8 @@ def parsed(description: str) -> SimulateOptions:
     )  # fmt: skip
     parser.add_argument(
         HOME, action="store_true",
-        help="home the motor's zero anew, on the first stroke of the recording: for a run of which the diagnosis was "
-        "not made. Default: the zero that fits the diagnosis' own run",
+        help="for a run of which the diagnosis was not made: take that part of it which holds on the first stroke of "
+        "the recording, a motor's zero homed there anew. Default: all of it, with the zero of the diagnosis' own run",
     )  # fmt: skip
     parser.add_argument(
         "--out", type=Path, required=True, metavar="FILE",

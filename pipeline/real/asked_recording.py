@@ -40,19 +40,19 @@ class About:
         return at_own_rate([RecordedRun(self.run, self.samples, self.recorded.strokes, self.recorded.folder)])
 
     @property
-    def homes(self) -> bool:
-        """Whether its motor may count its turns from elsewhere: one that shifts the motion, of a string without id."""
-        return self.run.system.homed is not None and not one_string([self.run])
+    def another(self) -> bool:
+        """Whether nothing says that it is of the same string as others, whose motor counts its turns from there."""
+        return not one_string([self.run])
 
     def simulated(self, content: Simulated, path: Path) -> tuple[Array, Array, Array]:
         """Prediction of a diagnosis, what the recording measured, and its time; its zero is left open.
 
-        Where the motor may count its turns from elsewhere, it is homed on the first stroke, and of the diagnosis that
-        part is taken which holds there.
+        Of the diagnosis that part is taken which holds on the first stroke, the motor homed there where it may count
+        its turns from elsewhere. Of the same string all of it is taken.
 
         Each of shape (samples,), in the reading's unit and s.
         """
-        if self.homes:
+        if self.another:
             content = carried_over(self.problem, content, path, self.run.run).content
         state = state_of(content, self.problem, path, self.run.run)
         return self.problem.simulate(state), self.problem.measured, self.problem.record.time_s

@@ -2,16 +2,17 @@
 
 An effect may belong to one recording alone, such as a string that was still stretching. Dimensions that calibration
 moved may hold what the library lacks. So a diagnosis of one recording can foretell another one worse than the
-dimensions of run.yaml do. The first stroke, on which the motor is homed anyway, shows that.
+dimensions of run.yaml do. The first stroke, on which the motor is homed where it has a zero, shows that.
 """
 
 from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
+from ...ground.errors import BadInput
 from ..document.content import Simulated
 from ..fit.problem import Problem
-from .home import Home, homed
+from .home import HOME, Home, homed, left_of_first
 
 CLEARLY = 0.8  # of what all of a diagnosis leaves of the first stroke: a part of it that leaves less is taken instead
 
@@ -20,13 +21,13 @@ CLEARLY = 0.8  # of what all of a diagnosis leaves of the first stroke: a part o
 class CarriedOver:
     """What is taken of a diagnosis for another recording: all of it, a part, or the motor's zero alone.
 
-    `content` is the simulator, its motor homed. `effects`, `dimensions`: whether those of the diagnosis are in it.
-    `left` is what each part that was tried leaves of the first stroke, rms, in the reading's unit, by whether effects
-    and dimensions of the diagnosis are in it.
+    `content` is the simulator, its motor homed; `home` is None for a rig without a zero of the motor. `effects`,
+    `dimensions`: whether those of the diagnosis are in it. `left` is what each part that was tried leaves of the first
+    stroke, rms, in the reading's unit, by whether effects and dimensions of the diagnosis are in it.
     """
 
     content: Simulated
-    home: Home
+    home: Home | None
     effects: bool
     dimensions: bool
     left: dict[tuple[bool, bool], float]
@@ -42,16 +43,26 @@ def carried_over(
 ) -> CarriedOver:
     """What of a diagnosis simulates another run, homed on its first stroke: all, or the part that is clearly better.
 
-    `coarse` is the same recording in averages. Nothing after that stroke is read for the
-    choice. Raises BadInput as `homed` does.
+    `coarse` is the same recording in averages. Nothing after that stroke is read for the choice. Raises BadInput for a
+    run that the diagnosis was made of, and where the simulator gives no number.
     """
+    runs = content.get("run")
+    if run == runs or (isinstance(runs, list) and run in runs):
+        known = "is one that the diagnosis was made of: all of it holds there, and so does its motor's zero"
+        raise BadInput(HOME, run, known, "leave it out")
     parts: dict[tuple[bool, bool], Simulated] = {(True, True): content}
     if content["parameters"]:
         parts[True, False] = cast(Simulated, {**content, "parameters": {}})
     if content["simulation"]:
         parts |= {(False, took): cast(Simulated, {**part, "simulation": []}) for (_, took), part in parts.items()}
-    tried = {kept: homed(problem, part, path, run, coarse) for kept, part in parts.items()}
-    left = {kept: home.left for kept, (_, home) in tried.items()}
+    tried: dict[tuple[bool, bool], tuple[Simulated, Home | None]] = {}
+    left: dict[tuple[bool, bool], float] = {}
+    for kept, part in parts.items():
+        if problem.system.homed:
+            part, home = homed(problem, part, path, run, coarse)
+            tried[kept], left[kept] = (part, home), home.left
+        else:
+            tried[kept], left[kept] = (part, None), left_of_first(problem, part, path, run)
     best = min(left, key=lambda kept: left[kept])
     if left[best] >= CLEARLY * left[True, True]:
         best = True, True

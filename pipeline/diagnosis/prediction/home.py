@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-from ...ground.errors import BadInput
 from ...ground.kinematics import Array
 from ..document.content import Simulated
 from ..fit.problem import Problem
@@ -45,14 +44,9 @@ def homed(
 
     `coarse`: the same recording in averages, on which the places that are tried first are told apart.
 
-    Raises BadInput for a rig that has no such zero, and for a run that the diagnosis was made of.
+    The rig has such a zero. Raises BadInput where the simulator gives no number.
     """
-    name, runs = problem.system.homed, content.get("run")
-    if name is None:
-        raise BadInput(HOME, problem.system.name, "has no motor's zero that shifts its motion", "leave it out")
-    if run == runs or (isinstance(runs, list) and run in runs):
-        known = "is one that the diagnosis was made of, which holds its motor's zero"
-        raise BadInput(HOME, run, known, "leave it out")
+    name = str(problem.system.homed)
     parameter = next(parameter for parameter in problem.parameters if parameter.name == name)
     first, averaged = _first_stroke(problem), coarse or problem
     first_averaged = _first_stroke(averaged)
@@ -79,6 +73,15 @@ def homed(
     error, error_before = (_rest(problem, left(value), first) for value in (best, before))
     at_bound = abs(best - parameter.nominal) > 0.99 * reach
     return at(best), Home(best, before, error, error_before, at_bound, of_first(best))
+
+
+def left_of_first(problem: Problem, content: Simulated, path: Path, run: str) -> float:
+    """What a simulator leaves of the first stroke of a run, about its mean where the reading's zero is free.
+
+    Rms, in the reading's unit. Raises BadInput where the simulator gives no number.
+    """
+    left = (problem.measured - simulated(problem, content, path, run))[_first_stroke(problem)]
+    return float(np.std(left) if problem.system.free_zero else np.sqrt(np.mean(np.square(left))))
 
 
 def _first_stroke(problem: Problem) -> NDArray[np.bool_]:

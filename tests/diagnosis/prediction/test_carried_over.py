@@ -4,11 +4,17 @@ import json
 import re
 from pathlib import Path
 
+import numpy as np
 import programs
 import pytest
 from test_home import runs, simulated  # noqa: F401  the fixture
 
+from pipeline.diagnosis.prediction.simulation import state_of
 from pipeline.diagnosis.words.foretold.home import PARTS
+from pipeline.real.asked_recording import About
+from pipeline.rig.others import cable_drive
+from pipeline.rig.others.made import write_run
+from pipeline.string.from_raw import read
 
 SPOILED_MM = 0.05  # what a radius is off: four of its tolerances
 
@@ -76,3 +82,36 @@ def test_what_a_black_box_learnt_beside_all_of_it_is_not_added_to_a_part(runs, t
     words = ("--simulation", wrong, "--home", "--residual", "--out", out)
     done = programs.run("pipeline.simulate", later, *words)
     assert done.returncode == 2 and "was learnt beside all of the diagnosis" in done.stderr and not out.exists()
+
+
+@pytest.fixture
+def drive(tmp_path) -> Path:
+    """A recording of a cable drive, whose motor has no zero to home."""
+    made = cable_drive.record(3)
+    return write_run(made, tmp_path / "raw" / made.run["run"])
+
+
+@pytest.mark.parametrize(
+    ("half_deg", "dimensions", "taken"),
+    [
+        (0.02, {}, (True, True)),
+        (8.0, {}, (False, True)),
+        (0.02, {"gear_ratio": {"value": 1.0}}, (True, False)),
+        (8.0, {"gear_ratio": {"value": 1.0}}, (False, False)),
+    ],
+)
+def test_of_a_drive_the_part_is_taken_that_holds_on_the_first_stroke(drive, tmp_path, half_deg, dimensions, taken):
+    entry = {"id": "backlash", "parameters": {"half_width_deg": half_deg, "share": 1.0}}
+    content = {"run": "other", "parameters": dimensions, "simulation": [entry]}
+    (tmp_path / "diagnosis.json").write_text(json.dumps(content))
+    words = ("--simulation", tmp_path / "diagnosis.json", "--home", "--out", tmp_path / "out.csv")
+    done = programs.run("pipeline.simulate", drive, *words)
+    said = " ".join(done.stdout.split())
+    assert re.search(f"{re.escape(PARTS[taken])} [0-9.]+ deg taken", said), done.stderr + said
+    assert "motor's zero" not in said and "read for the choice on the first stroke" in said
+    assert ("simulated with backlash" in said) == taken[0]
+    about = About(read(drive))
+    part = content | {"parameters": dimensions if taken[1] else {}, "simulation": [entry] if taken[0] else []}
+    expected = about.problem.simulate(state_of(part, about.problem, tmp_path, about.run.run))
+    given = about.simulated(content, tmp_path / "diagnosis.json")[0]
+    np.testing.assert_array_equal(given, expected, "learnt elsewhere, the public drives take the same part")

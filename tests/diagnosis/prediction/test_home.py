@@ -14,8 +14,6 @@ from pipeline.diagnosis.prediction.simulation import read_diagnosis
 from pipeline.diagnosis.prediction.to_compare import ToCompare
 from pipeline.diagnosis.words.foretold import recorded_error
 from pipeline.real.asked_recording import About
-from pipeline.rig.others import cable_drive
-from pipeline.rig.others.made import write_run
 from pipeline.string.from_raw import read
 
 TURNS = 0.1  # by which the motor counts from elsewhere, two tolerances
@@ -154,12 +152,9 @@ def test_a_zero_that_lies_beyond_its_tolerance_is_said_to(runs, tmp_path):
 
 def test_where_nothing_is_to_be_homed_it_is_refused_with_the_mend(runs, tmp_path):
     first, later, diagnosis = runs
-    made = cable_drive.record(3)
-    drive = write_run(made, tmp_path / "raw" / made.run["run"])
     out = ("--out", tmp_path / "out.csv")
     for words, says in (
-        ((first, "--simulation", diagnosis), "is one that the diagnosis was made of, which holds its motor's zero"),
-        ((drive, "--simulation", diagnosis), "--home: cable_drive: has no motor's zero that shifts its motion"),
+        ((first, "--simulation", diagnosis), "is one that the diagnosis was made of: all of it holds there"),
         ((later, "--simulation", diagnosis, "--motion", tmp_path / "plan.csv"), "goes without --motion"),
     ):
         done = programs.run("pipeline.simulate", *words, "--home", *out)

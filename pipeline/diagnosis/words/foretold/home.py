@@ -12,13 +12,18 @@ PARTS = {
 }  # by whether effects and dimensions of a diagnosis are in it
 
 
-def of_home(carried: CarriedOver, unit: str) -> str:
-    """Where the motor's zero was found, and what that changes after the first stroke; `unit`: of the reading."""
+def of_home(carried: CarriedOver, unit: str) -> list[str]:
+    """Where the motor's zero was found, and what that changes after the first stroke; `unit`: of the reading.
+
+    Nothing for a rig without such a zero.
+    """
     home, whose = carried.home, "the diagnosis" if carried.dimensions else "run.yaml"
+    if home is None:
+        return []
     bound = ", as far as its tolerance lets it: give angle_turns a wider one if it may be further" * home.at_bound
     place = f"is {number(home.value, 3)} turns, where {whose} has {number(home.before, 3)}{bound}"
     errors = f"{size(home.error, unit)} rms, with the zero that {whose} has {size(home.error_before, unit)}"
-    return f"the motor's zero, homed on the first stroke of the recording, {place}. Error after that stroke: {errors}"
+    return [f"the motor's zero, homed on the first stroke of the recording, {place}. Error after that stroke: {errors}"]
 
 
 def of_carried_over(carried: CarriedOver, run: str, unit: str) -> list[str]:
@@ -33,7 +38,8 @@ def of_carried_over(carried: CarriedOver, run: str, unit: str) -> list[str]:
     for kept, name in PARTS.items():
         if kept in carried.left:
             rows.append([name, size(carried.left[kept], unit), "taken" * (kept == taken)])
-    return ["Each part of the diagnosis was homed and tried on the first stroke:", *aligned(rows), _why(carried, run)]
+    tried = "homed and tried" if carried.home else "tried"
+    return [f"Each part of the diagnosis was {tried} on the first stroke:", *aligned(rows), _why(carried, run)]
 
 
 def _why(carried: CarriedOver, run: str) -> str:
@@ -46,6 +52,6 @@ def _why(carried: CarriedOver, run: str) -> str:
         (True, False): "the dimensions of the diagnosis do not fit this recording, and are left out",
         (False, True): "the effects of the diagnosis do not fit this recording, and are left out",
         (False, False): "neither the effects nor the dimensions of the diagnosis fit this recording, so nothing of it "
-        "is taken. What is simulated is run.yaml, its motor homed",
+        f"is taken. What is simulated is run.yaml{', its motor homed' if carried.home else ''}",
     }[carried.effects, carried.dimensions]
     return f"This part leaves less than {percent(CLEARLY)} of what all of it leaves: {lost}."

@@ -11,13 +11,19 @@ from ..held_out import holdout
 from ..language.quantity import listing, size, times
 from ..language.table import aligned
 
+SWITCHED_OFF = "If the motor was switched off in between, its zero is another: add --home."
+A_PART = "A part of it may hold: add --home, which takes the part that does on the first stroke."
 AS_EXPECTED = 1.5  # times what was expected: no more is worth a mend
 
 
-def computed_of(system: System, samples: pd.DataFrame, zero: bool, homed: bool) -> str:
-    """Which columns the reading is computed of; of the recorded one what is read, `zero` and `homed`, and for what."""
+def computed_of(system: System, samples: pd.DataFrame, zero: bool, carried: bool) -> str:
+    """Which columns the reading is computed of, and for what the recorded one is read.
+
+    `zero`: for that of the reading; `carried`: for what of a diagnosis holds there, and for the motor's zero.
+    """
     load = [system.load] if system.load and system.load in samples and samples[system.load].any() else []
-    first = ["the motor's zero"] * homed + ["the zero of the reading"] * zero
+    chosen = "the motor's zero" if system.homed else "the choice on the first stroke"
+    first = [chosen] * carried + ["the zero of the reading"] * zero
     also = f"for {listing(first)}, and " if first else "only "
     given = listing([system.driver, *load])
     return f"{system.channel} is computed of {given}. The recorded {system.channel} is read {also}to compare:"
@@ -46,15 +52,15 @@ def _of(known: ToCompare | None) -> str:
 
 
 def means(
-    error: float, run: str, known: ToCompare | None, content: Verdict | None, home: str, unit: str, taken: bool = True,
+    error: float, run: str, known: ToCompare | None, content: Verdict | None, hint: str, unit: str, taken: bool = True,
     whole: bool = False, together: Sequence[str] = (),
 ) -> list[str]:  # fmt: skip
     """What the error says of a diagnosis: nothing of one that was fitted to the recording; else how far it holds.
 
-    `error`: rms, in the reading's `unit`, the zero at its best. `home`: the option that would find another zero of the
-    motor. `taken`: whether anything of the diagnosis is simulated. `whole`: whether the whole recording set the zero.
-    `together`: the commands that diagnose `run` with recordings of the same string, those first that take adopted
-    effects out; empty where none is known.
+    `error`: rms, in the reading's `unit`, the zero at its best. `hint`: what may help first, a sentence. `taken`:
+    whether anything of the diagnosis is simulated. `whole`: whether the whole recording set the zero. `together`: the
+    commands that diagnose `run` with recordings of the same string, those first that take adopted effects out; empty
+    where none is known.
     """
     if known is None:
         return []
@@ -71,17 +77,17 @@ def means(
     if error <= AS_EXPECTED * known.expected:
         return [f"{ratio}: the diagnosis{_of(known)} holds in {run} too", *others]
     poorly = f"{ratio}: the diagnosis{_of(known)} holds poorly in {run}"
-    return [*_with_mend(poorly, run, known, together, home), *others]
+    return [*_with_mend(poorly, run, known, together, hint), *others]
 
 
-def _with_mend(fault: str, run: str, known: ToCompare, together: Sequence[str], home: str) -> list[str]:
+def _with_mend(fault: str, run: str, known: ToCompare, together: Sequence[str], hint: str) -> list[str]:
     """That a diagnosis holds poorly in another run, and what to do; `together` holds the commands for both, if any."""
-    switched = f"If the motor was switched off in between, its zero is another: add {home}. " if home else ""
+    first_try, then = (f"{hint} ", "Else") if hint else ("", "Mend:")
     if not together:
-        return [f"{fault}. {switched}{'Else' if home else 'Mend:'} diagnose {run} itself"]
+        return [f"{fault}. {first_try}{then} diagnose {run} itself"]
     first = "take out first what was adopted, then " * (len(together) > 1)
     same = (
         f"{run} is of the same string as {listing(list(known.runs))} (string.id), and is simulated here as if nothing "
-        f"had happened to it before. {switched}{'Else' if home else 'Mend:'} {first}diagnose both together:"
+        f"had happened to it before. {first_try}{then} {first}diagnose both together:"
     )
     return [f"{fault}. {same}", *(f"  {line}" for line in together)]
