@@ -3,16 +3,14 @@
 from ...document.content import Verdict, mismatch_of
 from ...document.effects_named import MechanismEntry
 from ...document.keyed import Interval, amount, by_name, interval
-from ...mechanisms.library import mechanisms
 from ..explanations import probability
 from ..held_out import holdout
-from ..language.explained_words import meaning, of_effect, on_rig
 from ..language.quantity import listing, percent, size
 from ..language.sections import WIDE
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
-from . import cancelling, certainty, effects, needed
+from . import cancelling, certainty, effects, in_a_line, needed
 from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_interval, to_report
 
 HEADING = "What acts, by the library's names"
@@ -67,11 +65,13 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
     head, *table = aligned([columns, *rows])
     heads = [head] if len(head) <= WIDE - INDENT else _on_two_lines(head)
-    does = {entry["id"]: _in_a_line(entry, words) if short else _sentence(entry, content) for entry in entries}
+    does = {
+        each["id"]: in_a_line.of_named(each, content, words) if short else _sentence(each, content) for each in entries
+    }
     between = {} if short else {entry["id"]: effects.between_runs(entry, words) for entry in entries}
     table_lines = heads
     for (id_, *_), row in zip(rows, table, strict=True):
-        what = does.get(id_) or on_rig(meaning(id_), words)
+        what = does.get(id_) or in_a_line.of_open(id_, content, words)
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}{between.get(id_, '')}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
     larger = to_report(content, entries, words)
@@ -110,13 +110,6 @@ def _sentence(entry: MechanismEntry, content: Verdict) -> str:
     tried = content["evidence"].get("not_kept")
     never = tried is not None and bool(tried) and not tried[0]["stands"]
     return str(entry["sentence"]).replace(AT_A_STAND, "") if never else str(entry["sentence"])
-
-
-def _in_a_line(entry: MechanismEntry, words: Vocabulary) -> str:
-    """What an effect does; of a temperature that is calculated, that nobody measured it."""
-    does, mechanism = of_effect(entry, words), mechanisms()[entry["id"]]
-    calculated = "a temperature that is calculated from the motion, not measured"
-    return does.replace("the temperature", calculated) if effects.calculated(mechanism, entry) else does
 
 
 def _on_two_lines(head: str) -> list[str]:

@@ -12,3 +12,27 @@ def test_a_temperature_that_nobody_measured_is_said_to_be_none(measured, line) -
     made = content(mechanisms=[known], alternatives=[], verdict="explained", next_run=None)
     made["evidence"]["explanations"][-1]["ids"] = ["thermal"]
     assert line in " ".join(page(made).split())
+
+
+def slip(at_s: float, mm: float) -> dict[str, object]:
+    return {"id": "clamp_slip", "parameters": {"at_s": at_s, "within_s": 0.4, "mm": mm}}
+
+
+def test_of_an_open_effect_that_happens_suddenly_the_page_says_when_and_how_much() -> None:
+    """As the explanation that has it holds it; the best one has no size of it."""
+    rivals = [{"ids": ["clamp_slip", "creep"], "parameters": {}, "simulation": [slip(235.42, -0.0453), slip(30.5, 0.2)]}]
+    made = content(alternatives=[["clamp_slip", "creep"]], rivals=rivals)
+    line = "the clamp gives way suddenly and for good; if so, by 0.20 mm after 30.5 s and 0.045 mm after 235 s."
+    assert line in " ".join(page(made).split())
+    older = content(alternatives=[["clamp_slip", "creep"]])
+    assert "the clamp gives way suddenly and for good. " in " ".join(page(older).split())
+
+
+def test_of_a_named_effect_that_happens_suddenly_the_page_says_the_largest() -> None:
+    known = {"id": "count_slip", "rms_mm": parameter(0.2, "mm"), "parameters": {}}
+    steps = [{"id": "count_slip", "parameters": {"at_s": at_s, "turns": -at_s / 100.0}} for at_s in (10, 40, 20, 30)]
+    each = {"id": "count_slip", "parameters": {"at_s": -1.0, "within_s": 0.0, "turns_per_stroke": 0.5}}
+    made = content(mechanisms=[known], alternatives=[], verdict="explained", simulation=[*steps, each], next_run=None)
+    made["evidence"]["explanations"][-1]["ids"] = ["count_slip"]
+    line = "by 0.50 turns at every stroke, 0.30 turns after 30 s, 0.40 turns after 40 s and 2 smaller."
+    assert line in " ".join(page(made).split())
