@@ -10,6 +10,7 @@ from ..language.vocabulary import Vocabulary
 from .rivals import NOISY, called, entries, left
 
 STAND_IN = " (x_ marks a stand-in: it fits the data, but is no physics of the library)"
+TIME, ALONG = "time", ", as the load did"
 LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth a word
 
 
@@ -55,9 +56,11 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
         return []
     where = place(left_pattern["location"], evidence, words)
     half = place(left_pattern["half"], evidence, words) if "half" in left_pattern else EVERYWHERE
-    lies = "is spread over the whole recording" if where == EVERYWHERE else f"lies mostly {where}"
+    lies = "lies everywhere" if where == EVERYWHERE else f"lies mostly {where}"
     lies += f", half of its energy {half}" if half not in (EVERYWHERE, where) else ""
     follows = listing([words.follows(driver, evidence["loaded"]) for driver in left_pattern["driver"]])
+    if TIME in left_pattern["driver"] and "load" in evidence.get("beyond_seen", {}):
+        follows += ALONG
     rms = size(amount(left_pattern, f"rms_{words.ending}"), words.unit)
     fitted = " of all strokes" * bool(level.beaten(content, words))  # else than on unseen ones
     holds = f"What {called(best['ids'])} leaves{fitted} holds a pattern of {rms} rms beside the noise"

@@ -90,7 +90,7 @@ def as_many_again(content: Verdict, words: Vocabulary) -> str:
     first, last = content["evidence"]["strokes"]
     strokes = last - first + 1
     wider = beyond_the_first(content, words, by_name=True)
-    begin = f"; begin with {listing(wider)}" if wider else " in the same way"
+    begin = f"; begin with {listing(wider)}, which only the last strokes had" if wider else " in the same way"
     return f"{strokes} stroke{'s' * (strokes > 1)} again{begin}"
 
 

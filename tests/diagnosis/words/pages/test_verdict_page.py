@@ -967,6 +967,8 @@ def test_what_changes_from_stroke_to_stroke_is_said_with_its_strokes_and_what_it
     text = " ".join(full(copy.deepcopy(made)).split())
     assert "foretells of it" not in text, "it foretells no more of it"
     assert "pattern of 0.021 mm rms beside the noise. It lies mostly in strokes 4 to 6, and follows the time." in text
+    made["evidence"]["beyond_seen"] = {"load": [[8.0, 42.0], [34.0, 56.0]]}
+    assert "and follows the time, as the load did." in " ".join(full(copy.deepcopy(made)).split())
     made["fit"]["heldout"]["explained_mm"] = 0.0468
     assert "(1.5 times the noise)" in full(made)
 
