@@ -65,8 +65,11 @@ def _rule(content: Verdict) -> str:
     rule = ENOUGH.format(percent(EXPLAINED))
     if none is None or not probability.known(content):
         return f"{rule}."
-    limit = f"; from {percent(UNKNOWN)} on nothing is named" * (none >= UNKNOWN)
-    return f"{rule}, and be likely. Physics that the library lacks has a probability of {percent(none)} here{limit}."
+    if none >= UNKNOWN:
+        return (
+            f"{rule}, and be likely. Where physics that the library lacks has {percent(UNKNOWN)} or more, nothing is."
+        )
+    return f"{rule}, and be likely. Physics that the library lacks has a probability of {percent(none)} here."
 
 
 def _why_not(explanation: ExplanationEntry, taken: float) -> str:

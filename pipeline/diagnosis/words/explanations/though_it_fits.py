@@ -16,9 +16,10 @@ WHY = (
     "about {} were physics that the library lacks, {} were {}."
 )
 LOOKS = (
-    "By its pattern, which a network compares with simulated ones, what is missing looks like {} by {} and like "
-    "physics that the library lacks by {}."
+    "The pattern of what is missing speaks against it too: a network that knows simulated ones gives {} {}, and "
+    "physics that the library lacks {}."
 )
+SHOWS = "What would show it: {}."
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
@@ -36,9 +37,13 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def would_be(content: Verdict, words: Vocabulary) -> list[str]:
-    """What each effect that comes closest does, with what its fit says of it, a line each; nothing where none does."""
-    acts = content["closest"]["simulation"] if "closest" in content else []
-    return [f"{act['id']}: {_does(act, words)}." for act in acts if act["id"] in mechanisms()]
+    """What each effect that comes closest does, with what its fit says of it and what would show it, a line each.
+
+    Nothing where none does.
+    """
+    closest = content["closest"]["simulation"] if "closest" in content else []
+    acts = [(act, mechanisms()[act["id"]].told_apart_by) for act in closest if act["id"] in mechanisms()]
+    return [f"{act['id']}: {_does(act, words)}. {SHOWS.format(on_rig(sign, words))}" for act, sign in acts]
 
 
 def constants(content: Verdict) -> list[str]:

@@ -40,10 +40,11 @@ def test_what_fits_and_is_no_name_has_a_reason_and_its_constants():
     assert "eccentricity fits and is no name: a formula with free numbers can copy other physics." in text
     assert "about 91 % were physics that the library lacks, 7 % were eccentricity." in text
     assert "as fitted, the turn is that of a sensor wheel of 12.9 mm circumference." in text
-    assert "looks like" not in text
+    assert "speaks against it" not in text
+    assert "circumference. What would show it: one slow stroke: the ripple follows the turn, not the time." in text
     made = unknown()
     made["evidence"]["looks_like"] = {"eccentricity": 0.0097, "wear": 0.2, "outside": 0.31}
-    looks = "looks like eccentricity by less than 1 % and like physics that the library lacks by 31 %."
+    looks = "gives eccentricity less than 1 %, and physics that the library lacks 31 %."
     assert looks in joined(page(made))
     assert "eccentricity wheel_mm 12.9, sine_mm 0.195, cosine_mm 0.189." in joined(full(unknown()))
     assert "less than 1 % adds too little" in joined(page(unknown()))
