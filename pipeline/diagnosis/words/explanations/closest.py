@@ -66,9 +66,8 @@ def _rule(content: Verdict) -> str:
     if none is None or not probability.known(content):
         return f"{rule}."
     if none >= UNKNOWN:
-        return (
-            f"{rule}, and be likely. Where physics that the library lacks has {percent(UNKNOWN)} or more, nothing is."
-        )
+        lacks = f"Where physics that the library lacks has {percent(UNKNOWN)} or more"
+        return f"{rule}, and be likely. {lacks}, nothing is named."
     return f"{rule}, and be likely. Physics that the library lacks has a probability of {percent(none)} here."
 
 

@@ -54,9 +54,9 @@ def _events(simulation: Sequence[Included], id_: str, words: Vocabulary) -> str:
             name, value = sizes[0]
             unit = words.unit if name == words.ending else name.removesuffix(EACH)
             events.append(_Event(abs(value), unit, values[AT], name.endswith(EACH)))
-    told = sorted(sorted(events)[-MOST:], key=lambda event: event.at_s)
+    largest = sorted(sorted(events)[-MOST:], key=lambda event: event.at_s)
     fewer = [f"{len(events) - MOST} smaller"] if len(events) > MOST else []
-    return f"by {listing([*map(str, told), *fewer])}" if told else ""
+    return f"by {listing([*map(str, largest), *fewer])}" if largest else ""
 
 
 def _joined(does: str, events: str, link: str) -> str:

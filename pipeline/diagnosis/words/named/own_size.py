@@ -3,10 +3,11 @@
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
 from ...document.keyed import by_name, interval
+from ..language import sized
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
-from . import certainty, ends
+from . import certainty
 
 POORLY, HIDDEN, PARTLY = ", poorly known", ", mostly hidden", ", partly hidden"
 PART = "the share that no dimension could imitate"
@@ -48,7 +49,7 @@ def in_columns(entry: MechanismEntry, content: Verdict, words: Vocabulary, parts
 def with_interval(entry: MechanismEntry, words: Vocabulary, factor: float = 1.0) -> str:
     """All of an effect with its 90 % interval, or a part of it, `factor` of all: 0.25 mm (0.21 to 0.32 mm)."""
     value, low, high = (factor * interval(entry, f"rms_{words.ending}")[end] for end in ("value", "low", "high"))
-    own, range_ = ends.sized(value, low, high, words)
+    own, range_ = sized.sized(value, low, high, words)
     return f"{own} ({range_})"
 
 

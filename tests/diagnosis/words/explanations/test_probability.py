@@ -44,7 +44,7 @@ def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_n
         made = " ".join(told(weighed(*shares, none=0.48, **unknown)).split())
         ordered = [int(share) for share in re.findall(r" mm \([0-9.]+\) ([0-9]+) %", made)]
         assert ordered == sorted(ordered, reverse=True) and len(set(ordered)) > 1
-    assert "and be likely. Where physics that the library lacks has 40 % or more, nothing is." in text
+    assert "and be likely. Where physics that the library lacks has 40 % or more, nothing is named." in text
 
 
 def test_two_explanations_that_an_idle_effect_made_different_share_one_probability():

@@ -20,7 +20,8 @@ def slip(at_s: float, mm: float) -> dict[str, object]:
 
 def test_of_an_open_effect_that_happens_suddenly_the_page_says_when_and_how_much() -> None:
     """As the explanation that has it holds it; the best one has no size of it."""
-    rivals = [{"ids": ["clamp_slip", "creep"], "parameters": {}, "simulation": [slip(235.42, -0.0453), slip(30.5, 0.2)]}]
+    slips = [slip(235.42, -0.0453), slip(30.5, 0.2)]
+    rivals = [{"ids": ["clamp_slip", "creep"], "parameters": {}, "simulation": slips}]
     made = content(alternatives=[["clamp_slip", "creep"]], rivals=rivals)
     line = "the clamp gives way suddenly and for good; if so, by 0.20 mm after 30.5 s and 0.045 mm after 235 s."
     assert line in " ".join(page(made).split())

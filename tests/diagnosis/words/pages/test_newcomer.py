@@ -56,7 +56,8 @@ def test_strokes_to_record_again_have_what_only_the_last_ones_had():
     made = content(fit__heldout__explained_mm=0.1, evidence__beyond_seen=wider, **NEAR)
     text = joined(page(copy.deepcopy(made)))
     assert "had 0.034 to 0.056 N of load (before them: 0.0088 to 0.042 N)" in text, "two digits"
-    assert "record 12 strokes again; begin with the high load, 0.056 N, which only the last strokes had, and diagnose" in text
+    begin = "begin with the high load, 0.056 N, which only the last strokes had"
+    assert f"record 12 strokes again; {begin}, and diagnose" in text
     assert "in the same way" not in text
     told = joined(full(made))
     assert "Record each load and each twist among the first strokes as well." in told

@@ -1,7 +1,7 @@
-"""The ends of an effect's size in words: its 90 % interval, with a digit more where two would hide it."""
+"""A size in words with the ends of its 90 % interval, with a digit more where two would hide them."""
 
-from ..language.quantity import quantity
-from ..language.vocabulary import Vocabulary
+from .quantity import quantity
+from .vocabulary import Vocabulary
 
 
 def span(low: float, high: float, words: Vocabulary) -> str:
