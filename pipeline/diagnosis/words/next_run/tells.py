@@ -11,7 +11,7 @@ from ..language.vocabulary import Vocabulary
 from . import parting, worth
 from .technician import legs_of
 
-SETTLED = "In tests such runs settled 33 of 50 ties rightly and 2 wrongly, and left 15 open"
+SETTLED = first_upper(worth.TESTED)
 STANDS = 0.005  # of a place: who moves by less stands
 NO_OTHER = "no other run that was tried in simulation does better"
 
@@ -22,7 +22,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if "parts" not in run:
         purpose = worth.purpose(content, words)
         return [purpose] if purpose else []
-    more = f"Noise is not all that counts: {SETTLED[0].lower()}{SETTLED[1:]}."
+    more = f"Noise is not all that counts: {worth.TESTED}."
     without = f"Without the run {worth.otherwise(content, words)}."
     sentences = (_taken(run, words), parting.sentence(content), _closest(content), _decides(run), more, without)
     return [*aligned(_rows(content, run, words)), " ".join(part for part in sentences if part)]
