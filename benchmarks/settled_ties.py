@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -18,6 +18,7 @@ import pandas as pd
 from kept_cases import kept_cases
 from scipy.stats import binomtest
 
+from pipeline.capture.motion_program import as_legs
 from pipeline.diagnosis.choice.outcome import Study
 from pipeline.diagnosis.in_memory import diagnosed
 from pipeline.diagnosis.numerics.judge import judge
@@ -35,6 +36,8 @@ from pipeline.rig.authors.interface import Asked, Leg, OutOfReach
 from pipeline.run.description import Run, parse_run
 from pipeline.run.recorded_table import to_samples
 from pipeline.settle.choose import Budget, chosen, firm
+from pipeline.settle.proposed import ProposedRun
+from pipeline.settle.step import Step
 
 RIG = "rig"  # the project's own, which has no judge of its own
 JUDGES = Path(__file__).resolve().parents[1] / "pipeline" / "proof" / "teach" / "judges"
@@ -142,11 +145,14 @@ def spent(legs: Sequence[Part]) -> tuple[int, float]:
 
 def proposed(found: Study, run: Run, draw: random.Random) -> list[Part]:
     """The run that `settle` would make; none where it would end the loop."""
-    options = foretold(found, run, True)
-    step, _ = chosen(options, 1, None, BUDGET)
-    if step is None:
-        return []
-    return [(leg["seconds"], leg["motor_turns"], leg.get("load_n", 0.0)) for leg in step.proposal["legs"]]
+    step, _ = chosen(cast(list[ProposedRun], foretold(found, run, True)), 1, None, BUDGET)
+    return [] if step is None else under_loads(step)
+
+
+def under_loads(step: Step) -> list[Part]:
+    """The legs of a step; one that tells no load has the one that hangs."""
+    hanging_n = step.proposal["load"] or 0.0
+    return [(leg.seconds, leg.turns, hanging_n if leg.load_n is None else leg.load_n) for leg in as_legs(step.legs)]
 
 
 def repeated(found: Study, run: Run, draw: random.Random) -> list[Part]:
