@@ -48,7 +48,7 @@ MECHANISM = Mechanism(
     source="Nordin and Gutman, Controlling mechanical systems with backlash: a survey, Automatica 38, 2002",
     confused_with="friction_hysteresis, sensor_lag, viscous_loss",
     told_apart_by="a second load: the play keeps its width",
-    meaning="play of constant width, whatever the load.",
+    meaning="play of constant width on the motor's side, whatever the load.",
     sentence=(
         "After each reversal the motor moves a little before the {string} follows, so that {up} and {down} differ "
         "by {loop} ({size})."

@@ -63,7 +63,7 @@ def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physi
     assert held["without_physics_mm"] < 0.95 * held["explained_mm"]
     assert content["evidence"]["left_of_unseen"]["driver"] == "direction"
     said = " ".join(words.split())
-    assert "A regression without physics (boosted trees over the motion" in said
+    assert "A regression without physics (boosted trees over all that was recorded)" in said
     level = (
         "That is the level which physics still has to reach" if content["verdict"] == "unknown" else "better than the"
     )

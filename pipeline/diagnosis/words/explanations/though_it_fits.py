@@ -15,10 +15,7 @@ WHY = (
     "{} fits and is no name: a formula with free numbers can copy other physics. Of simulated recordings like this one "
     "about {} were physics that the library lacks, {} were {}."
 )
-LOOKS = (
-    "The pattern of what is missing speaks against it too: a network that knows simulated ones gives {} {}, and "
-    "physics that the library lacks {}."
-)
+LOOKS = "The pattern of what is missing is unlike the one that {} leaves in simulated recordings."
 SHOWS = "What would show it: {}."
 
 
@@ -32,7 +29,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     name, looks = called(first["ids"]), content["evidence"].get("looks_like", {})
     why = WHY.format(name, percent(none), percent(share), name)
     if set(first["ids"]) < set(looks) and len(first["ids"]) == 1 and looks[name] < looks["outside"]:
-        why += f" {LOOKS.format(name, percent(looks[name]), percent(looks['outside']))}"
+        why += f" {LOOKS.format(name)}"
     return [why, *would_be(content, words)]
 
 

@@ -10,7 +10,7 @@ from ..language.vocabulary import Vocabulary
 from .rivals import NOISY, called, entries, left
 
 STAND_IN = " (x_ marks a stand-in: it fits the data, but is no physics of the library)"
-TIME, ALONG = "time", ", as the load did"
+TIME, ALONG = "time", ", as the load did, so either may be it"
 LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth a word
 
 
@@ -64,7 +64,7 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
     rms = size(amount(left_pattern, f"rms_{words.ending}"), words.unit)
     fitted = " of all strokes" * bool(level.beaten(content, words))  # else than on unseen ones
     holds = f"What {called(best['ids'])} leaves{fitted} holds a pattern of {rms} rms beside the noise"
-    if where != EVERYWHERE and half.startswith(f"{where}, "):  # one range, said once
+    if half != EVERYWHERE and (where == EVERYWHERE or half.startswith(f"{where}, ")):  # one range, said once
         return [f"{holds}. Half of its energy lies {half}; it follows {follows}."]
     return [f"{holds}. It {lies}, and follows {follows}."]
 

@@ -86,7 +86,7 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
     if other_fails(content, words):
         return [f"{first_upper(error)} {other}, not of {best}. A longer recording can settle the name."]
     of_size = f"{size(unseen_errors[2], words.unit)} on the {holdout.strokes(content)}"
-    end = f"the error of {of_size} belongs to that; {best} was not tested on them."
+    end = f"the error of {of_size} is its own; {best} was not fitted so, and no error on them is known of it."
     if set(other.split(" + ")) in map(set, content["alternatives"]):
         return [f"{without} {other}, another of the {count} likely explanations: {end}"]
     return [f"{without} {other}: {end} A longer recording can settle the name."]

@@ -9,7 +9,7 @@ from . import holdout
 
 BETTER = 2.0 / 3.0  # times the error of the verdict's simulator: a regression below finds what the physics misses
 NO_BETTER = 0.95  # times the other error: who errs by more improves nothing
-METHOD = "A regression without physics (boosted trees over the motion, its rates, its memory and the other inputs)"
+METHOD = "A regression without physics (boosted trees over all that was recorded)"
 
 
 def beaten(content: Verdict, words: Vocabulary) -> list[str]:

@@ -4,8 +4,9 @@ from ....ground.units import unit_of
 from ...document.bounds import of_later_run
 from ...document.content import Verdict
 from ..language.quantity import listing, number, said_unit, times
-from .dimensions import far_moved, from_to, name_of
+from .dimensions import LEAVES, far_moved, from_to, name_of
 
+NO_STEP = f"Up to {number(LEAVES)} times nothing needs to be measured again."
 FROM = 1.0  # tolerances: a dimension that moved by less is as it was measured
 
 
@@ -26,7 +27,7 @@ def lines(content: Verdict) -> list[str]:
         f"{name_of(name)} from {was} to {now} ({times(moved[name])} times{_tolerance(content, name)})"
         for name, (was, now) in ends.items()
     ]
-    return [f"Moved by more than its tolerance: {listing(each)}."] if each else []
+    return [f"Moved by more than its tolerance: {listing(each)}. {NO_STEP}"] if each else []
 
 
 def _tolerance(content: Verdict, name: str) -> str:

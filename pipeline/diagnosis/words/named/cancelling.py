@@ -7,6 +7,7 @@ from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
 
+ADD_UP = 0.05  # of what is missing: sizes whose sum is so near to it need no word
 FAR = 2.0  # times the recorded loop: effects that open wider ones must take most of each other back
 
 
@@ -18,8 +19,10 @@ def lines(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) ->
 def _together(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
     """What several effects do together: a reader would add up their sizes."""
     missing = amount(content["mismatch"], f"rms_{words.ending}") if content["mismatch"] else 0.0
-    largest = max(interval(entry, f"rms_{words.ending}")["value"] for entry in entries)
-    if len(entries) < 2 or largest > missing or content["verdict"] != "explained" or far_moved(content):
+    sizes = [interval(entry, f"rms_{words.ending}")["value"] for entry in entries]
+    if len(entries) < 2 or max(sizes) > missing or content["verdict"] != "explained" or far_moved(content):
+        return []
+    if abs(sum(sizes) - missing) < ADD_UP * missing:
         return []
     return [f"Sizes in rms do not add up: together the effects make the {size(missing, words.unit)} that is missing."]
 

@@ -20,6 +20,7 @@ SURE, PROBABLE = 0.8, 0.5
 ALSO_ELSEWHERE = "{} the sum over all explanations with {}; the best explanation alone has {}."
 NO_PROMISE = "Sure is that {} acts, not that the simulator predicts: something is still missing."
 COMPARES = "The percentages compare explanations of the library in which a dimension may move by three tolerances"
+SURER = 0.03  # by which an effect is surer than its explanation: less needs no word
 WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 
 
@@ -121,7 +122,7 @@ def than_the_explanation(content: Verdict) -> list[str]:
     share = next((best.get("probability") for best in rivals.entries(content, "named")), None)
     if share is None:
         return []
-    shares = {id_: its for id_, its in known(content).items() if its > share and percent(its) != percent(share)}
+    shares = {id_: its for id_, its in known(content).items() if its - share >= SURER}
     sums = [f"the {percent(its)} of {id_}" for id_, its in shares.items()]
     each = "it" if len(sums) == 1 else "each"
     are = "is" if len(sums) == 1 else "are"

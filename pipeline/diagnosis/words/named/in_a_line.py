@@ -41,7 +41,7 @@ class _Event:
 
     def __str__(self) -> str:
         much = size(self.size, self.unit)
-        return f"{much} at every stroke" if self.each else f"{much} after {number(self.at_s, 3)} s"
+        return f"{much} at every stroke" if self.each else f"{much} at {number(self.at_s, 3)} s"
 
 
 def _events(simulation: Sequence[Included], id_: str, words: Vocabulary) -> str:

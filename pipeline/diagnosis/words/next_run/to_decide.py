@@ -15,7 +15,6 @@ from .technician import every_load, lasting
 from .tells import SETTLED
 
 LONG = 80  # letters: a title that is told in the details alone
-ALONG = "what went along with it"  # in the recording: another speed and load part them
 SETTLE = "To have it proposed, recorded and weighed for you (without a rig at a serial port leave out --port):"
 
 
@@ -59,7 +58,7 @@ def to_see_more(content: Verdict, words: Vocabulary, short: bool) -> list[list[s
     title = experiment.title(run, words)
     which = f"{lasting(run)} in all" if len(title) > LONG else f"{title}, {lasting(run)} in all"
     driver = words.follows(run["follows"]) if "follows" in run else ""
-    follows = f": it follows {driver} here, so the question is whether that does it or {ALONG}" if driver else ""
+    follows = f": it follows {driver} here; see whether it does so in this run as well" if driver else ""
     where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}"
     return [[f"Make the run that shows more of what is missing{follows}. {which}. {where}."]]
 

@@ -29,7 +29,8 @@ def nothing_named(content: Verdict) -> str:
         return NOTHING_NAMED
     ids = content["closest"]["ids"]
     comes = "come" if len(ids) > 1 else "comes"
-    return f"{NOTHING_NAMED} {program_name('simulate')} predicts with {' + '.join(ids)}, which {comes} closest."
+    curve = f"{program_name('simulate')} uses {' + '.join(ids)}, which {comes} closest, as a curve"
+    return f"{NOTHING_NAMED} {curve}: it predicts motions like those recorded, and explains nothing."
 
 
 def against(content: Verdict, words: Vocabulary) -> str:

@@ -7,7 +7,6 @@ from ..language.vocabulary import Vocabulary
 from ..named import certainty, effect_table
 
 NAMED = 3  # open effects by name; the others are counted
-COUNTED = {2: "two", 3: "three", 4: "four"}
 UNKNOWN = "it is not known which"
 
 
@@ -27,7 +26,7 @@ def sentence(content: Verdict, words: Vocabulary) -> str:
         lead, every = common, "both" if len(sets) == 2 else f"all {len(sets)}"
         first = f"{listing(lead)} {_be(lead)} in {every} likely explanations" if lead else ""
     if lead and not common and all(len(each) == 1 for each in sets) and word[lead[0]] != "sure":
-        return f"one of {COUNTED.get(len(ids), len(ids))} acts: {_named(content, ids, 'or')}"
+        return f"probably {_one(content, ids[0])}, else {_named(content, ids[1:], 'or')}"
     unsure = [id_ for id_ in ids if id_ not in lead]
     if not unsure:
         return first

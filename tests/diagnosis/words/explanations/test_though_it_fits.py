@@ -40,11 +40,11 @@ def test_what_fits_and_is_no_name_has_a_reason_and_its_constants():
     assert "eccentricity fits and is no name: a formula with free numbers can copy other physics." in text
     assert "about 91 % were physics that the library lacks, 7 % were eccentricity." in text
     assert "as fitted, the turn is that of a sensor wheel of 12.9 mm circumference." in text
-    assert "speaks against it" not in text
+    assert "is unlike" not in text
     assert "circumference. What would show it: one slow stroke: the ripple follows the turn, not the time." in text
     made = unknown()
     made["evidence"]["looks_like"] = {"eccentricity": 0.0097, "wear": 0.2, "outside": 0.31}
-    looks = "gives eccentricity less than 1 %, and physics that the library lacks 31 %."
+    looks = "The pattern of what is missing is unlike the one that eccentricity leaves in simulated recordings."
     assert looks in joined(page(made))
     assert "eccentricity wheel_mm 12.9, sine_mm 0.195, cosine_mm 0.189." in joined(full(unknown()))
     assert "less than 1 % adds too little" in joined(page(unknown()))
@@ -63,7 +63,7 @@ def test_the_size_is_beside_the_noise_and_the_report_has_place_and_driver():
 
 def test_the_run_says_why_it_asks_again_what_the_page_has_said():
     """`It follows the twist.` stood above `Make the run that shows whether that follows the twist.`"""
-    asks = "it follows the twist here, so the question is whether that does it or what went along with it."
+    asks = "it follows the twist here; see whether it does so in this run as well."
     assert asks in joined(page(unknown()))
     assert "follows the twist, as here, or what went along with it." in joined(full(unknown()))
 

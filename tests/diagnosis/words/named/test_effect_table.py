@@ -23,7 +23,7 @@ def test_of_an_open_effect_that_happens_suddenly_the_page_says_when_and_how_much
     slips = [slip(235.42, -0.0453), slip(30.5, 0.2)]
     rivals = [{"ids": ["clamp_slip", "creep"], "parameters": {}, "simulation": slips}]
     made = content(alternatives=[["clamp_slip", "creep"]], rivals=rivals)
-    line = "the clamp gives way suddenly and for good; if so, by 0.20 mm after 30.5 s and 0.045 mm after 235 s."
+    line = "the clamp gives way suddenly and for good; if so, by 0.20 mm at 30.5 s and 0.045 mm at 235 s."
     assert line in " ".join(page(made).split())
     older = content(alternatives=[["clamp_slip", "creep"]])
     assert "the clamp gives way suddenly and for good. " in " ".join(page(older).split())
@@ -35,5 +35,5 @@ def test_of_a_named_effect_that_happens_suddenly_the_page_says_the_largest() -> 
     each = {"id": "count_slip", "parameters": {"at_s": -1.0, "within_s": 0.0, "turns_per_stroke": 0.5}}
     made = content(mechanisms=[known], alternatives=[], verdict="explained", simulation=[*steps, each], next_run=None)
     made["evidence"]["explanations"][-1]["ids"] = ["count_slip"]
-    line = "by 0.50 turns at every stroke, 0.30 turns after 30 s, 0.40 turns after 40 s and 2 smaller."
+    line = "by 0.50 turns at every stroke, 0.30 turns at 30 s, 0.40 turns at 40 s and 2 smaller."
     assert line in " ".join(page(made).split())

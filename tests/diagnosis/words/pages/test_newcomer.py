@@ -23,7 +23,7 @@ def test_one_of_two_effects_that_exclude_each_other_is_said_as_that():
     made = confident(0.57, 0.42, alternatives=[["creep"]])
     made["mechanisms"] = made["mechanisms"][:1]
     first = page(made).partition("\n\n")[0]
-    assert "one of two acts: friction_hysteresis (57 %) or creep (" in first and "probably" not in first
+    assert ": probably friction_hysteresis (57 %), else creep (" in first
     sure = confident(0.93, 0.42, alternatives=[["creep"]])
     sure["mechanisms"] = sure["mechanisms"][:1]
     assert "friction_hysteresis (93 %) is at work" in page(sure).partition("\n\n")[0]
@@ -100,6 +100,7 @@ def test_what_calibration_moved_is_on_the_page_by_its_own_name():
     made["evidence"] = {"moved_sigma": {"mass_kg": 1.34}, "tolerance": {"mass_kg": 10.0}}
     assert moved_words.what(made) == "mass"
     said = "Moved by more than its tolerance: mass from 100 kg to 113.4 kg (1.3 times its tolerance of 10 kg)."
+    said += " Up to 2.5 times nothing needs to be measured again."
     assert moved_words.lines(made) == [said]
     made["evidence"]["moved_sigma"] = {"mass_kg": 0.4}
     assert moved_words.lines(made) == []
@@ -110,6 +111,9 @@ def test_what_calibration_moved_is_on_the_page_by_its_own_name():
 def test_sizes_of_several_effects_are_not_to_be_added():
     text = joined(page(confident(0.93, 0.96, **NEAR)))
     assert "Sizes in rms do not add up: together the effects make the 0.44 mm that is missing." in text
+    both = confident(0.93, 0.96, **NEAR)
+    both["mechanisms"][0]["rms_mm"] = {"value": 0.04, "low": 0.03, "high": 0.05}  # 17 N and 13 N were the 30 N
+    assert "do not add up" not in joined(page(both)), "0.04 and 0.41 mm are the 0.44 mm, but for 2 %"
 
 
 def test_a_size_that_is_partly_hidden_is_not_to_be_quoted_where_it_stands():
