@@ -64,7 +64,7 @@ def test_before_a_person_says_yes_the_tie_is_named_with_its_probabilities_and_th
     assert "what ties: backlash (38 %), friction_hysteresis (48 %), creep + wear." in text
     assert f"the verdict so far: {tmp_path / 'step-0' / 'verdict.txt'}" in text
     assert "it puts the closest two explanations, backlash and friction_hysteresis, about 20 standard" in text
-    assert "apart; in tests 45 of 71 ties were settled rightly by such runs (docs/settle.md)." in text
+    assert "apart; in tests 30 of 50 ties were settled rightly by such runs (docs/settle.md)." in text
     place.write(Step(0, "diagnosed", proposal={"runs": [str(tmp_path / "a")]}))
     place.write(step)
     monkeypatch.setattr(Motor, "takes", lambda self: RIG)

@@ -37,7 +37,7 @@ def test_it_is_simulated_named_nowhere_and_said_to_be_no_name(unknown):
     assert content["evidence"]["chosen_without_them"] == [] and content["evidence"]["closest_without_them"]
     assert held["explained_mm"] < closest.FORETOLD * held["calibrated_mm"]
     page = " ".join((path.parent / "verdict.txt").read_text().split())
-    assert f"pipeline.simulate predicts with {' + '.join(ids)}" in page and "no name" in page
+    assert f"pipeline.simulate uses {' + '.join(ids)}" in page and "as a curve" in page and "no name" in page
 
 
 def test_simulate_keeps_what_the_diagnosis_claims(unknown, tmp_path):
