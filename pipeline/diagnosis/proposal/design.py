@@ -6,7 +6,7 @@ Source: Atkinson and Fedorov, "The design of experiments for discriminating betw
 
 import math
 from collections.abc import Callable
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from .legs import CANDIDATES, Leg, Rig
 
@@ -20,7 +20,8 @@ HELD_S = 20.0
 SPEEDS = {0.5: " at twice the speed", 1.0: "", 2.0: " at half the speed", 4.0: " at a quarter of the speed"}
 LOADS = {0.5: " under half the load", 1.0: "", 2.0: " under twice the load"}
 HOLDS = {0.2: "", HELD_S: " with a hold"}
-RESTS_S = (30.0, 120.0)
+REST = "a rest of {:.0f} s"
+RESTS = {REST.format(seconds): seconds for seconds in (30.0, 120.0)}
 AS_BEFORE = "one stroke as before"
 LEAST_STROKE = 0.1  # of the range: what winds less is no stroke
 
@@ -55,7 +56,7 @@ def parts(rig: Rig, loads: bool, faster: bool) -> Parts:
         for dwell_s, hold in HOLDS.items()
         if (faster or slower >= 1.0) and (loads or times == 1.0)
     }
-    legs_by_part |= {f"a rest of {seconds:.0f} s": rig.rest(seconds) for seconds in RESTS_S}
+    legs_by_part |= {name: rig.rest(seconds) for name, seconds in RESTS.items()}
     partial = (name for name in CANDIDATES if name.startswith(("two", "four")))
     return legs_by_part | {name: CANDIDATES[name](rig) for name in partial}
 
@@ -92,4 +93,13 @@ def designed(rig: Rig, gap: Gap, now: float, loads: bool, faster: bool) -> tuple
         # each part once: rivals differ in more than one way
         likely = sorted(set(worth) - {best}, key=lambda name: -worth[name])
         known = {name: known[name] for name in likely[:KEPT]}
-    return with_stroke("; ".join(names), whole, rig)
+    return with_stroke("; ".join(_in_one(names)), whole, rig)
+
+
+def _in_one(names: list[str]) -> list[str]:
+    """The parts of a run by their names, rests that follow each other as one."""
+    called = list[str]()
+    for resting, group in groupby(names, key=RESTS.__contains__):
+        together = list(group)
+        called += [REST.format(sum(RESTS[name] for name in together))] if resting else together
+    return called

@@ -51,6 +51,17 @@ def test_a_run_that_would_only_rest_ends_with_a_stroke():
     assert design.with_stroke("", [RIG.home()], RIG)[0] == "one stroke as before", "not `, then one stroke as before`"
 
 
+def test_rests_that_follow_each_other_are_called_one():
+    """`A rest of 120 s; a rest of 30 s, then one stroke as before` was read as two runs."""
+
+    def gap(legs: list[Leg]) -> float:
+        return sum(lasts_s for lasts_s, to, _ in legs[1:] if to == RIG.low and lasts_s in (30.0, 120.0)) / 5.5
+
+    name, legs = design.designed(RIG, gap, 0.1, True, True)
+    assert name == "a rest of 150 s, then one stroke as before"
+    assert [leg[0] for leg in legs[1:3]] in ([120.0, 30.0], [30.0, 120.0])
+
+
 def strokes(legs: list[Leg]) -> int:
     """Legs that wind by a tenth of the range at least."""
     ends = [RIG.low, *(leg[1] for leg in legs)]

@@ -82,7 +82,7 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
     )
     if fitted is None or holdout.status(content) == holdout.SEEN:
         return f"Something systematic is still missing: {missed}."
-    both = f"{missed}, those that the fit has seen by {exact(fitted)} times"
+    both = f"{missed}; fitted to all strokes, as in the figure, {exact(fitted)} times is left"
     other = holdout.of_other(content)
     if other and named:
         both = f"{other}, fitted without the unseen strokes, misses them by {exact(unseen)} times the noise"

@@ -41,8 +41,8 @@ def in_columns(entry: MechanismEntry, content: Verdict, words: Vocabulary, parts
     doubt = doubt_of(entry, content, words)
     if part:  # it says by itself that the rest is hidden
         doubt = POORLY if certainty.wide(known) else ""
-    elif short and doubt == PARTLY:
-        doubt = f"{PARTLY}: do not quote"
+    elif short and doubt == PARTLY:  # an interval would promise more
+        whole, doubt = f"{size(known['value'], words.unit)} in this fit", f"{PARTLY}: do not quote"
     return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
 
 

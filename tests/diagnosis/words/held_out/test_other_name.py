@@ -64,7 +64,7 @@ def test_two_errors_in_one_sentence_are_each_of_the_effects_that_they_are_of() -
     text = told(content(fit__heldout__explained_mm=0.3, evidence__chosen_without_them=["creep"]))
     assert "creep, fitted without the unseen strokes, misses them by 9.6 times the noise (1.3 is the limit); " in text
     assert "friction_hysteresis + creep, fitted to all, leaves 1.0 times. So too few strokes were seen, or" in text
-    assert "those that the fit has seen" not in text
+    assert "fitted to all strokes, as in the figure" not in text
 
 
 def test_the_row_of_other_effects_is_no_wider_than_the_page() -> None:

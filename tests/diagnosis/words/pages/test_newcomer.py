@@ -119,7 +119,7 @@ def test_sizes_of_several_effects_are_not_to_be_added():
 def test_a_size_that_is_partly_hidden_is_not_to_be_quoted_where_it_stands():
     made = confident(0.93, 0.96, **NEAR)
     made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
-    assert "0.60 mm (0.55 to 0.65 mm), partly hidden: do not quote" in page(copy.deepcopy(made))
+    assert "0.60 mm in this fit, partly hidden: do not quote" in page(copy.deepcopy(made))
     assert "do not quote" not in full(made)
 
 
