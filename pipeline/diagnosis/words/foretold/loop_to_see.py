@@ -36,11 +36,19 @@ def _stroke(content: Verdict, words: Vocabulary) -> str:
 
 
 def _loop(content: Verdict, words: Vocabulary) -> str:
-    """The loop that the best explanation foretells for that stroke, of all of its effects together."""
+    """The loop that the best explanation foretells for that stroke, and that of one that is clearly apart."""
     best = compared(content)[0]
     cell = of_explanation(best, SLOW, content, words)
     if cell is None or not cell.known:
         return ""
     count = len(best["ids"])
     together = ", both effects together" if count == 2 else ", all effects together" if count > 2 else ""
-    return f"the {plus_minus(abs(cell.value), cell.half_width, words.unit)} of {called(best['ids'])}{together}"
+    loop = f"the {plus_minus(abs(cell.value), cell.half_width, words.unit)} of {called(best['ids'])}{together}"
+    others = [(other, of_explanation(other, SLOW, content, words)) for other in compared(content)[1:]]
+    apart = [
+        f"; {called(other['ids'])} would open {plus_minus(abs(its.value), its.half_width, words.unit)}"
+        for other, its in others
+        if its is not None and its.known
+        and abs(abs(its.value) - abs(cell.value)) > its.half_width + cell.half_width
+    ]  # fmt: skip
+    return f"{loop}{''.join(apart[:1])}"

@@ -87,6 +87,13 @@ def test_the_stroke_that_makes_sure_has_its_load_and_the_loop_to_see():
     assert "at 22 deg/s, half the usual speed, under 0.027 Nm, and compare its loop with the 3.9 ± 0.8 deg of" in line
     assert line.endswith("friction_hysteresis (more: details.txt).")
     assert loop_to_see.step(made, DRIVE, [], short=True) == []
+    for deg, other in ((1.8, "; viscous_loss would open 1.8 ± 0.7 deg"), (3.2, "")):
+        rival = {"ids": ["viscous_loss"], "loop_half_speed_deg": deg, "plus_minus": {"loop_half_speed_deg": 0.7}}
+        known["explanations"] = [known["explanations"][0], rival]
+        made["evidence"]["explanations"] = [{"ids": ["viscous_loss"], "standing": "beaten", "left_deg": 0.2}]
+        ((line,),) = loop_to_see.step(made, DRIVE, ["a table"], short=True)
+        assert line.endswith(f"of friction_hysteresis{other} (more: details.txt).")
+    made["evidence"]["explanations"] = []
     known["explanations"] = [{"ids": ["friction_hysteresis", "viscous_loss"], "loop_half_speed_n": 46.0,
                               "plus_minus": {"loop_half_speed_n": 6.0}}]  # fmt: skip
     made["mechanisms"].append({"id": "viscous_loss"})
