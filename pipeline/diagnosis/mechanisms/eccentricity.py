@@ -114,7 +114,10 @@ MECHANISM = Mechanism(
     told_apart_by="one slow stroke: the ripple follows the turn, not the time",
     meaning="a ripple once a turn.",
     sentence="The {reading} ripples once per turn, {size}.",
-    details=("the turn is that of a sensor wheel of {wheel_mm} circumference", "once in every {pitch_turns}"),
+    details=(
+        "once in every {wheel_mm} that the sensor reads, as a wheel of that circumference turns",
+        "once in every {pitch_turns}",
+    ),
     candidates=candidates,
     units={"wheel_mm": "mm", "pitch_turns": "turns"},
     terms=terms,

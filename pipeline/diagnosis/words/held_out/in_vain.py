@@ -85,11 +85,11 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
         return [f"{without} no effect, so the name {best} is not settled, and {error} calibration alone."]
     if other_fails(content, words):
         return [f"{first_upper(error)} {other}, not of {best}. A longer recording can settle the name."]
-    of_size = f"{size(unseen_errors[2], words.unit)} on the {holdout.strokes(content)}"
-    end = f"the error of {of_size} is its own; {best} was not fitted so, and no error on them is known of it."
+    foretold = f"that misses the {holdout.strokes(content)} by {size(unseen_errors[2], words.unit)}"
+    end = f"{foretold}. {best} was not tried on them, and its error there is not known."
     if set(other.split(" + ")) in map(set, content["alternatives"]):
-        return [f"{without} {other}, another of the {count} likely explanations: {end}"]
-    return [f"{without} {other}: {end} A longer recording can settle the name."]
+        return [f"{without} {other}, another of the {count} likely explanations, and {end}"]
+    return [f"{without} {other}, and {end} A longer recording can settle the name."]
 
 
 def other_choice(content: Verdict) -> list[str]:

@@ -13,6 +13,7 @@ from ..next_run.run_asked import more_strokes
 from . import report
 
 NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
+UNTRIED = " (how much it errs on unseen strokes is not known)"
 
 
 def worse(content: Verdict) -> str:
@@ -67,8 +68,10 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
 
 
 def _errs(content: Verdict, words: Vocabulary) -> str:
-    """By how much a prediction will err, where that is more than the noise; ends a phrase."""
+    """By how much a prediction will err, where that is more than the noise, or not known; ends a phrase."""
     unseen_errors = unseen.errors(content, words)
+    if holdout.of_other(content) and not unseen.partly(content, words):
+        return UNTRIED
     if unseen_errors is None or not unseen.partly(content, words) or holdout.other_name(content) == holdout.NO_EFFECT:
         return ""
     return f" (expect errors of about {size(unseen_errors[2], words.unit)} rms)"

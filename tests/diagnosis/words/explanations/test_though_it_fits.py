@@ -39,9 +39,11 @@ def test_what_fits_and_is_no_name_has_a_reason_and_its_constants():
     text = joined(page(unknown()))
     assert "eccentricity fits and is no name: a formula with free numbers can copy other physics." in text
     assert "about 91 % were physics that the library lacks, 7 % were eccentricity." in text
-    assert "as fitted, the turn is that of a sensor wheel of 12.9 mm circumference." in text
+    assert "as fitted, once in every 12.9 mm that the sensor reads, as a wheel of that circumference turns." in text
     assert "is unlike" not in text
-    assert "circumference. What would show it: one slow stroke: the ripple follows the turn, not the time." in text
+    assert (
+        "circumference turns. What would show it: one slow stroke: the ripple follows the turn, not the time." in text
+    )
     made = unknown()
     made["evidence"]["looks_like"] = {"eccentricity": 0.0097, "wear": 0.2, "outside": 0.31}
     looks = "The pattern of what is missing is unlike the one that eccentricity leaves in simulated recordings."

@@ -56,7 +56,7 @@ def test_an_effect_that_is_not_named_without_the_last_strokes_is_called_probable
 def test_of_a_tie_what_is_named_without_the_last_strokes_is_said_to_be_one_of_the_likely_explanations() -> None:
     text = told(content(evidence__chosen_without_them=["friction_hysteresis", "thermal"]))
     other = "the procedure names friction_hysteresis + thermal, another of the 2 likely explanations"
-    assert f"{other}: the error of 0.033 mm on the unseen strokes is its own; friction_hysteresis + " in text
+    assert f"{other}, and that misses the unseen strokes by 0.033 mm. friction_hysteresis + " in text
     assert "not settled" not in text
 
 

@@ -413,7 +413,7 @@ def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_i
     assert f"{worse} So the recording is too short to choose" in other
     assert "1. Adopt nothing: the names change when the last 30 % of strokes are left out, so none is proved." in other
     assert "the explanation makes" not in other and "explanation improves" not in other
-    assert "the procedure names slack: the error of 4.3 mm on the unseen strokes is its own; friction" in other
+    assert "the procedure names slack, and that misses the unseen strokes by 4.3 mm. friction" in other
     made["fit"]["worse_than_nominal"] = ["explained"]
     first = " ".join(page(made).split("\n\n")[0].split())
     assert first.endswith("which failed on them (4.3 mm rms; the nominal simulator: 1.9 mm).")
@@ -461,11 +461,16 @@ def test_a_good_error_of_other_effects_is_said_to_be_of_these():
     made["evidence"]["chosen_without_them"] = ["thermal"]
     shown = " ".join(page(made).split())
     without = "Without the last 30 % of strokes the procedure names thermal"
-    error = re.search(rf"{re.escape(without)}: the error of (.+?) on the unseen strokes is its own; friction", shown)
+    error = re.search(rf"{re.escape(without)}, and that misses the unseen strokes by (.+?)\. friction", shown)
     assert error and re.search(rf"thermal, see below – {error[1]} \([0-9.]+ times the noise\)", shown)
     assert re.search(r"as diagnosed: effects added [0-9.]+ mm \([0-9.]+ times the noise\) – ", shown)
     tried = "friction_hysteresis + creep was not fitted without them, because the procedure fits only what it names"
     assert f"Other effects: thermal, which the procedure names without these strokes. {tried}." in shown
+    untried = "this to predict motions like the recorded ones (how much it errs on unseen strokes is not known)"
+    made["evidence"]["moved_sigma"] = {"radius_mm": 0.4}
+    assert untried in advice.of_adopting(made, Vocabulary.of(SYSTEMS["mm"]))
+    del made["evidence"]["chosen_without_them"]
+    assert untried not in advice.of_adopting(made, Vocabulary.of(SYSTEMS["mm"]))
 
 
 def test_what_is_worse_than_the_nominal_simulator_is_not_to_be_adopted():
