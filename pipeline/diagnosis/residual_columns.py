@@ -31,7 +31,7 @@ def black_box(
     `problem` is what the simulator has simulated of a run in `folder`, of which a plan's rows are the last; what is
     `held` of its recordings is not read again. Raises BadInput where a diagnosis does not hold what that takes.
     """
-    place, diagnosis = (simulator.source, simulator.given) if simulator.given else adopted_diagnosis(run)
+    place, diagnosis = (simulator.source, simulator.given) if simulator.given is not None else adopted_diagnosis(run)
     again = f"{command('diagnose')} {shlex.quote(str(folder))} --out DIR"
     mend = f"diagnose again, {again}, and give its diagnosis.json by --simulation"
     if diagnosis is None:

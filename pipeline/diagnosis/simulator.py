@@ -39,11 +39,11 @@ class Simulator:
         return replace(self, content=content)
 
     def diagnosis(self, run: Run) -> tuple[Path, Verdict | None]:
-        """The file of the diagnosis that it is from, and what that says; None where it is gone, or says another one.
+        """The file of the diagnosis that it is from, and what that says; None where it is gone.
 
         Raises BadInput for a file that is no diagnosis.
         """
-        return (self.source, cast(Verdict, self.content)) if self.given else adopted_diagnosis(run)
+        return (self.source, cast(Verdict, self.content)) if self.given is not None else adopted_diagnosis(run)
 
     @property
     def acting(self) -> str:

@@ -23,7 +23,7 @@ from .words.pages.advice import contrary
 
 def by(simulator: Simulator, dimensions: Path) -> str:
     """With what a motion was simulated: what acts, and the file of the dimensions."""
-    adopted = simulator.content["parameters"] and not simulator.given
+    adopted = simulator.content["parameters"] and simulator.given is None
     return f"with {simulator.acting} and the dimensions {'that fit with them, in' if adopted else 'of'} {dimensions}"
 
 
@@ -31,7 +31,7 @@ def of_simulator(simulator: Simulator, run: Run, before: Sequence[RecordedRun]) 
     """What a person must know of what acts: the runs before, no name, advice against it."""
     content, called = simulator.content, Vocabulary.of(run.system)
     words = [*said_of(content, run.run, before, simulator.source), *said_of_no_name(content, called.ending)]
-    advised = contrary(cast(Verdict, content), called) if simulator.given and content["simulation"] else ""
+    advised = contrary(cast(Verdict, content), called) if simulator.given is not None and content["simulation"] else ""
     return words + [f"beware: the verdict advises against what is simulated: {advised.rstrip('.')}"] * bool(advised)
 
 

@@ -1,4 +1,4 @@
-"""What an effect does, in a line: what happens suddenly with its times and sizes; of a calculated temperature that."""
+"""What an effect does, in a line: the times and sizes of what happens suddenly; whether a temperature was measured."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from ..language.quantity import listing, number, size
 from ..language.vocabulary import Vocabulary
 from . import effects
 
-MOST = 3  # events that are told, the largest
+MOST, EXACT_S = 3, 100.0  # events that are told, the largest; from when on a time is told to the second
 AT, WITHIN, EACH = "at_s", "within_s", "_per_stroke"  # of an event: when, how fast; of a size: at every stroke
 
 
@@ -41,7 +41,8 @@ class _Event:
 
     def __str__(self) -> str:
         much = size(self.size, self.unit)
-        return f"{much} at every stroke" if self.each else f"{much} at {number(self.at_s, 3)} s"
+        at = f"{self.at_s:.0f}" if self.at_s >= EXACT_S else number(self.at_s, 3)
+        return f"{much} at every stroke" if self.each else f"{much} at {at} s"
 
 
 def _events(simulation: Sequence[Included], id_: str, words: Vocabulary) -> str:

@@ -31,9 +31,9 @@ def test_of_an_open_effect_that_happens_suddenly_the_page_says_when_and_how_much
 
 def test_of_a_named_effect_that_happens_suddenly_the_page_says_the_largest() -> None:
     known = {"id": "count_slip", "rms_mm": parameter(0.2, "mm"), "parameters": {}}
-    steps = [{"id": "count_slip", "parameters": {"at_s": at_s, "turns": -at_s / 100.0}} for at_s in (10, 40, 20, 30)]
+    steps = [{"id": "count_slip", "parameters": {"at_s": at_s, "turns": -at_s / 100.0}} for at_s in (10, 1234, 20, 30)]
     each = {"id": "count_slip", "parameters": {"at_s": -1.0, "within_s": 0.0, "turns_per_stroke": 0.5}}
     made = content(mechanisms=[known], alternatives=[], verdict="explained", simulation=[*steps, each], next_run=None)
     made["evidence"]["explanations"][-1]["ids"] = ["count_slip"]
-    line = "by 0.50 turns at every stroke, 0.30 turns at 30 s, 0.40 turns at 40 s and 2 smaller."
+    line = "by 0.50 turns at every stroke, 0.30 turns at 30 s, 12 turns at 1234 s and 2 smaller."
     assert line in " ".join(page(made).split())
