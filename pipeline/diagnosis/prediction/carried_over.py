@@ -55,14 +55,13 @@ def carried_over(
         parts[True, False] = cast(Simulated, {**content, "parameters": {}})
     if content["simulation"]:
         parts |= {(False, took): cast(Simulated, {**part, "simulation": []}) for (_, took), part in parts.items()}
-    tried: dict[tuple[bool, bool], tuple[Simulated, Home | None]] = {}
-    left: dict[tuple[bool, bool], float] = {}
-    for kept, part in parts.items():
-        if problem.system.homed:
-            part, home = homed(problem, part, path, run, coarse)
-            tried[kept], left[kept] = (part, home), home.left
-        else:
-            tried[kept], left[kept] = (part, None), left_of_first(problem, part, path, run)
+    homes = problem.system.homed is not None
+    tried: dict[tuple[bool, bool], tuple[Simulated, Home | None]] = {
+        kept: homed(problem, part, path, run, coarse) if homes else (part, None) for kept, part in parts.items()
+    }
+    left = {
+        kept: home.left if home else left_of_first(problem, part, path, run) for kept, (part, home) in tried.items()
+    }
     best = min(left, key=lambda kept: left[kept])
     if left[best] >= CLEARLY * left[True, True]:
         best = True, True

@@ -48,20 +48,19 @@ def homed(
     """
     name = str(problem.system.homed)
     parameter = next(parameter for parameter in problem.parameters if parameter.name == name)
-    first, averaged = _first_stroke(problem), coarse or problem
-    first_averaged = _first_stroke(averaged)
+    first = _first_stroke(problem)
 
     def at(value: float) -> Simulated:
         return cast(Simulated, {**content, "parameters": {**content["parameters"], name: {"value": value}}})
 
-    def left(value: float, of: Problem = problem) -> Array:
-        return of.measured - simulated(of, at(value), path, run)
+    def left(value: float) -> Array:
+        return problem.measured - simulated(problem, at(value), path, run)
 
     def of_first(value: float) -> float:
-        return float(np.std(left(value)[first]))
+        return left_of_first(problem, at(value), path, run)
 
     def roughly(value: float) -> float:
-        return float(np.std(left(value, averaged)[first_averaged]))
+        return left_of_first(coarse or problem, at(value), path, run)
 
     reach = BOUND * parameter.sigma
     places = np.linspace(parameter.nominal - reach, parameter.nominal + reach, TRIED)

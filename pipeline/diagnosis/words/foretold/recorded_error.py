@@ -6,13 +6,14 @@ import pandas as pd
 
 from ....systems import System
 from ...document.content import Verdict
+from ...prediction.home import HOME
 from ...prediction.to_compare import ToCompare
 from ..held_out import holdout
 from ..language.quantity import listing, size, times
 from ..language.table import aligned
 
-SWITCHED_OFF = "If the motor was switched off in between, its zero is another: add --home."
-A_PART = "A part of it may hold: add --home, which takes the part that does on the first stroke."
+SWITCHED_OFF = f"If the motor was switched off in between, its zero is another: add {HOME}."
+A_PART = f"A part of it may hold: add {HOME}, which takes the part that does on the first stroke."
 AS_EXPECTED = 1.5  # times what was expected: no more is worth a mend
 
 
