@@ -1,7 +1,7 @@
 """twistbench: recordings of a twisted string actuator, its kinematic models, and which physics a simulator leaves out.
 
-In memory: `Recording`, `points`, `fit`, `load`, `model_names`, `Diagnosis`, `Mechanism`, `Interval`, `BadInput`. Each
-is imported when it is first used. What a person runs are programs beside them, each with --help.
+In memory: `Recording`, `points`, `fit`, `load`, `answers`, `model_names`, `Diagnosis`, `Mechanism`, `Interval`,
+`BadInput`. Each is imported when it is first used. What a person runs are programs beside them, each with --help.
 
 Importing it gives this process one thread of linear algebra, whatever the environment says.
 
@@ -35,6 +35,7 @@ _NOTEBOOK = {
     "points": "models",
     "fit": "models",
     "load": "models",
+    "answers": "asked_model",
     "model_names": "models",
     "Diagnosis": "diagnosis",
     "Mechanism": "mechanism",
@@ -42,6 +43,7 @@ _NOTEBOOK = {
 }
 if _TYPE_CHECKING:
     from .ground.errors import BadInput as BadInput
+    from .notebook.asked_model import answers as answers
     from .notebook.diagnosis import Diagnosis as Diagnosis
     from .notebook.mechanism import Interval as Interval
     from .notebook.mechanism import Mechanism as Mechanism
@@ -51,7 +53,9 @@ if _TYPE_CHECKING:
     from .notebook.models import points as points
     from .notebook.recording import Recording as Recording
 
-__all__ = ["BadInput", "Diagnosis", "Interval", "Mechanism", "Recording", "fit", "load", "model_names", "points"]
+__all__ = [
+    "BadInput", "Diagnosis", "Interval", "Mechanism", "Recording", "answers", "fit", "load", "model_names", "points",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> object:

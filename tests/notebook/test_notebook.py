@@ -14,6 +14,7 @@ from made_recording import content, recording
 
 import pipeline as tb
 from pipeline.diagnosis import in_memory
+from pipeline.ground import schemas
 from pipeline.notebook import diagnosis as in_a_notebook
 
 ROOT = Path(__file__).parents[2]
@@ -181,6 +182,40 @@ def test_models_fit_answer_and_come_back_by_name(nylon: tb.Recording, tmp_path: 
         tb.points([])
     with pytest.raises(tb.BadInput, match=r"p\.model"):
         tb.load("spline", tmp_path / "p.model")
+
+
+def test_questions_are_answered_as_the_program_answers_them(nylon: tb.Recording, tmp_path: Path) -> None:
+    points = tb.points([nylon])
+    questions = pd.DataFrame({"stroke": 3, "direction": [1, -1, 1, 5], "motor_turns": [5.0, 10.0, 90.0, 1.0]})
+    made = tb.answers(points, questions.set_axis(list("abcd")), "polynomial", degree=4)
+    assert made["inside"].tolist() == [True, True, False, False]
+    assert (made["displacement_mm_low"][:2] < made["displacement_mm"][:2]).all()
+    assert made.loc[2:, ["displacement_mm_low", "displacement_mm_high"]].isna().all(axis=None)
+    assert "90 turns is above" in made["why"][2] and "neither 1 nor -1" in made["why"][3]
+    schemas.write(points, schemas.DATASET, tmp_path / "dataset.parquet")
+    questions.to_csv(tmp_path / "questions.csv", index=False)
+    words = ["--model", "polynomial", "--settings", '{"degree": 4}', "--out", tmp_path / "answers.csv"]
+    done = programs.run("pipeline.predict", tmp_path / "dataset.parquet", tmp_path / "questions.csv", *words)
+    assert done.returncode == 2 and "in row 4" in done.stderr, "a bad row costs itself alone"
+    assert (tmp_path / "answers.csv").read_text() == made.to_csv(index=False, float_format="%.6g")
+
+
+def test_questions_that_nobody_can_answer_are_refused(nylon: tb.Recording) -> None:
+    points, question = tb.points([nylon]), pd.DataFrame({"stroke": [3], "direction": [1], "motor_turns": [5.0]})
+    for wrong, match in (
+        (question.rename(columns={"motor_turns": "twist"}), "rename it: motor_turns"),
+        (question.drop(columns="motor_turns"), "neither of motor_turns and displacement_mm"),
+        (question.drop(columns="stroke"), "stroke"),
+        (question[:0], "there are none"),
+    ):
+        with pytest.raises(tb.BadInput, match=match):
+            tb.answers(points, wrong, "polynomial")
+    with pytest.raises(tb.BadInput, match="no probability"):
+        tb.answers(points, question, "polynomial", level=90)
+    with pytest.raises(tb.BadInput, match="a whole motion"):
+        tb.answers(points, question, "diagnosed")
+    with pytest.raises(tb.BadInput, match="degree"):
+        tb.answers(points, question, "polynomial", degree=-1)
 
 
 def test_recordings_together_are_taken_in_the_order_of_their_recording(monkeypatch) -> None:

@@ -14,7 +14,7 @@ from ...ground.units import unit_of
 from .bad_rows import BadRow, first_of_each, of_mask, refusal
 from .box import COLUMNS
 from .conditions import Conditions
-from .question_table import bad_cells, question_table
+from .question_table import bad_cells, known_columns, question_table
 from .settings import shown
 
 ASKED = ("stroke", "direction")  # every question must tell
@@ -40,11 +40,26 @@ class Questions:
 
 
 def read_questions(path: Path, dataset: pd.DataFrame) -> Questions:
-    """Questions about a dataset. What does not vary in it need not be told.
+    """Questions of a csv about a dataset. What does not vary in it need not be told.
 
     Raises BadInput naming all columns that are missing, or all rows where none can be answered.
     """
-    questions = question_table(path, [name for name in (*COLUMNS, *LABELS) if name in dataset])
+    return _questions(question_table(path, _known(dataset)), path, dataset)
+
+
+def questions_of(table: pd.DataFrame, dataset: pd.DataFrame) -> Questions:
+    """Questions of a table about a dataset, a row each, as those of a csv; raises BadInput as for a csv."""
+    source = Path("questions")
+    return _questions(known_columns(table.reset_index(drop=True), source, _known(dataset)), source, dataset)
+
+
+def _known(dataset: pd.DataFrame) -> list[str]:
+    """The columns of questions about a dataset that are read."""
+    return [name for name in (*COLUMNS, *LABELS) if name in dataset]
+
+
+def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame) -> Questions:
+    """Questions of a table whose columns are known; `path` is where it is from, for complaints."""
     known = [name for name in EITHER if name in questions.columns]
     if not known:
         given = f"are {', '.join(map(repr, questions.columns))}: neither of {' and '.join(EITHER)}"

@@ -38,6 +38,11 @@ def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
         mend = "part columns by commas, write numbers with a point (3.5), and one question a line below a header"
         field, mend = IN_WORDS.get(error.field, (error.field, mend))
         raise BadInput(path, field, error.problem, mend) from None
+    return known_columns(cells, path, known)
+
+
+def known_columns(cells: pd.DataFrame, path: Path, known: Collection[str]) -> pd.DataFrame:
+    """The table as it is, if each of its columns is known and stands once; raises BadInput naming the column."""
     wrong = [name for name in cells.columns if name not in known]
     if wrong:
         are = "are not columns that are read" if len(wrong) > 1 else "is not a column that is read"

@@ -1,0 +1,55 @@
+"""Questions beside their answers: each with an interval, or with the reason why it has none."""
+
+import math
+from collections.abc import Callable
+
+import pandas as pd
+
+from .bad_rows import reason
+from .foreseen import GIVEN, MAPS
+from .prediction_intervals import Intervals
+from .question_points import ASKED, EITHER, Questions, by_known
+from .unanswered import reasons
+
+
+def with_intervals(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
+    """Value, low and high in the answer's unit, whether the question lies inside, and why not.
+
+    Where there is no interval low and high are no numbers.
+    """
+    wanted = GIVEN[known]
+    interval = getattr(intervals, MAPS[wanted])(points, level)
+    why = reasons(intervals, points, wanted, interval["inside"].to_numpy(bool), level)
+    interval = interval.replace([-math.inf, math.inf], math.nan)
+    answered = interval.rename(columns={"value": wanted, "low": f"{wanted}_low", "high": f"{wanted}_high"})
+    return answered.assign(why=why)
+
+
+def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str], pd.DataFrame]) -> pd.DataFrame:
+    """What was asked beside its answer; of the other columns, such as the load, those that the questions tell.
+
+    Where some rows ask for the twist and others for the contraction, the column `asked_for` says which. A row that is
+    no question stays in its place, without an answer: its reason is in `why`.
+    """
+    points = questions.points
+    others = [name for name in points if name not in (*EITHER, *ASKED) and name in questions.columns]
+    tables = {}
+    for known, rows, part in by_known(points):
+        tables[known] = pd.concat([part[[known, *ASKED, *others]], answer(part, known)], axis=1)
+        tables[known].index = rows
+    if len(tables) == 1:
+        return _with_bad(next(iter(tables.values())), questions)
+    whole = pd.concat([table.assign(asked_for=GIVEN[known]) for known, table in tables.items()]).sort_index()
+    first = ["asked_for", *EITHER, *ASKED, *others]
+    last = ["inside", "why"]
+    return _with_bad(whole[[*first, *(name for name in whole if name not in (*first, *last)), *last]], questions)
+
+
+def _with_bad(table: pd.DataFrame, questions: Questions) -> pd.DataFrame:
+    """The answers in the order of the file's rows, and what stands in the bad ones beside what is wrong with it."""
+    if not questions.bad:
+        return table
+    why = [reason(entry) for entry in questions.bad]
+    given = questions.cells[[name for name in questions.cells if name in table]]
+    both = pd.concat([table.set_axis(questions.rows[table.index], axis=0), given.assign(inside=False, why=why)])
+    return both[list(table.columns)].sort_index().astype({"inside": bool})
