@@ -57,6 +57,13 @@ class Diagnosis:
         """
         if not recordings:
             raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
+        for each in recordings:
+            if not isinstance(each, Recording):
+                problem = f"are {type(each).__name__}"
+                mend = (
+                    "make each by Recording.read(folder) or Recording.of(table, description), and give them one by one"
+                )
+                raise BadInput("Diagnosis.of", "recordings", problem, mend)
         ordered = in_order([each.recorded() for each in recordings])
         content, study = diagnosed(
             [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in ordered], without, by, say

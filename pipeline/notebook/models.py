@@ -1,13 +1,16 @@
 """Kinematic models by name, in memory: the points of recordings, and models fitted to them."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 import pandas as pd
 
 from ..ground import schemas
 from ..ground.errors import BadInput
+from ..ground.kinematics import Array
 from ..models.interface import Model, names
 from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS
@@ -20,8 +23,58 @@ def model_names() -> tuple[str, ...]:
     return names()
 
 
-def points(recordings: Sequence[Recording]) -> pd.DataFrame:
-    """The moving points of recordings of strings, tared and numbered by stroke: one row a point.
+@dataclass(frozen=True)
+class FittedModel:
+    """A model of a `name` that is fitted: it maps twist to contraction and back."""
+
+    name: str
+    model: Model
+
+    def forward(self, points: pd.DataFrame) -> Array:
+        """The contraction in mm of each point's twist and conditions; shape (points,).
+
+        The points have the columns that `points` of recordings gives, of which `displacement_mm` is not read. Raises
+        BadInput where one is missing. Questions of one's own are easier asked of `answers`.
+        """
+        with _all_columns():
+            return self.model.forward(points)
+
+    def inverse(self, points: pd.DataFrame) -> Array:
+        """The twist in turns of each point's contraction and conditions; shape (points,).
+
+        The points have the columns that `points` of recordings gives, of which `motor_turns` is not read. Raises
+        BadInput where one is missing.
+        """
+        with _all_columns():
+            return self.model.inverse(points)
+
+    def save(self, path: Path | str) -> None:
+        """Write it to a file, as `load` and `twistbench export` read it; raises OSError."""
+        model = self.model
+        model.save(Path(path))
+
+
+@contextmanager
+def _all_columns() -> Iterator[None]:
+    """Raise BadInput where points lack a column."""
+    try:
+        yield
+    except KeyError as error:
+        mend = "take rows of points(recordings) and change them; a question of your own: answers(points, questions)"
+        raise BadInput(
+            "points", str(error.args[0]), "is no column of these points, and the model reads it", mend
+        ) from None
+
+
+def _unfitted(name: str, settings: dict[str, object]) -> Model:
+    """The unfitted model of a name; raises BadInput in the words of a notebook."""
+    if name not in names():
+        raise BadInput("model", "name", f"is {name!r}", f"give one of model_names(): {', '.join(names())}")
+    return configured(name, json.dumps(settings))
+
+
+def points(recordings: Sequence[Recording] | Recording) -> pd.DataFrame:
+    """The moving points of a recording of a string, or of several, tared and numbered by stroke: one row a point.
 
     Columns that tell where a point is from: `run`, `string`, `stroke` (from 1), `phase`, `direction` (1 winding, -1
     unwinding), `block` (which of the stretches that `within` holds out), `time_s` (s). What was measured:
@@ -32,6 +85,8 @@ def points(recordings: Sequence[Recording]) -> pd.DataFrame:
     ("test") or neither (""), inside strokes and in the last quarter of the strokes. Raises BadInput for a rig that is
     no string.
     """
+    if isinstance(recordings, Recording):
+        recordings = [recordings]
     for recording in recordings:
         if recording.run.actuator not in STRING_ACTUATORS:
             problem = f"is {recording.run.actuator}: kinematic models are of strings"
@@ -41,7 +96,7 @@ def points(recordings: Sequence[Recording]) -> pd.DataFrame:
     return make_dataset([recording.recorded() for recording in recordings])
 
 
-def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> Model:
+def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> FittedModel:
     """The model of a name, fitted to points; the same points and seed give the same model.
 
     `points` has the columns of `schemas.DATASET`, as `points` of recordings gives them. The fitted model has `forward`
@@ -51,18 +106,18 @@ def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> M
     absent = [column for column in schemas.DATASET.names if column not in points]
     if absent:
         raise BadInput("points", absent[0], "is no column of these points", "make them by points(recordings)")
-    model = configured(name, json.dumps(settings))
+    model = _unfitted(name, settings)
     with fitting(name):
         model.fit(points, seed)
-    return model
+    return FittedModel(name, model)
 
 
-def load(name: str, path: Path | str, **settings: object) -> Model:
+def load(name: str, path: Path | str, **settings: object) -> FittedModel:
     """The model of a name as `save` wrote it, with the settings it was fitted with; raises BadInput, OSError."""
-    model = configured(name, json.dumps(settings))
+    model = _unfitted(name, settings)
     try:
         model.load(Path(path))
     except (ValueError, KeyError, TypeError) as error:
         problem = f"is no saved {name} ({type(error).__name__})"
         raise BadInput(path, "model", problem, "give the name and the settings that it was fitted with") from error
-    return model
+    return FittedModel(name, model)

@@ -88,7 +88,9 @@ class Recording:
             return self._strokes
         return segment(self.samples, self.run.system.driver, self.folder)
 
-    def simulate(self, diagnosis: Explained | None = None, motion: pd.DataFrame | None = None) -> pd.DataFrame:
+    def simulate(
+        self, diagnosis: Explained | None = None, motion: pd.DataFrame | None = None, after_recording: bool = False
+    ) -> pd.DataFrame:
         """What the simulator reads along this recording's motion: `time_s` in s and the predicted channel.
 
         With a diagnosis its mechanisms and dimensions act; without one those that the description has adopted. The
@@ -99,7 +101,8 @@ class Recording:
         of a string) and its load, one row a sample; corners of a string's motion will do. The answer has more columns
         then, each in the unit that its name ends in: the motion itself, the reading without the effects
         (`without_effects_mm`), the band in which nine of ten readings lie (`low_mm`, `high_mm`), whether a row lies
-        outside what was recorded (`outside`), and a reading for each explanation that ties (`if_…`).
+        outside what was recorded (`outside`), and a reading for each explanation that ties (`if_…`). The rig is as it
+        was before its first stroke, or with `after_recording` as the recording left it: crept, warm, worn.
 
         Raises BadInput where a diagnosis gives no number, and for a motion that is none.
         """
@@ -109,7 +112,9 @@ class Recording:
         if motion is None:
             predicted = SimulatedRecording(recorded, simulator).predicted
             return pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: predicted})
-        plan = simulated_plan(self.run, self.folder, recorded, simulator, motion, self.folder / "motion")
+        plan = simulated_plan(
+            self.run, self.folder, recorded, simulator, motion, self.folder / "motion", after_recording
+        )
         return plan.table(planned_columns(plan, simulator).columns)
 
     def save(self, raw: Path | str) -> Path:

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -182,6 +183,53 @@ def test_models_fit_answer_and_come_back_by_name(nylon: tb.Recording, tmp_path: 
         tb.points([])
     with pytest.raises(tb.BadInput, match=r"p\.model"):
         tb.load("spline", tmp_path / "p.model")
+
+
+def test_a_model_asked_without_a_column_or_by_a_wrong_name_is_refused_in_words(
+    nylon: tb.Recording, tmp_path: Path
+) -> None:
+    points = tb.points(nylon)
+    for name, lacks in (("spline", "torsion_zone_mm"), ("calibrated", "string")):
+        model = tb.fit(name, points)
+        for answer in (model.forward, model.inverse):
+            with pytest.raises(tb.BadInput, match=rf"{lacks}: is no column.*answers\(points, questions\)"):
+                answer(points.drop(columns=lacks))
+    model.save(tmp_path / "made.model")
+    with pytest.raises(tb.BadInput, match=r"give one of model_names\(\)"):
+        tb.load(str(tmp_path / "made.model"), "calibrated")
+
+
+def test_a_model_whose_library_is_not_installed_says_which(
+    nylon: tb.Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "torch", None)
+    monkeypatch.delitem(sys.modules, "pipeline.models.cinn", raising=False)
+    with pytest.raises(
+        tb.BadInput, match=r"needs torch, which is not installed. Mend: install twistbench with \[models\]"
+    ):
+        tb.fit("cinn", tb.points([nylon]))
+
+
+def test_a_diagnosis_of_something_else_is_refused(nylon: tb.Recording) -> None:
+    with pytest.raises(tb.BadInput, match=r"are DataFrame.*Recording\.read"):
+        tb.Diagnosis.of(nylon.samples)  # type: ignore[arg-type]
+
+
+def test_a_plan_may_go_on_after_the_recording(nylon: tb.Recording, diagnosis: tb.Diagnosis) -> None:
+    motion = pd.DataFrame({"time_s": [0.0, 5.0, 10.0], "motor_turns": [0.0, 10.0, 0.0], "load_n": 20.0})
+    fresh, after = (nylon.simulate(diagnosis, motion, after_recording=late) for late in (False, True))
+    assert not np.allclose(fresh["displacement_mm"], after["displacement_mm"], atol=1e-3)
+
+
+def test_the_example_of_the_reference_runs(
+    nylon: tb.Recording, diagnosis: tb.Diagnosis, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (example,) = re.findall(r"```python\n(.+?)```", (ROOT / "docs" / "api.md").read_text("utf-8"), re.S)
+    nylon.save(tmp_path / "raw")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(tb.Diagnosis, "of", lambda of: diagnosis)  # the slow part, which other tests run
+    exec(example.replace("twistbench", "pipeline").replace("nylon-20261121-01", "recording"), {})
+    assert (tmp_path / "reports" / "nylon" / "verdict.txt").is_file() and (tmp_path / "nylon.model").is_file()
 
 
 def test_questions_are_answered_as_the_program_answers_them(nylon: tb.Recording, tmp_path: Path) -> None:
