@@ -1,7 +1,7 @@
 """Runs of strings → how many strokes each has left: lifespan.json, lifespan.png and sentences.
 
-A forecast needs 12 complete strokes of a string, in one run or in several that are named together. With fewer the
-answer says how far the limits are now.
+A forecast needs 12 complete strokes under one load of a string, in one run or in several that are named together.
+With fewer the answer says how far the limits are now.
 """
 
 from pathlib import Path
@@ -16,6 +16,7 @@ from . import sentences, written
 from .calibrate_again import calibrate_by
 from .from_folders import others_beside, strings
 from .health import Health
+from .page_lines import page
 from .questions import Answer, model_error, stroke_loss
 from .strokes_left import LEAST_STROKES
 
@@ -30,7 +31,7 @@ def main() -> int:
     """Command line."""
     on_a_rig = f"On the synthetic rig: {command('rig')} paper --link /tmp/rig --strokes 24"
     parser = Parser(prog=command("lifespan"), description=__doc__, epilog=on_a_rig)
-    runs = f"raw/<run>, all of a string's: {LEAST_STROKES} complete strokes or more in all"
+    runs = f"raw/<run>, all of a string's: {LEAST_STROKES} complete strokes under one load, or more"
     parser.add_argument("run_dir", type=run_dir, nargs="+", help=runs)
     parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")
     parser.add_argument("--drift-mm", type=float, default=1.0, help="error of the model that is borne, in mm")
@@ -55,11 +56,11 @@ def main() -> int:
         lines = written.write(string_health, answers, arguments.level, arguments.out)
         clear()
         if others := others_beside(string_health.string, arguments.run_dir):
-            print(sentences.not_given(string_health.string, arguments.run_dir, others, arguments.out))
+            print(page(sentences.not_given(string_health.string, arguments.run_dir, others, arguments.out)))
         own = [folder for folder in arguments.run_dir if folder.resolve().name in string_health.runs]
         by = calibrate_by(string_health.material, own, arguments.out)
-        print(sentences.sentences(string_health, answers, arguments.level, bool(others), by))
-        print("".join(f"  {line}\n" for line in lines), end="")
+        print(page(sentences.sentences(string_health, answers, arguments.level, bool(others), by)))
+        print(page("\n".join(f"  {line}" for line in lines)))
     return 0
 
 

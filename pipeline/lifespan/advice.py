@@ -7,7 +7,7 @@ import numpy as np
 from .indicators import REFERENCE
 from .percent import tail
 from .questions import Answer
-from .stroke_counts import strokes
+from .stroke_counts import strokes, strokes_at_least
 from .strokes_left import LEAST_STROKES, Span
 
 SOONER = 0.5  # of the nearest lower bound: the new strokes then still count before it is reached
@@ -57,13 +57,28 @@ def advice(answers: list[Answer]) -> str:
     return f"Advice: calibrate your model again after about {after(when)}. {again}"
 
 
+def no_ageing(answers: list[Answer], strokes_seen: int, at_rest: str = "") -> str:
+    """That nothing ages, and that bounds are then those of a short record; empty where anything changed or is unknown.
+
+    `at_rest` is what is said of a string that is longer at rest.
+    """
+    bounds = lows(answers)
+    if not bounds or at_rest or any(answer.left.drifts for answer in answers):
+        return ""
+    least = strokes_at_least(min(bounds))
+    return (
+        "No ageing is seen: every change is within the noise of the strokes. "
+        f"The {strokes(strokes_seen)} seen can promise at least {least} more: this bound is caution, no sign of wear."
+    )
+
+
 def due(answers: list[Answer]) -> bool:
     """Whether a time to calibrate the model again is foretold, or was passed."""
     return drift(answers).state in ("passed", "one-sided", "interval")
 
 
 def rests_on(answers: list[Answer]) -> list[str]:
-    """Why the advice is what it is: why to calibrate, and why to ask again."""
+    """Why the advice is what it is: why to calibrate or not to, and why to ask again."""
     error = next(answer for answer in answers if answer.question == "model_error")
     limit, model = f"{error.limit:g} {error.unit}", f"a model calibrated on the first {REFERENCE} strokes"
     why = {
@@ -79,7 +94,8 @@ def rests_on(answers: list[Answer]) -> list[str]:
         else SOON_PASSED
     )
     again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes seen have doubled then"
-    return [f"Why calibrate: {why}.{_cautious(error)}", f"Why ask again: {again}."]
+    calibrate = "Why calibrate" if due(answers) else "Why no calibration"
+    return [f"{calibrate}: {why}.{_cautious(error)}", f"Why ask again: {again}."]
 
 
 def _cautious(error: Answer) -> str:

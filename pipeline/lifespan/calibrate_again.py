@@ -14,17 +14,18 @@ AFTERWARDS = (
 )
 
 
-def calibrate_by(material: str, runs: Sequence[Path], out: Path) -> str:
-    """The command that fits a model to a string's runs, and what it fits: in raw/ of a checkout the workflow does.
+def calibrate_by(material: str, runs: Sequence[Path], out: Path) -> list[str]:
+    """What fits a model to a string's runs, and in a line of its own the command.
 
-    Elsewhere a diagnosis calibrates the dimensions of the simulator.
+    In raw/ of a checkout it is the workflow's; elsewhere a diagnosis calibrates the dimensions of the simulator.
     """
     in_raw = not INSTALLED and all(run.resolve().parent == Path("raw").resolve() for run in runs)
     if in_raw:
         model = f"processed/{material}/{USUAL}/within-0.model"
         fit = f"snakemake --cores 2 -- {shlex.quote(model)}"
-        return f"Calibrate it by: {fit} (fits the {USUAL} of {material} to all of its runs in raw/)."
+        what = f"it fits the {USUAL} of {material} to all of its runs in raw/"
+        return [f"Calibrate it by this command ({what}):", f"  {fit}"]
     named = " ".join(shlex.quote(str(run)) for run in runs)
     together = " --together" if len(runs) > 1 else ""
     fit = f"{command('diagnose')} {named}{together} --out {shlex.quote(str(out / 'calibrated'))}"
-    return f"Calibrate it by: {fit} (calibrates the simulator's dimensions on these runs)."
+    return ["Calibrate it by this command (it calibrates the simulator's dimensions on these runs):", f"  {fit}"]

@@ -24,7 +24,10 @@ BAR = (
     "Black bar: where the limit is passed. {0} of the futures pass it before the bar begins (upper edge of the "
     "shade), {0} after it ends (lower edge)."
 )
-ARROW = "Black arrow: at most {0} of the futures pass the limit before it begins. The forecast looks {1} strokes ahead."
+ARROW = (
+    "Black arrow: at most {0} of the futures pass the limit before it begins, so {2} stay below it until then. The "
+    "shade leaves out {0} above and {0} below: the middle {3}. The forecast looks {1} strokes ahead."
+)
 
 
 def tail_of(span: Span, level: float) -> float:
@@ -42,7 +45,8 @@ def footnote(answers: list[Answer], level: float) -> str:
     if any(span.state == "interval" for span in spans):
         lines.append(BAR.format(tail((1.0 - level) / 2.0)))
     if any(span.state != "interval" for span in spans):
-        lines.append(ARROW.format(tail(1.0 - level), at_least(drawn[0].horizon)))
+        out = 1.0 - level
+        lines.append(ARROW.format(tail(out), at_least(drawn[0].horizon), tail(level), tail(1.0 - 2.0 * out)))
     return "\n".join(fill(line, WIDE) for line in lines)
 
 

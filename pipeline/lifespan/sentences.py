@@ -1,13 +1,14 @@
 """What is said of a string's life in sentences: what is seen, what is foretold, how far to trust it, what to do."""
 
 import shlex
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
 from ..ground.command import command, program_name
 from ..string.zero import Jump
-from .advice import advice, due, rests_on
+from .advice import advice, due, no_ageing, rests_on
 from .at_rest import longer_at_rest
 from .calibrate_again import AFTERWARDS
 from .claims_held import measured
@@ -15,6 +16,7 @@ from .health import Health
 from .indicators import REFERENCE
 from .percent import of_100, percent, tail
 from .questions import Answer
+from .so_far import so_far
 from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 from .strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
 
@@ -33,39 +35,11 @@ ZERO_OFF = (
     "creeps), at worst by 0.5 mm. The model's error may be off by as much."
 )
 WAYS_ON = f"A future is one of {FUTURES:,} ways in which this string may go on, as the laws of its strokes allow."
-LAST = 3  # strokes that tell how far a limit is
-LEAST_LOSS = 1e-3  # per cent of the stroke: no sensor shows less
-
-
-def beside_limit(value: float, limit: float) -> str:
-    """A number with two digits, or with as many more as tell it from the limit: 1.03 beside 1."""
-    texts = (f"{value:.{digits}g}" for digits in range(2, 7))
-    return next((text for text in texts if float(text) != float(f"{limit:.6g}")), f"{value:.2g}")
 
 
 def few(count: int) -> bool:
     """Whether so many strokes are too few for a forecast."""
     return count < LEAST_STROKES
-
-
-def so_far(answer: Answer, at_rest: str = "") -> str:
-    """What the last strokes show, whatever may be said of those to come; `at_rest` is what no stroke shows."""
-    after = len(answer.n) - (REFERENCE if answer.unit == "1" else 0)
-    if after <= 0:
-        first = f"the first {REFERENCE} strokes are what the later ones are compared with"
-        return f"So far: {first}: from stroke {REFERENCE + 1} on it shows."
-    last = answer.values[-min(after, LAST) :]
-    of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
-    if answer.unit != "1":
-        off = f"a model calibrated on the first {REFERENCE} strokes is off by {beside_limit(middle, answer.limit)}"
-        return f"So far: {off} {answer.unit} (median of {of})."
-    against, rest = f"{of} against the first {REFERENCE}", f", {at_rest}" * bool(at_rest)
-    if abs(100.0 * middle) < LEAST_LOSS:
-        return f"So far: nothing measurable of the stroke is lost{rest} ({against})."
-    if middle < 0.0:
-        return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost{rest} ({against})."
-    lost = beside_limit(100.0 * middle, 100.0 * answer.limit)
-    return f"So far: {lost} % of the stroke is lost ({against})."
 
 
 def seen(health: Health, beside: bool = False) -> list[str]:
@@ -79,7 +53,8 @@ def seen(health: Health, beside: bool = False) -> list[str]:
         return [f"{health.string}: {strokes_seen}, the last one stroke {int(table['stroke'].iloc[-1])}."]
     more = LEAST_STROKES - len(table)
     like = f"its run {table['run'].iloc[-1]}" if health.loads.others else "its first run"
-    needed = f"at least {LEAST_STROKES} are needed, {more} more than there are"
+    one_load = " under one load" * bool(health.loads.others)
+    needed = f"at least {LEAST_STROKES}{one_load} are needed, {more} more than there are"
     if beside:
         return [f"{health.string}: no forecast yet: {strokes_seen}; {needed}. Name the runs beside as well."]
     return [
@@ -148,8 +123,8 @@ def not_given(string: str, given: list[Path], others: list[Path], out: Path) -> 
     """What is said where other runs of a string lie beside those that were given, with the command for all of them."""
     count = f"{len(others)} more run{'s' * (len(others) > 1)} of the string {string} beside, not given"
     every = " ".join(shlex.quote(str(folder)) for folder in (*given, *others))
-    again = f"all of them: {command('lifespan')} {every} --out {shlex.quote(str(out))}"
-    return f"Beware: {count}. Strokes are counted as if there were none of them; {again}"
+    again = f"{command('lifespan')} {every} --out {shlex.quote(str(out))}"
+    return f"Beware: {count}. Strokes are counted as if there were none of them. All of them:\n  {again}"
 
 
 def young(run: str) -> str:
@@ -161,15 +136,18 @@ def young(run: str) -> str:
     )
 
 
-def sentences(health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: str = "") -> str:
+def sentences(
+    health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: Sequence[str] = ()
+) -> str:
     """All answers in words, a few lines; `beside` as `seen` takes it, `calibrate_by` how a model is calibrated."""
-    lines, enough = seen(health, beside), not few(len(health.strokes))
+    lines, enough, at_rest = seen(health, beside), not few(len(health.strokes)), longer_at_rest(health.strokes)
+    lines += [f"  {line}" for line in (no_ageing(answers, len(health.strokes), at_rest),) if line]
     lines += [f"  {line}" for line in health.loads.sentences]
     is_foretold = any(len(answer.left.when) for answer in answers)
     lines += [f"  {WAYS_ON}"] if is_foretold else []
     if enough:
         lines.append(f"  {advice(answers)}")
-        then = [calibrate_by, AFTERWARDS] if due(answers) else []
+        then = [*calibrate_by, AFTERWARDS] if due(answers) else []
         lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
     if health.left_out:
         count = len(health.left_out)
@@ -182,6 +160,6 @@ def sentences(health: Health, answers: list[Answer], level: float, beside: bool 
     lines += [f"  Beware: {note}" for note in health.uncompared]
     if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
         lines.append(f"  {ZERO_OFF}")
-    lines += [line for answer in answers for line in answered(answer, level, enough, longer_at_rest(health.strokes))]
+    lines += [line for answer in answers for line in answered(answer, level, enough, at_rest)]
     lines += [f"  {UNFORESEEN}"] if is_foretold else []
     return "\n".join(lines)

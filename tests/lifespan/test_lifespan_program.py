@@ -13,20 +13,22 @@ import pytest
 from made_life import folder, samples
 from made_recording import content
 
+from pipeline.diagnosis.words.language import sections
 from pipeline.ground.errors import BadInput
-from pipeline.lifespan import calibrate_again
+from pipeline.lifespan import calibrate_again, page_lines
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.at_rest import longer_at_rest
 from pipeline.lifespan.claims_held import HELD, measured
 from pipeline.lifespan.figure import page, question
-from pipeline.lifespan.figure_words import WIDE
+from pipeline.lifespan.figure_words import WIDE, footnote
 from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.laws import LAWS
 from pipeline.lifespan.questions import Answer, first, model_error, stroke_loss
 from pipeline.lifespan.score import held, loses, score
 from pipeline.lifespan.scoretable import words
-from pipeline.lifespan.sentences import UNFORESEEN, beside_limit, sentence, so_far
+from pipeline.lifespan.sentences import UNFORESEEN, sentence
+from pipeline.lifespan.so_far import beside_limit, so_far
 from pipeline.lifespan.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
 from pipeline.models.interface import usual
 from pipeline.rig import __main__ as rig
@@ -36,6 +38,11 @@ ROOT = Path(__file__).parents[2]
 
 def program(*arguments):
     return programs.run("pipeline.lifespan", *arguments)
+
+
+def joined(text):
+    """Printed lines without the breaks of the page's width."""
+    return re.sub(r"\n {6,}", " ", text)
 
 
 @pytest.fixture(scope="module")
@@ -262,14 +269,13 @@ def test_too_few_strokes_are_said_and_no_error(tmp_path):
     assert ran.returncode == 0 and ran.stdout.splitlines()[0] == (
         "a-1: no forecast yet: 5 strokes seen; at least 12 are needed, 7 more than there are."
     )
+    text = joined(ran.stdout)
     again = "as a new run (pipeline.new_run --like its first run), then name all runs"
-    assert again in ran.stdout and "--strokes 24" in ran.stdout
-    assert re.search(
-        r"So far: [0-9.]+ % of the stroke is lost \(.*\)\.\n  Until .* lost: no forecast yet\.", ran.stdout
-    )
+    assert again in text and "--strokes 24" in text
+    assert re.search(r"So far: [0-9.]+ % of the stroke is lost \(.*\)\.\n  Until .* lost: no forecast yet\.", text)
     model = "a model calibrated on the first 3 strokes is off by"
-    assert re.search(rf"So far: {model} [0-9.]+ mm \(.* 2 strokes\)\.\n  Until {model} 1 mm: no forecast", ran.stdout)
-    assert "\n  Only if you record the synthetic rig (" in ran.stdout
+    assert re.search(rf"So far: {model} [0-9.]+ mm \(.* 2 strokes\)\.\n  Until {model} 1 mm: no forecast", text)
+    assert "\n  Only if you record the synthetic rig (" in text
     assert "Advice" not in ran.stdout
     told = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
     assert told["first"] is None and told["questions"]["stroke_loss"]["strokes_left"]["low"] is None
@@ -303,8 +309,12 @@ def test_no_panel_is_empty_and_one_without_a_forecast_says_how_many_strokes_it_n
 
 def test_help_the_page_and_the_rig_say_how_many_strokes_a_forecast_needs():
     page_ = (ROOT / "docs" / "lifespan.md").read_text().split("## How")[0]
-    assert f"{LEAST_STROKES} complete strokes" in page_ and "--strokes 24" in page_
-    assert f"{LEAST_STROKES} complete strokes" in program("--help").stdout and rig.FORECAST == LEAST_STROKES
+    rule = f"{LEAST_STROKES} complete strokes under one load"
+    assert rule in page_ and "--strokes 24" in page_
+    help_ = " ".join(program("--help").stdout.split())
+    assert help_.count(rule) == 2 and rig.FORECAST == LEAST_STROKES
+    use, readme = (ROOT / name for name in ("docs/use_a_model.md", "README.md"))
+    assert rule in use.read_text() and f"needs {LEAST_STROKES} under one load" in readme.read_text()
     assert "12 to foretell" in rig.strokes_of(9) and "foretell" not in rig.strokes_of(12)
 
 
@@ -369,6 +379,55 @@ def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
 def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, limit, said):
     """ "The model is off by 1 mm" stood beside a limit of 1 mm that was "passed already"."""
     assert beside_limit(value, limit) == said
+
+
+@pytest.mark.parametrize(
+    ("off_mm", "noise_mm", "said"),
+    [
+        (0.0, 0.0071, "less than the noise of a stroke, 0.0071 mm"),
+        (0.0, 0.0, "nothing measurable"),
+        (7e-18, 1e-17, "nothing measurable"),
+        (0.02, 0.0071, "0.02 mm"),
+    ],
+)
+def test_a_model_that_is_off_by_less_than_its_noise_is_not_off_by_0_mm(off_mm, noise_mm, said):
+    values, noise = np.full(12, off_mm), np.full(12, noise_mm)
+    told = so_far(Answer("model_error", "", "mm", np.arange(1.0, 13.0), values, noise, 1.0, Left("why")))
+    assert told.startswith(f"So far: a model calibrated on the first 3 strokes is off by {said} (median of")
+
+
+def ageless(strokes):
+    """Samples of strokes of a string of which nothing changes."""
+    table = samples(strokes, 0.0)
+    stroke = np.minimum(np.arange(len(table)) // 114, strokes - 1)
+    return table.assign(displacement_mm=table["displacement_mm"] + 0.05 * stroke)
+
+
+def test_a_string_that_does_not_age_is_first_said_not_to_and_its_bound_to_be_caution(tmp_path, done):
+    """It began with "at least 88 strokes left": only the eighth line said that all changes were noise."""
+    ran = program(folder(tmp_path, "a-1", ageless(14)), "--out", tmp_path / "out")
+    first_words = "a-1: 14 strokes seen, the last one stroke 14.\n  No ageing is seen: every change is within the noise"
+    text = joined(ran.stdout)
+    assert text.startswith(first_words), ran.stderr
+    (least,) = re.findall(r"The 14 strokes seen can promise at least ([0-9]+) strokes more: this bound is", text)
+    assert f"at least {least} strokes left in 90 % of the futures" in text and "off by 0 mm" not in text
+    assert "No ageing" not in done[0].stdout, "a string that wears"
+
+
+def test_no_printed_line_is_wider_than_those_of_a_diagnosis_and_a_command_stays_whole(done):
+    for line in done[0].stdout.splitlines():
+        assert len(line) <= page_lines.WIDE == sections.WIDE or line.lstrip().startswith(page_lines.COMMANDS), line
+    command = f"      snakemake --cores 2 -- {'long/' * 40}"
+    assert page_lines.page(f"a\n{command}") == f"a\n{command}"
+
+
+def test_the_picture_says_why_its_shade_holds_fewer_futures_than_its_arrow_promises():
+    """ "The middle 80 % of the futures" stood beside "in 90 % of the futures", and no word said why."""
+    answer = claim("stroke_loss", *[30.0] * 50, *[np.inf] * 50)
+    answer = replace(answer, left=replace(answer.left, band=object()))
+    words_ = footnote([answer], 0.9).replace("\n", " ")
+    assert "at most 10 % of the futures pass the limit before it begins, so 90 % stay below it until then" in words_
+    assert "The shade leaves out 10 % above and 10 % below: the middle 80 %." in words_
 
 
 def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
@@ -458,14 +517,15 @@ def test_the_advice_says_what_to_do_next_and_what_that_rests_on(drift, said, why
     answers = [claim("stroke_loss", *[150.0] * 50, *[np.inf] * 50), claim("model_error", *drift)]
     assert advice(answers) == f"Advice: {said}"
     reasons = rests_on(answers)
-    assert reasons[0].startswith(f"Why calibrate: {why}") and reasons[1].startswith(f"Why ask again: {again}")
+    heading = "Why no calibration" if said.startswith(("no reason", "your model need not")) else "Why calibrate"
+    assert reasons[0].startswith(f"{heading}: {why}") and reasons[1].startswith(f"Why ask again: {again}")
     assert len(reasons) == 2, "a sentence said that both follow from all strokes, which helped nobody"
 
 
 def test_the_page_s_example_has_the_program_s_own_reasons():
     """Two of its sentences were of another recording, and one was said no more."""
     said = rests_on([claim("stroke_loss", *[197.0] * 50), claim("model_error", *[9.5] * 50, *[18.2] * 150)])
-    example = (ROOT / "docs" / "lifespan.md").read_text().split("```")[5]
+    example = joined((ROOT / "docs" / "lifespan.md").read_text().split("```")[5])
     assert [line.strip() for line in example.splitlines() if line.strip().startswith("Why ")] == [
         reason.replace("by 0.1 mm", "by 1 mm") for reason in said
     ]
@@ -487,11 +547,13 @@ def test_the_advice_gives_the_command_and_says_why_it_stays_after_a_calibration(
         ran = programs.run("pipeline.lifespan", run, "--out", tmp_path / "out", cwd=tmp_path)
         assert ran.returncode == 0, ran.stderr
         said.append(ran.stdout)
-    elsewhere = f"--out {tmp_path / 'out' / 'calibrated'} (calibrates the simulator's dimensions"
-    assert f"    Calibrate it by: python -m pipeline.diagnose '{tmp_path}/a b/a-1' {elsewhere}" in said[0]
-    assert "    Calibrate it by: snakemake --cores 2 -- processed/UHMWPE/spline/within-0.model (fits" in said[1]
+    elsewhere, paste = f"--out {tmp_path / 'out' / 'calibrated'}", "    Calibrate it by this command (it"
+    own = f"\n      python -m pipeline.diagnose '{tmp_path}/a b/a-1' {elsewhere}\n"
+    assert f"{paste} calibrates the simulator's dimensions on these runs):{own}" in said[0]
+    own = "\n      snakemake --cores 2 -- processed/UHMWPE/spline/within-0.model\n"
+    assert f"{paste} fits the spline of UHMWPE to all of its runs in raw/):{own}" in said[1]
     for text in said:
-        assert "After a calibration name only the runs recorded since." in text
+        assert "After a calibration name only the runs recorded since." in joined(text)
 
 
 def test_the_model_that_is_fitted_again_is_the_usual_one():
