@@ -5,6 +5,7 @@ from ...document.expected import NextRun
 from ...document.keyed import amount, extent
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
+from ..language import outcomes
 from ..language.quantity import duration, first_upper, number, percent, place_near, quantity, size, to_tell
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
@@ -21,7 +22,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     run = proposal(content)
     if "parts" not in run:
         purpose = worth.purpose(content, words)
-        return [purpose] if purpose else []
+        return [purpose, *outcomes.table(run["title"], words)] if purpose else []
     more = f"Noise is not all that counts: {worth.TESTED}."
     without = f"Without the run {worth.otherwise(content, words)}."
     sentences = (_taken(run, words), parting.sentence(content), _closest(content), _decides(run), more, without)

@@ -6,6 +6,7 @@ from pathlib import Path
 from ....ground.command import command
 from ...document.content import Verdict
 from ...document.expected import NextRun
+from ..language import outcomes
 from ..language.quantity import listing, quantity
 from ..language.vocabulary import Vocabulary
 from ..named import effect_table
@@ -60,7 +61,8 @@ def to_see_more(content: Verdict, words: Vocabulary, short: bool) -> list[list[s
     driver = words.follows(run["follows"]) if "follows" in run else ""
     follows = f": it follows {driver} here; see whether it does so in this run as well" if driver else ""
     where = f"Steps and commands: {f'{DETAILS}, ' * short}{RUN}"
-    return [[f"Make the run that shows more of what is missing{follows}. {which}. {where}."]]
+    means = [f"   {row}" for row in outcomes.table(run["title"], words)] if short else []
+    return [[f"Make the run that shows more of what is missing{follows}. {which}. {where}.", *means]]
 
 
 def _alone(words: Vocabulary, folders: list[Path]) -> list[str]:
