@@ -97,8 +97,11 @@ def main() -> None:
     counts = [f"{outside} of them {less}"] * (outside > 0) + [f"{noted} between what was recorded"] * (noted > 0)
     counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
     print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
-    print(". The column `why` says why; row 1 is the first question:" if counts else "")
-    for sentence in first_of(table["why"].tolist()):
+    refused = {entry.row for entry in questions.bad}  # said once, at the end
+    sentences = first_of(["" if row in refused else why for row, why in enumerate(table["why"], start=1)])
+    end = "; row 1 is the first question:" if sentences else "."
+    print(f". The column `why` says why{end}" if counts else "")
+    for sentence in sentences:
         print(f"  {sentence}")
     if questions.bad:
         raise refusal(arguments.questions, questions.bad, len(questions.points))
