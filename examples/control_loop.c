@@ -58,12 +58,13 @@ static int recorded(const tsa_state *state, tsa_real turns)
 /* What was not recorded, what was, and the mend. */
 static void say_unrecorded(const tsa_state *state, tsa_real turns, int tick)
 {
-    const char *field = "the state";
+    const char *mend = "the state to one that was recorded";
 #if defined(TSA_HAS_RECORDED) && defined(TSA_LOAD_N_MIN)
-    field = "state.load_n";
     if (tsa_stroke_recorded(state) != TSA_OK) {
+        mend = "state.stroke to one that was recorded under this load, or state.load_n to one of this stroke";
         printf("%4d ms: stroke %d was not recorded under %.3g N", tick, state->stroke, (double)state->load_n);
     } else {
+        mend = "state.stroke and state.load_n to a stroke and a load that were wound so far";
         printf("%4d ms: %.4g turns were not recorded under %.3g N in stroke %d", tick, (double)turns,
                (double)state->load_n, state->stroke);
     }
@@ -74,7 +75,7 @@ static void say_unrecorded(const tsa_state *state, tsa_real turns, int tick)
 #ifdef TSA_RECORDED
     printf(" (recorded: %s)", TSA_RECORDED);
 #endif
-    printf(": set %s. The motor stays where it is\n", field);
+    printf(": set %s. The motor stays where it is\n", mend);
 }
 
 static void command_motor(tsa_real turns)
@@ -98,7 +99,8 @@ static void report(int tick, tsa_real wanted_mm, tsa_real turns, int moved)
 
 int main(void)
 {
-    tsa_state state = tsa_start(); /* was recorded; set here what the task knows: state.load_n = ... */
+    /* Recorded. Set here a load, and a stroke that was recorded under it: state.load_n = ...; state.stroke = ...; */
+    tsa_state state = tsa_start();
     tsa_real turns = least_turns(), low_mm = TSA_DISPLACEMENT_MM_MIN, last_mm;
     int refused = 0, past = 0, unrecorded = 0, tick;
     (void)tsa_forward(&state, turns, &low_mm); /* refused, it writes nothing, and each target is refused below */

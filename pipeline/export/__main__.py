@@ -126,7 +126,7 @@ def main() -> None:
             )
         )
         return
-    from .onnx_model import graphs  # a header needs no onnx
+    from .onnx_model import GIVEN, graphs  # a header needs no onnx
 
     with writable(options.file):
         made = graphs(source, options.name)
@@ -134,7 +134,7 @@ def main() -> None:
         out = options.out / f"{options.name}.{way}.onnx"
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
-        print(f"{out}: {out.stat().st_size} bytes")
+        print(f"{out}: {out.stat().st_size} bytes. {closing_words.columns(source, GIVEN[way])}")
     print(
         "\n".join(
             [*closing_words.lines(source), closing_words.in_python(options.file), REST.format("graphs' metadata")]

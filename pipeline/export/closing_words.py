@@ -7,6 +7,7 @@ from pathlib import Path
 from ..ground.command import command
 from .facts import facts
 from .held_out import ANEW
+from .inputs import MEANING
 from .interface import Source
 from .trained_on import NO_STRING
 
@@ -30,6 +31,14 @@ def compiled(header: Path, name: str) -> list[str]:
     if name != USUAL or header.name != f"{USUAL}.h" or not EXAMPLE.is_file():
         return []
     return [f"To try it: cc -I {shlex.quote(str(header.parent))} {EXAMPLE} -lm && ./a.out"]
+
+
+def columns(source: Source, given: str) -> str:
+    """The columns of a graph's input in their order with units; `given` is the first one, twist or contraction."""
+    units = (
+        (field.name, MEANING[field.name] if field.unit == "1" else field.unit) for field in source.inputs.columns(given)
+    )
+    return f"Columns of `queries`, in order: {'; '.join(f'{name} ({unit})' for name, unit in units)}."
 
 
 def in_python(file: Path) -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.model_names import WHOLE_MOTION
+from . import inverse_beside
 from .comparison import line
 from .usual_model import chosen_of, errors_in, errors_of, uses, why
 
@@ -53,7 +54,12 @@ def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[
     others = ", ".join(sorted({path.parent.name for path in files} - {chosen, WHOLE_MOTION}))
     more = [f"fitted too: {others}"] if others else []
     reason = why(chosen, saved, errors_mm)
-    return [*([reason] if reason else []), f"to a controller: {export}", f"to ask it: {ask}", QUESTIONS, *more]
+    errors_turns = errors_in(models_csv, "inverse")
+    at_inverse = inverse_beside.sentences(chosen, {model: model for model in saved}, errors_turns, errors_mm)
+    lines = [*filter(None, (reason, at_inverse)), f"to a controller: {export}"]
+    if by_position := inverse_beside.better(chosen, saved, errors_turns):
+        lines.append(f"to a position controller: {uses(material, by_position)[0]}")
+    return [*lines, f"to ask it: {ask}", QUESTIONS, *more]
 
 
 def times_floor(ratio: float) -> str:

@@ -10,7 +10,7 @@ from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
 from ..ground.model_names import WHOLE_MOTION
-from . import paper
+from . import inverse_beside, paper
 from .comparison import line
 from .fitted import FLOORS, SPLITS, lines_on_files, times_floor
 from .least import sentences
@@ -117,13 +117,17 @@ def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     """Lines that name the model to take, by which rule, and one that errs less on strokes like the recorded ones."""
     whole = table_of[(table_of["column"] == "all") & ~table_of["model"].isin(FLOORS)]
     titles = {row["model"]: plain(row["title"]) for _, row in whole.iterrows()}
-    forward = whole[whole["map"] == "forward"]
-    errors_mm = {(row["model"], row["split"]): float(row["median"]) for _, row in forward.iterrows()}
+    errors_mm, errors_turns = (
+        {(row["model"], row["split"]): float(row["median"]) for _, row in whole[whole["map"] == way].iterrows()}
+        for way in paper.MAPS.values()
+    )
     chosen = chosen_of(titles, errors_mm)
     if not chosen:
         return []
     rules = [RULE, "", *(f"{number}. {rule}" for number, rule in enumerate(RULES, start=1)), ""]
-    return [f"Take the **{titles[chosen]}**. {weighed(titles, errors_mm)}".strip(), "", *rules]
+    at_inverse = inverse_beside.sentences(chosen, titles, errors_turns, errors_mm)
+    sentences = [f"Take the **{titles[chosen]}**.", weighed(titles, errors_mm), at_inverse]
+    return [" ".join(filter(None, sentences)), "", *rules]
 
 
 def on_simulator(table_of: pd.DataFrame, split: str, way: str) -> list[str]:

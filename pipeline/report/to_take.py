@@ -8,6 +8,7 @@ from typing import NamedTuple
 from markupsafe import Markup
 
 from ..ground.model_names import WHOLE_MOTION
+from . import inverse_beside
 from .fitted import FLOORS, times_floor
 from .stroke_conditions import APART
 from .usual_model import RULE, RULES, chosen_of, uses, weighed
@@ -54,6 +55,10 @@ class Models(NamedTuple):
                 models.errors[key] = rmse, f"{rmse:.3f}{times}"
         return models
 
+    def inverse_turns(self) -> dict[tuple[str, str], float]:
+        """The inverse errors by model and split, in turns."""
+        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[1]}
+
     def forward_mm(self) -> dict[tuple[str, str], float]:
         """The forward errors by model and split, in mm."""
         return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[0]}
@@ -80,6 +85,13 @@ class Models(NamedTuple):
         """Which other model errs less than the one to take; empty where none does."""
         return weighed(self.titles, self.forward_mm())
 
+    def at_inverse(self) -> str:
+        """Which other model is clearly better at the inverse, and by how much; empty where none is."""
+        chosen, turns = self.chosen(), self.inverse_turns()
+        if not inverse_beside.better(chosen, list(self.titles), turns):
+            return ""
+        return inverse_beside.sentences(chosen, self.titles, turns, self.forward_mm())
+
 
 def later_apart(models: Path) -> str:
     """What the page of every model says of later strokes that differ in more than their number; empty where nothing."""
@@ -102,7 +114,7 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
             title = materials[chosen_for[0]].titles[model]
             lines.append(Markup("The {} is exported by <code>{}</code>.").format(title, export))
     for material, models in materials.items():
-        own = [models.weighed(), later_apart(reports / material / "models.md")]
+        own = [models.weighed(), models.at_inverse(), later_apart(reports / material / "models.md")]
         if any(own):
             lines.append(Markup("<b>{}</b>: {}").format(material, " ".join(filter(None, own))))
     if named := next(

@@ -31,12 +31,12 @@ def errors_of(metrics: pd.DataFrame) -> dict[tuple[str, str], float]:
     return {(str(model), str(split)): float(value) for (model, split), value in middle.items()}
 
 
-def errors_in(path: Path) -> dict[tuple[str, str], float]:
-    """Errors that a models.csv holds, in mm; none where it is not there."""
+def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
+    """Errors that a models.csv holds, forward in mm, inverse in turns; none where it is not there."""
     if not path.is_file():
         return {}
     with open(path, encoding="utf-8", newline="") as file:
-        rows = [row for row in csv.DictReader(file) if row["column"] == "all" and row["map"] == "forward"]
+        rows = [row for row in csv.DictReader(file) if row["column"] == "all" and row["map"] == way]
     return {(row["model"], row["split"]): float(row["median"]) for row in rows}
 
 
@@ -79,7 +79,10 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
     least_mm = min(errors_mm[model, split] for model in known if (model, split) in errors_mm)
     own_mm = errors_mm[chosen, split]
     rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
-    line = f"model to take: {chosen}. Its forward error {where[split]} is {rank}: {own_mm:.3f} mm."
+    line = (
+        f"model to take: {chosen}. Its forward error {where[split]} is {rank} of those that can be exported: "
+        f"{own_mm:.3f} mm."
+    )
     inside = [model for model in known if (model, "within") in errors_mm]
     best = min(inside, key=lambda model: errors_mm[model, "within"], default=chosen)
     if split == "within" or best == chosen or (chosen, "within") not in errors_mm:

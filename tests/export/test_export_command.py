@@ -124,6 +124,26 @@ def test_the_documented_query_runs_on_a_model_of_either_type(tmp_path: Path, mon
     assert kinds == {np.float32, np.float64}
 
 
+def test_the_documented_query_with_a_load_is_the_one_of_a_model_whose_export_prints_a_load_column(
+    tmp_path: Path,
+) -> None:
+    """The page's line failed on a string of two loads: `Got: 3 Expected: 4`; nothing said what the fourth is."""
+    done = export(saved("spline", "switched", tmp_path), "--format", "onnx", "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    fields = (
+        "stroke (number of the stroke, the first is 1); direction (+1 while winding, -1 while unwinding); load_n (N)."
+    )
+    for way, given in (("forward", "motor_turns (turns)"), ("inverse", "displacement_mm (mm)")):
+        said = f"tsa\\.{way}\\.onnx: [0-9]+ bytes\\. "
+        assert re.search(said + re.escape(f"Columns of `queries`, in order: {given}; {fields}"), done.stdout), (
+            done.stdout
+        )
+    (example,) = re.findall(r"with a load column, of 20 N: (\[\[.*?\]\])", (ROOT / "docs" / "export.md").read_text())
+    session = onnxruntime.InferenceSession(tmp_path / "out" / "tsa.inverse.onnx")
+    value, inside = session.run(None, {"queries": np.array(json.loads(example), float)})
+    assert np.isfinite(value).all() and inside.all()
+
+
 def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> None:
     there = tmp_path / "mine.json"
     there.write_bytes((folder / "spline" / "within-0.model").read_bytes())
@@ -510,4 +530,15 @@ def test_the_example_begins_in_a_recorded_state_and_names_what_was_not_recorded(
     assert "not recorded under" not in lines and lines.splitlines()[-2].startswith("all 2727 answered"), lines
     lines = said(example.replace(begin, f"{begin} state.load_n = 25;"))
     assert "   0 ms: stroke 1 was not recorded under 25 N (recorded: load_n 19." in lines
-    assert "strokes 1 to 4) and 29." in lines and "): set state.load_n. The motor stays where it is" in lines
+    assert "strokes 1 to 4) and 29." in lines
+    both = "set state.stroke to one that was recorded under this load, or state.load_n to one of this stroke. The motor"
+    assert f"): {both} stays where it is" in lines
+    lines = said(example.replace(begin, f"{begin} state.load_n = 30;"))
+    assert "   0 ms: stroke 1 was not recorded under 30 N (" in lines and both in lines, (
+        "state.load_n had just been set"
+    )
+    lines = said(example.replace(begin, f"{begin} state.load_n = 30; state.stroke = 5;"))
+    assert "not recorded under" not in lines and "all 2727 answered" in lines, "the mend that was named helps"
+    pair = "load, and a stroke that was recorded under it"
+    page = " ".join((ROOT / "docs" / "use_a_model.md").read_text().split())
+    assert pair in example and pair in page and "state.load_n = 30; state.stroke = " in page
