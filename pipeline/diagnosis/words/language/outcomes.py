@@ -40,7 +40,7 @@ OUTCOMES = {
     ],
     "load steps at half twist": [
         ("follows each step at once and comes back", "stretch of the {string} or of the frame"),
-        ("goes on after each step", "creep"),
+        ("goes on after each step", "something flows: creep"),
         ("does not come back", "friction, or a {string} that stays longer"),
     ],
     "a long rest while the rig warms by 5 K, then one stroke": [
