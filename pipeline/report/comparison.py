@@ -1,15 +1,17 @@
 """Metrics → comparison.md, .html: our numbers beside the paper's, their spread over the seeds, the split `later`."""
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 import pandas as pd
 
 from ..ground import schemas
 from ..ground.errors import program
+from ..ground.jump_notes import read_jumps
 from ..ground.model_names import PAPER
 from ..ground.names import SYNTHETIC
-from . import paper
+from . import jumps, paper
 from .agreement import agreement
 from .made_by import MadeBy
 from .marks import add_mark, mark_from, write_page
@@ -107,6 +109,7 @@ def comparison(
     titles: dict[str, str],
     mark: MadeBy = UNKNOWN,
     dataset: pd.DataFrame | None = None,
+    jumped: Sequence[str] = (),
 ) -> str:
     """Text of comparison.md of one material; the points of `dataset` say in what its strokes differ."""
     whole = metrics[metrics["angle_band"] == "all"]
@@ -117,7 +120,8 @@ def comparison(
     is_other_rig = material == SYNTHETIC and bool(mark.rig)
     why_off = another_rig(mark) if is_other_rig else why_apart(whole, material)
     why = [why_off, ""] if why_off else []
-    text = [f"# {plain(material)}: our errors beside the paper's", "", *why, NOTES, *([missing, ""] if missing else [])]
+    text = [f"# {plain(material)}: our errors beside the paper's", "", *jumps.quoted(jumped), *why, NOTES]
+    text += [missing, ""] if missing else []
     text += agreement(whole) if material == SYNTHETIC and not is_other_rig else []
     for number, direction in paper.MAPS.items():
         text += [f"## Table {'I' * number}, {direction}, within strokes, winding", ""]
@@ -146,12 +150,14 @@ def main() -> None:
         "--out", type=Path, required=True, help="the file of the page, .md, its .html beside it; required"
     )
     add_dataset(parser)
+    jumps.arguments(parser)
     add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     dataset = dataset_from(arguments.dataset)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    write_page(arguments.out, comparison(metrics, material, titles_of(arguments.titles), mark, dataset), mark)
+    jumped, titles = read_jumps(arguments.jumps), titles_of(arguments.titles)
+    write_page(arguments.out, comparison(metrics, material, titles, mark, dataset, jumped), mark)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,6 @@ from markupsafe import Markup
 
 from ..ground.errors import program
 from ..ground.files import write_text
-from ..ground.jump_notes import read_jumps
 from ..ground.left_out import LeftOut
 from ..ground.names import SYNTHETIC
 from ..ground.words_by_file import SIGN
@@ -57,14 +56,14 @@ def page(
     strings: Mapping[str, Sequence[str]],
     gone: list[LeftOut],
     mark: MadeBy,
-    jumped: Sequence[str] = (),
+    jumped: jumps.Notes = jumps.NONE,
 ) -> str:
     """The index's HTML; links are relative to the reports' folder, so that it can be moved as a whole.
 
-    `strings` gives the runs of each material.
+    `strings` gives the runs of each material, `jumped` what is said of jumps of its zero.
     """
     of = {run: material for material, own in strings.items() for run in own}
-    body: list[Text] = [glance(reports, materials.names, runs.names, of, materials.link, runs.link)]
+    body: list[Text] = [glance(reports, materials.names, runs.names, of, materials.link, runs.link, jumped)]
     places: list[tuple[str, Text]] = [("glance", "At a glance")]
     places += [(kind, kind.capitalize()) for kind, parts in (("materials", materials), ("runs", runs)) if not parts.few]
     if gone:
@@ -72,7 +71,6 @@ def page(
         body.append(left_out.section(gone))
     if jumped:
         places.append(("jumps", "The zero jumps"))
-        body.append(jumps.section(jumped))
     if materials.names:
         body.append(paragraph(Markup(NUMBERS).format("metrics.csv-metadata.json")))
     body.append(others(reports))
@@ -121,7 +119,7 @@ def main() -> None:
     marks = marks_of_runs(arguments.rig_mark, mark, arguments.strings.get(SYNTHETIC, []))
     runs = of_runs(reports, arguments.runs)
     materials = of_materials(reports, arguments.materials, arguments.strings, runs)
-    text = page(reports, materials, runs, arguments.strings, gone, mark, read_jumps(arguments.jumps))
+    text = page(reports, materials, runs, arguments.strings, gone, mark, jumps.by_material(arguments.jumps))
     write_text(arguments.out, text)
     write_pages(reports, arguments.out.with_name(FOLDER), runs, marks)
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
+from . import jumps
 from .diagnoses import (
     DIAGNOSED,
     NAMING,
@@ -87,17 +88,26 @@ def counted(contents: Mapping[str, Content | None]) -> Markup:
 
 
 def glance(
-    reports: Path, materials: list[str], runs: list[str], of: Mapping[str, str], material_name: Name, run_name: Name
+    reports: Path,
+    materials: list[str],
+    runs: list[str],
+    of: Mapping[str, str],
+    material_name: Name,
+    run_name: Name,
+    jumped: jumps.Notes = jumps.NONE,
 ) -> Markup:
-    """The opening of the index; `of` gives a run's material."""
+    """The opening of the index; `of` gives a run's material, `jumped` what is said of jumps of a material's zero."""
     contents = {run: content_of(reports / "diagnosis" / run) for run in runs}
     parts: list[Text] = [paragraph(WHAT) if materials or runs else "", Markup('<h2 id="glance">At a glance</h2>')]
     if runs:
         parts.append(paragraph(Markup("Verdicts: {}.").format(counted(contents))))
     if materials:
         aside = f"{len(materials):,}: the model to take, and its error beside the least possible one (× floor)"
-        below = materials_table(reports, materials, material_name)
+        named = {material: material_name(material) + jumps.hint(material, jumped) for material in materials}
+        below = materials_table(reports, materials, named.__getitem__)
         parts.append(folded("materials", "Materials", aside, below, level=3, is_open=True))
+    if jumped:
+        parts.append(jumps.section(jumped))
     if runs:
         aside = f"{len(runs):,}: what the simulator leaves out, run by run; mismatch and noise are rms"
         parts.append(folded("runs", "Runs", aside, runs_table(reports, contents, of, run_name), level=3, is_open=True))

@@ -5,9 +5,13 @@ from pathlib import Path
 
 from ..ground.errors import program
 from ..ground.files import write_text
+from ..ground.jump_notes import read_jumps
+from . import jumps
 from .marks import add_mark, mark_from
+from .material_head import left_out_of, model_to_take
 from .materials import part
-from .recorded_strings import recorded_strings
+from .recorded_strings import by_stroke, recorded_strings
+from .run_strokes import tared_runs
 from .web.glossary import glossary
 from .web.markdown import INDEX
 from .web.page import document, together
@@ -19,12 +23,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m pipeline.report.material_page", description=main.__doc__)
     parser.add_argument("folder", type=Path, help="reports/<material>; a file that is not there is not shown")
     parser.add_argument("--dataset", type=Path, help="the material's dataset.parquet: which strings the page is of")
+    parser.add_argument("--runs", type=Path, nargs="*", default=[], help="raw/<run>: whose run.yaml says `tare: run`")
     add_mark(parser)
+    jumps.arguments(parser)
     arguments = parser.parse_args()
     folder: Path = arguments.folder
-    strings = [recorded_strings(arguments.dataset, folder.name)] if arguments.dataset else []
-    body = together([*strings, part(folder.parent, folder.name, up="../"), glossary()])
-    text = document(folder.name, body, mark_from(arguments.made_by), above=INDEX)
+    parts = [jumps.box(read_jumps(arguments.jumps)), model_to_take(folder)]
+    if arguments.dataset:
+        strokes = by_stroke(arguments.dataset)
+        runs = list(dict.fromkeys(map(str, strokes.index.get_level_values("run"))))
+        parts += [recorded_strings(strokes, folder.name, tared_runs(arguments.runs)), left_out_of(runs)]
+    parts += [part(folder.parent, folder.name, up="../"), glossary()]
+    text = document(folder.name, together(filter(None, parts)), mark_from(arguments.made_by), above=INDEX)
     write_text(folder / "index.html", text)
 
 

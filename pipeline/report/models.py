@@ -1,7 +1,7 @@
 """Metrics → models.md, .html, .csv: every model's RMSE by stroke, direction and angle, beside the data's floor."""
 
 import argparse
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -9,8 +9,9 @@ import pandas as pd
 from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
+from ..ground.jump_notes import read_jumps
 from ..ground.model_names import WHOLE_MOTION
-from . import inverse_beside, paper
+from . import inverse_beside, jumps, paper
 from .comparison import line
 from .fitted import FLOORS, SPLITS, lines_on_files, times_floor
 from .least import sentences
@@ -148,9 +149,10 @@ def on_simulator(table_of: pd.DataFrame, split: str, way: str) -> list[str]:
     ]
 
 
-def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = None) -> str:
+def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = None, jumped: Sequence[str] = ()) -> str:
     """Text of models.md of one material, from the table of `numbers`; the points say in what its strokes differ."""
-    text = [f"# {plain(material)}: every model beside the floor of the data", "", *on_model_to_take(table_of), NOTES]
+    text = [f"# {plain(material)}: every model beside the floor of the data", "", *jumps.quoted(jumped)]
+    text += [*on_model_to_take(table_of), NOTES]
     differ, apart = otherwise(dataset), later_apart(dataset)
     heads = table_of["column"].astype(str)
     mixed = together(dataset, sorted({int(head[2:]) for head in heads if head.startswith("n=")}))
@@ -180,13 +182,15 @@ def main() -> None:
     )
     parser.add_argument("--table", type=Path, required=True)
     add_dataset(parser)
+    jumps.arguments(parser)
     add_mark(parser)
     arguments = parser.parse_args()
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
     dataset = dataset_from(arguments.dataset)
-    text = "\n".join([page(table_numbers, material, dataset), *lines_on_files(metrics, material)])
+    first = page(table_numbers, material, dataset, read_jumps(arguments.jumps))
+    text = "\n".join([first, *lines_on_files(metrics, material)])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)

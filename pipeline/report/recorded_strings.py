@@ -1,6 +1,6 @@
 """Which strings a material's page is of: their sizes, their load, their runs and strokes."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from ..ground import schemas
 from ..ground.kinematics import usual_stiffness
+from .run_strokes import strokes_of_runs
 from .strokes_there import ranges
 from .web.page import paragraph, together
 from .web.table import table
@@ -83,10 +84,15 @@ def sentence(row: list[str]) -> str:
     return f"String {string} (run{'s' * (', ' in runs)} {runs}): {', '.join(named)}; {strokes_named}."
 
 
-def recorded_strings(path: Path, material: str) -> Markup:
-    """What a material's page is of, from its dataset: a sentence a string, or a table of many."""
-    of_strings = list(rows(by_stroke(path)))
+def recorded_strings(strokes: pd.DataFrame, material: str, tared: Collection[str] = ()) -> Markup:
+    """What a material's page is of, from `by_stroke`: two sentences a string, or a table of many.
+
+    `tared` names the runs whose run.yaml says `tare: run`.
+    """
+    of_strings = list(rows(strokes))
     if len(of_strings) <= FEW:
-        return together([paragraph(sentence(row)) for row in of_strings])
+        by_string = [own for _, own in strokes.groupby(level="string", sort=False)]
+        words = [(sentence(row), strokes_of_runs(own, tared)) for row, own in zip(of_strings, by_string, strict=True)]
+        return together([paragraph(" ".join(filter(None, sentences))) for sentences in words])
     head = ["string", "runs", *HEAD.values(), "strokes"]
     return table(head, of_strings, f"The strings of {material}", (0, 1), paged=True)

@@ -44,6 +44,7 @@ rule comparison:
     input:
         metrics="processed/{material}/metrics.parquet",
         dataset="processed/{material}/dataset.parquet",
+        jumps="processed/{material}/zero_jumps.json",
     output:
         page="reports/{material}/comparison.md",
         html="reports/{material}/comparison.html",
@@ -59,13 +60,15 @@ rule comparison:
         "compare {wildcards.material} with the paper"
     shell:
         "exec python -m pipeline.report.comparison {input.metrics:q} --dataset {input.dataset:q}"
-        " --titles {params.titles:q} --made-by {params.made_by:q} --out {output.page:q} > {log:q} 2>&1"
+        " --titles {params.titles:q} --jumps {input.jumps:q} --made-by {params.made_by:q} --out {output.page:q}"
+        " > {log:q} 2>&1"
 
 
 rule models:
     input:
         metrics="processed/{material}/metrics.parquet",
         dataset="processed/{material}/dataset.parquet",
+        jumps="processed/{material}/zero_jumps.json",
     output:
         page="reports/{material}/models.md",
         html="reports/{material}/models.html",
@@ -84,7 +87,8 @@ rule models:
         "hold the models of {wildcards.material} against its floor"
     shell:
         "exec python -m pipeline.report.models {input.metrics:q} --dataset {input.dataset:q} --titles {params.titles:q}"
-        " --directed {params.directed:q} --made-by {params.made_by:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
+        " --directed {params.directed:q} --jumps {input.jumps:q} --made-by {params.made_by:q} --out {output.page:q}"
+        " --table {output.table:q} > {log:q} 2>&1"
 
 
 rule croissant:
@@ -131,11 +135,18 @@ def leak_of_material(wildcards):
     return [figure for figure in LEAK_FIGURES if Path(figure).parent.name == wildcards.material]
 
 
+# Which of its runs were tared anew stands in their run.yaml.
+def described_of_material(wildcards):
+    return described(runs_of(wildcards))
+
+
 rule material_page:
     input:
         expand("reports/{{material}}/{file}", file=SHOWN),
         leak_of_material,
+        described_of_material,
         dataset="processed/{material}/dataset.parquet",
+        jumps="processed/{material}/zero_jumps.json",
     output:
         "reports/{material}/index.html",
     log:
@@ -143,13 +154,14 @@ rule material_page:
     resources:
         **NEEDS["material_page"],
     params:
+        runs=folders_of_runs,
         made_by=mark_of_material,
         code=fingerprint("pipeline.report.material_page", "pipeline.report.web.*"),
     message:
         "write the page that shows the tables and figures of {wildcards.material}"
     shell:
         "exec python -m pipeline.report.material_page reports/{wildcards.material:q} --dataset {input.dataset:q}"
-        " --made-by {params.made_by:q} > {log:q} 2>&1"
+        " --runs {params.runs:q} --jumps {input.jumps:q} --made-by {params.made_by:q} > {log:q} 2>&1"
 
 
 rule metrics:

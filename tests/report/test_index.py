@@ -166,7 +166,7 @@ def test_the_table_of_strings_says_what_nobody_measured_and_ranges(tmp_path):
     assert words.endswith(f" to {NINE['motor_turns'].max():.3g} turns; strokes 1 to 9.")
     many = pd.concat([NINE.assign(string=f"s-{number}") for number in range(7)])
     schemas.write(many, schemas.DATASET, tmp_path / "many.parquet")
-    text = recorded_strings(tmp_path / "many.parquet", "nylon")
+    text = recorded_strings(by_stroke(tmp_path / "many.parquet"), "nylon")
     assert "The strings of nylon" in text and text.count("<tr>") == 8 and "String s-1" not in text
 
 
@@ -175,7 +175,8 @@ def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_p
 ):
     """Nothing but the material's folder is made by that command. The one link out of it says which command makes it."""
     shutil.copytree(reports / MATERIAL, tmp_path / MATERIAL)
-    words = '<a href="../index.html">All reports</a>, a page that only the main job makes (snakemake --cores 2)'
+    words = '<a href="../index.html">All reports</a>, a page that only the main job makes (snakemake --cores 2): '
+    words += "it may be older than this page</p>"
     for path, text in pages_of(tmp_path).items():
         addresses = [each for each in Seen(text).addresses if not each.startswith("#") and each != "../index.html"]
         assert addresses or path.name != "index.html"
@@ -349,5 +350,17 @@ def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_pat
 
 def test_a_jump_of_the_zero_is_said_on_the_page(tmp_path):
     runs, mark = of_runs(tmp_path, []), MadeBy("default.yaml", "abc1234", "default", "", ())
-    text = page(tmp_path, of_materials(tmp_path, [], {}, runs), runs, {}, [], mark, ["The zero <jumps>."])
+    text = page(tmp_path, of_materials(tmp_path, [], {}, runs), runs, {}, [], mark, {MATERIAL: ["The zero <jumps>."]})
     assert "The zero &lt;jumps&gt;." in text and 'id="jumps"' in text
+
+
+def test_a_jump_of_the_zero_is_said_in_its_materials_row_and_above_the_runs(reports):
+    """It stood below the runs, and the row of 11 times the floor had no word of its cause."""
+    runs, mark = of_runs(reports, ["short"]), MadeBy("default.yaml", "abc1234", "default", "", ())
+    materials = of_materials(reports, [MATERIAL, "steel"], {}, runs)
+    text = page(reports, materials, runs, {}, [], mark, {MATERIAL: ["The zero <jumps>."]})
+    row = text[: text.index('id="jumps"')].partition("<tbody>")[2]
+    first, second = row.split("</tr>")[:2]
+    assert MATERIAL in first and 'href="#jumps">its zero jumps between runs' in first and "zero" not in second
+    assert text.index('id="materials"') < text.index(f"<b>{MATERIAL}</b>: The zero &lt;jumps") < text.index('id="runs"')
+    assert text.count('id="jumps"') == 1

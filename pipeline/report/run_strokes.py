@@ -1,0 +1,36 @@
+"""Which strokes of a string are of which of its runs, and which run was re-zeroed, in words."""
+
+from collections.abc import Collection, Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from ..ground.strict_yaml import read_yaml
+from .strokes_there import listed, ranges
+
+NAMED = 8  # runs that a sentence names
+
+
+def tared_runs(folders: Sequence[Path]) -> set[str]:
+    """The runs in `raw/` whose run.yaml says `tare: run`; raises BadInput for one that is none."""
+    files = [folder / "run.yaml" for folder in folders]
+    return {path.parent.name for path in files if path.is_file() and (read_yaml(path) or {}).get("tare") == "run"}
+
+
+def strokes_of_runs(own: pd.DataFrame, tared: Collection[str]) -> str:
+    """A sentence on the strokes of each run of one string, by an index of `run` and `stroke`; empty of one run."""
+    numbers: dict[str, list[int]] = {}
+    pairs = zip(own.index.get_level_values("run"), own.index.get_level_values("stroke"), strict=True)
+    for run, stroke in sorted(pairs, key=lambda pair: int(pair[1])):
+        numbers.setdefault(str(run), []).append(int(stroke))
+    if len(numbers) < 2:
+        return ""
+    first, *others = numbers
+    named = [f"{ranges(sorted(set(strokes)))} of {run}" for run, strokes in numbers.items()]
+    more = f" and {len(named) - NAMED} more runs" if len(named) > NAMED else ""
+    again = [run for run in others if run in tared]
+    zero = f"all have the zero of {first}"
+    if again:
+        zero = f"the zero was set anew at {listed(again[:NAMED])} (`tare: run`)"
+        zero += f" and {len(again) - NAMED} more" if len(again) > NAMED else ""
+    return f"Strokes {', '.join(named[:NAMED])}{more}; {zero}."
