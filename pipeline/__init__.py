@@ -1,7 +1,8 @@
 """twistbench: recordings of a twisted string actuator, its kinematic models, and which physics a simulator leaves out.
 
-In memory: `Recording`, `points`, `fit`, `load`, `answers`, `model_names`, `Diagnosis`, `Mechanism`, `Interval`,
-`BadInput`. Each is imported when it is first used. What a person runs are programs beside them, each with --help.
+In memory: `Recording`, `points`, `fit`, `load`, `answers`, `model_names`, `FittedModel`, `Diagnosis`, `Mechanism`,
+`Interval`, `BadInput`. Each is imported when it is first used. What a person runs are programs beside them, each with
+--help.
 
 Importing it gives this process one thread of linear algebra, whatever the environment says.
 
@@ -34,6 +35,7 @@ _NOTEBOOK = {
     "Recording": "recording",
     "points": "models",
     "fit": "models",
+    "FittedModel": "models",
     "load": "models",
     "answers": "asked_model",
     "model_names": "models",
@@ -47,6 +49,7 @@ if _TYPE_CHECKING:
     from .notebook.diagnosis import Diagnosis as Diagnosis
     from .notebook.mechanism import Interval as Interval
     from .notebook.mechanism import Mechanism as Mechanism
+    from .notebook.models import FittedModel as FittedModel
     from .notebook.models import fit as fit
     from .notebook.models import load as load
     from .notebook.models import model_names as model_names
@@ -54,7 +57,8 @@ if _TYPE_CHECKING:
     from .notebook.recording import Recording as Recording
 
 __all__ = [
-    "BadInput", "Diagnosis", "Interval", "Mechanism", "Recording", "answers", "fit", "load", "model_names", "points",
+    "BadInput", "Diagnosis", "FittedModel", "Interval", "Mechanism", "Recording", "answers", "fit", "load",
+    "model_names", "points",
 ]  # fmt: skip
 
 

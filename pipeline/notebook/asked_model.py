@@ -1,6 +1,5 @@
 """Questions about a string, answered with intervals by a model that is fitted to recorded points, in memory."""
 
-import json
 from pathlib import Path
 
 import pandas as pd
@@ -12,6 +11,7 @@ from ..models.parts.configured import configured, fitting
 from ..models.parts.prediction_intervals import Intervals, TooFew
 from ..models.parts.question_points import Questions, questions_of
 from ..models.parts.thinned import thinned
+from .arguments import as_arguments, settings_of
 
 LEVEL = 0.9  # the probability that an interval holds the truth, unless told otherwise
 
@@ -31,9 +31,11 @@ def answers(
     was recorded, and `why` not; then it has no interval. Raises BadInput for columns that are missing or unknown, and
     where no row can be answered.
     """
-    name, settings = model or usual(), json.dumps(more)
-    refuse(name, settings, level)
-    return answered_anew(points, questions_of(questions, points), name, settings, seed, level, Path("points"))
+    name = model or usual()
+    settings = settings_of(name, more)
+    with as_arguments():
+        refuse(name, settings, level)
+        return answered_anew(points, questions_of(questions, points), name, settings, seed, level, Path("points"))
 
 
 def refuse(name: str, settings: str, level: float) -> None:

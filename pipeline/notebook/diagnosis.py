@@ -138,9 +138,10 @@ class Diagnosis:
 
     @property
     def study(self) -> Study:
-        """What it was made from. Raises ValueError for a diagnosis that was read from a file: it holds no recording."""
+        """What it was made from. Raises BadInput for a diagnosis that was read from a file: it holds no recording."""
         if self._found is None:
-            raise ValueError("a diagnosis read from a file has no recording to draw; diagnose the recording again")
+            problem = "is not there: this diagnosis was read from a file"
+            raise BadInput("diagnosis", "recording", problem, "diagnose the recording: Diagnosis.of(recording)")
         return self._found
 
     def to_json(self) -> str:

@@ -1,6 +1,5 @@
 """Kinematic models by name, in memory: the points of recordings, and models fitted to them."""
 
-import json
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -15,6 +14,7 @@ from ..models.interface import Model, names
 from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS
 from ..stages.dataset import make_dataset
+from .arguments import as_arguments, settings_of
 from .recording import Recording
 
 
@@ -68,9 +68,8 @@ def _all_columns() -> Iterator[None]:
 
 def _unfitted(name: str, settings: dict[str, object]) -> Model:
     """The unfitted model of a name; raises BadInput in the words of a notebook."""
-    if name not in names():
-        raise BadInput("model", "name", f"is {name!r}", f"give one of model_names(): {', '.join(names())}")
-    return configured(name, json.dumps(settings))
+    with as_arguments():
+        return configured(name, settings_of(name, settings))
 
 
 def points(recordings: Sequence[Recording] | Recording) -> pd.DataFrame:
@@ -107,16 +106,19 @@ def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> F
     if absent:
         raise BadInput("points", absent[0], "is no column of these points", "make them by points(recordings)")
     model = _unfitted(name, settings)
-    with fitting(name):
+    with as_arguments(), fitting(name):
         model.fit(points, seed)
     return FittedModel(name, model)
 
 
 def load(name: str, path: Path | str, **settings: object) -> FittedModel:
-    """The model of a name as `save` wrote it, with the settings it was fitted with; raises BadInput, OSError."""
+    """The model of a name as `save` wrote it, with the settings it was fitted with; raises BadInput."""
     model = _unfitted(name, settings)
     try:
         model.load(Path(path))
+    except OSError as error:
+        problem = f"cannot be read ({error.strerror})"
+        raise BadInput(path, "model", problem, "give the file that `save` wrote: load(name, path)") from None
     except (ValueError, KeyError, TypeError) as error:
         problem = f"is no saved {name} ({type(error).__name__})"
         raise BadInput(path, "model", problem, "give the name and the settings that it was fitted with") from error

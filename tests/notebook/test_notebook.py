@@ -134,7 +134,7 @@ def test_a_diagnosis_gives_its_parts_as_objects_and_shows_itself(diagnosis: tb.D
         and read.details == diagnosis.details
         and "<img" not in read._repr_html_()
     )
-    with pytest.raises(ValueError, match="diagnose the recording again"):
+    with pytest.raises(tb.BadInput, match="diagnose the recording"):
         read.figure()
 
 
@@ -197,6 +197,16 @@ def test_a_model_asked_without_a_column_or_by_a_wrong_name_is_refused_in_words(
     model.save(tmp_path / "made.model")
     with pytest.raises(tb.BadInput, match=r"give one of model_names\(\)"):
         tb.load(str(tmp_path / "made.model"), "calibrated")
+    for wrong, match in (
+        (lambda: tb.fit("spline", points, knots=3), r"^settings: spline\.knots: is no setting"),
+        (lambda: tb.fit("spline", points, bins=np.array(3)), r"^settings: spline: .*ndarray"),
+        (lambda: tb.answers(points, points, "splin"), r"^model: name: is 'splin'"),
+        (lambda: tb.answers(points, points, level=2.0), r"^level: 2\.0: is no probability"),
+        (lambda: tb.load("spline", tmp_path / "none.model"), r"none\.model: model: cannot be read"),
+    ):
+        with pytest.raises(tb.BadInput, match=match) as caught:
+            wrong()
+        assert "--" not in str(caught.value), "a notebook has no options"
 
 
 def test_a_model_whose_library_is_not_installed_says_which(

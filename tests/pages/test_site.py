@@ -104,7 +104,7 @@ def test_the_reference_has_every_public_name(site, pages):
     places = pages[site / "api.html"].places
     assert {f"twistbench.{name}" for name in pipeline.__all__} <= places
     assert {"twistbench.Diagnosis.verdict", "twistbench.Recording.strokes"} <= places
-    assert "pipeline.notebook.models.FittedModel.forward" in places
+    assert "twistbench.FittedModel.forward" in places
 
 
 def test_the_search_finds_a_mechanism(site):

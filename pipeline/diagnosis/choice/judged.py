@@ -14,7 +14,7 @@ from .weigh import weighed
 
 HELD = 0.8  # of the probability of all explanations, that the sets of a verdict have together at least
 TAUGHT = 2  # effects in a lesson at most
-UNKNOWN = 0.4  # of the probability: "none of them" with more makes the verdict
+UNKNOWN = 0.4  # of the probability of "none of them", from which on the verdict is `unknown`
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,8 @@ MOST_STEPS = 25  # steps in all, where whole ones lead astray
 REFINEMENTS = 3  # rounds of a search between the candidates of a nonlinear parameter, ever nearer
 FEW = 5  # values among the candidates: fewer are kinds, more are samples of a continuous parameter
 EVENT_REFINEMENTS = 8  # the same for an event: when something happened suddenly must be known to a sample
+FIRST_STEP, NEARER = 0.6, 0.55  # of the way to the next candidate: the first refinement; of that, each further one
+MOST_WILD = 0.03  # of the samples: where more are wild, they are no lonely readings
 
 
 def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:
@@ -78,7 +80,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
             candidates = mechanism.candidates(problem.drivers)
             for number in range(len(act.nonlinear)):
                 act = state.acts[place]
-                beside = _between(candidates, act.nonlinear[number], 0.6 * 0.55**level, kinds)
+                beside = _between(candidates, act.nonlinear[number], FIRST_STEP * NEARER**level, kinds)
                 beside = [other for other in beside if mechanism.tells(problem.drivers, other)]
                 near = [act.nonlinear[number], *beside]
                 if len(near) == 1:
@@ -110,7 +112,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
 def without_outliers(problem: Problem, state: State) -> tuple[Problem, int]:
     """The problem with lonely wild readings moved to their neighbours' residual, and how many those were."""
     far, gap = wild(problem.measured - problem.simulate(state))
-    if not 0 < far.sum() <= 0.03 * len(far):
+    if not 0 < far.sum() <= MOST_WILD * len(far):
         return problem, 0
     return replace(problem, measured=np.where(far, problem.measured - gap, problem.measured)), int(far.sum())
 

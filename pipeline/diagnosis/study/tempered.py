@@ -1,9 +1,9 @@
 """A simulator fitted again, that trusts a recording only as far as what the fit leaves of it is noise.
 
-What is left and is no noise goes the same way for many samples on end, which then say little more than one. A fit that
-takes each of them for a witness moves dimensions far along ways that hardly show, to take off what no dimension can
-explain: on another motion such a simulator is worse than the ruler. Here that costs more than it brings, and a
-dimension that the recording does not tell stays near to where it was measured.
+What a fit leaves and is no noise lasts for many samples. These samples together say little more than one. A fit that
+counts each of them moves dimensions far, to take off what no dimension can explain. On another motion such a simulator
+errs more than one with the dimensions as measured. Here samples count only as far as they are independent. So a
+dimension that the recording does not show stays near its measured value.
 
 Source: Geyer, "Practical Markov chain Monte Carlo", Statistical Science 7, 1992 (how much correlated samples say);
 Müller, "Risk of Bayesian inference in misspecified models", Econometrica 81, 2013 (how far to trust a wrong model).

@@ -16,7 +16,7 @@ from .reasons import chiefly, less_often
 
 RARE = 0.01  # a probability below which an explanation needs no further word
 VISIBLE = 0.4  # noise floors: smaller gains need no further word
-NEARER = "Weighed sample by sample, 1 is nearer to the recording: than {} standard deviations. {}"
+NEARER = "By the noise of the samples alone, explanation 1 fits better than {} standard deviations. {}"
 COUNTS = (
     "They count the noise alone, and a formula that is wrong by a few per cent makes many of them; the probabilities "
     "allow for that."

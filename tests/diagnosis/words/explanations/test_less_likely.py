@@ -35,7 +35,7 @@ def test_the_reason_that_most_rivals_share_stands_once_and_what_is_hardly_likely
     assert text.count("it fits the recording worse") == 1
     assert "chiefly since it fits the recording worse (no. 3 and 5)" in text
     assert "chiefly since it has more effects (no. 4)" in text
-    assert "Weighed sample by sample, 1 is nearer to the recording: than 3 by 20 standard deviations." in text
+    assert "By the noise of the samples alone, explanation 1 fits better than 3 by 20 standard deviations." in text
     assert not re.search(r"[^0-9]5 by", text), "hardly likely: its row alone"
     made["evidence"]["explanations"][1]["probability"] = None
     text = section(made)
