@@ -1,5 +1,6 @@
-"""What an effect does, in a line: the times and sizes of what happens suddenly; whether a temperature was measured."""
+"""What an effect does, in a line: its largest size, or when and by how much it happens suddenly."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,23 +12,34 @@ from ..language.explained_words import meaning, of_effect, on_rig
 from ..language.quantity import listing, number, size
 from ..language.vocabulary import Vocabulary
 from . import effects
+from .own_size import doubt_of, own_part
 
 MOST, EXACT_S = 3, 100.0  # events that are told, the largest; from when on a time is told to the second
+LARGEST = re.compile(r"up to \d.*?(?=, [a-z]| \(|\.$|\. )|\d[^,(]* in all")  # of an effect's sentence
 AT, WITHIN, EACH = "at_s", "within_s", "_per_stroke"  # of an event: when, how fast; of a size: at every stroke
 
 
 def of_named(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
-    """What an effect of the best explanation does."""
+    """What an effect of the best explanation does; with its largest size only where that size is well known."""
     does, mechanism = of_effect(entry, words), mechanisms()[entry["id"]]
     calculated = "a temperature that is calculated from the motion, not measured"
     does = does.replace("the temperature", calculated) if effects.calculated(mechanism, entry) else does
-    return _joined(does, _events(content.get("simulation", []), entry["id"], words), ", ")
+    events = _events(content.get("simulation", []), entry["id"], words)
+    if events or own_part(entry, content, words) or doubt_of(entry, content, words):
+        return _joined(does, events, ", ")
+    return _joined(does, _largest(entry.get("sentence", "")), "; here ")
 
 
 def of_open(id_: str, content: Verdict, words: Vocabulary) -> str:
     """What an effect does that another explanation has alone, as the first of these has it that was kept."""
     kept = [rival["simulation"] for rival in content.get("rivals", []) if id_ in rival["ids"]]
     return _joined(on_rig(meaning(id_), words), _events(kept[0], id_, words) if kept else "", "; if so, ")
+
+
+def _largest(sentence: str) -> str:
+    """The largest size of an effect, with that under each load where loads differ, as its sentence says it."""
+    largest = LARGEST.search(sentence)
+    return largest[0] if largest else ""
 
 
 @dataclass(frozen=True, order=True)
@@ -60,5 +72,5 @@ def _events(simulation: Sequence[Included], id_: str, words: Vocabulary) -> str:
     return f"by {listing([*map(str, largest), *fewer])}" if largest else ""
 
 
-def _joined(does: str, events: str, link: str) -> str:
-    return f"{does.rstrip('.')}{link}{events}." if events else does
+def _joined(does: str, size_or_events: str, link: str) -> str:
+    return f"{does.rstrip('.')}{link}{size_or_events}." if size_or_events else does

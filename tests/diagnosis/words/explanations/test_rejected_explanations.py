@@ -33,7 +33,9 @@ def test_what_is_nearly_as_good_as_the_best_is_put_beside_its_number():
     for left, ratio in ((0.0308, "1.0"), (0.0292, "1.0")):
         made["evidence"]["explanations"][2]["left_mm"] = left
         assert re.search(rf"3 +friction_hysteresis \+ sensor_drift +{left:.3f} mm \({ratio}\)", told(made))
-        assert "By the noise of the samples alone, explanation 1 fits better than 3 by 20 standard deviations." in told(made)
+        assert "By the noise of the samples alone, explanation 1 fits better than 3 by 20 standard deviations." in told(
+            made
+        )
     made["evidence"]["explanations"][2]["worse"] = 0.0
     text = " ".join(told(made).split())
     unweighed = "Not weighed, since the recording lacks a mark of its effects, or cheaper ones of its size are many"

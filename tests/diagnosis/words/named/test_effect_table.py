@@ -3,6 +3,10 @@
 import pytest
 from made_content import content, page, parameter
 
+from pipeline.diagnosis.words.language.vocabulary import Vocabulary
+from pipeline.diagnosis.words.named import in_a_line
+from pipeline.systems import systems
+
 CALCULATED = "the length follows a temperature that is calculated from the motion, not measured."
 
 
@@ -37,3 +41,21 @@ def test_of_a_named_effect_that_happens_suddenly_the_page_says_the_largest() -> 
     made["evidence"]["explanations"][-1]["ids"] = ["count_slip"]
     line = "by 0.50 turns at every stroke, 0.30 turns at 30 s, 12 turns at 1234 s and 2 smaller."
     assert line in " ".join(page(made).split())
+
+
+@pytest.mark.parametrize(
+    ("sentence", "size", "line"),
+    [
+        ("Friction opens a loop, by up to 0.57 mm, most near 18 turns (0.18 mm rms).", 0.18, "; here up to 0.57 mm."),
+        ("It stays longer, 0.40 mm in all (0.18 mm rms), and no rest.", 0.18, "; here 0.40 mm in all."),
+        ("It is late, which is worth 0.18 mm rms at these speeds.", 0.18, ". "),
+        ("Friction opens a loop, by up to 0.57 mm, most near 18 turns (0.18 mm rms).", 0.05, ". "),
+    ],
+)
+def test_the_page_says_how_large_an_effect_gets_where_no_dimension_imitates_it(sentence, size, line) -> None:
+    """Who designs a rig asks for the largest error, and the page had the rms alone."""
+    known = {"id": "friction_hysteresis", "rms_mm": parameter(0.18, "mm"), "parameters": {}, "sentence": sentence}
+    made = content(mechanisms=[known], verdict="explained", evidence__moved_sigma={"radius_mm": 0.1})
+    made["evidence"] |= {"beyond_dimensions_mm": {"friction_hysteresis": size}}
+    said = in_a_line.of_named(known, made, Vocabulary.of(systems()["separator"]))
+    assert f"winding and unwinding differ by a rounded loop that grows with load or twist{line}" in f"{said} "
