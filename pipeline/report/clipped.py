@@ -17,7 +17,7 @@ def clipped(windings: Iterable[pd.DataFrame], where: str) -> str:
     turns = f"{points['inverse_turns'].median():.2g}".replace("-", "−")
     errors = (points["inverse_turns"] - points["motor_turns"]).abs()
     return (
-        f"{where}: below x = 0 the string is longer than when its zero was set. There the equation of the traditional "
-        f"model has the root of a negative number. The root of 0 is taken in its place, so the model answers {turns} "
-        f"turns at every x < 0, and errs there by up to {errors.max():.2g} turns."
+        f"{where}: below x = 0 the string is longer than the traditional model has it at any twist. There the model's "
+        f"equation has the root of a negative number. The root of 0 is taken in its place, so the model answers {turns}"
+        f" turns at every x < 0, and errs there by up to {errors.max():.2g} turns."
     )

@@ -31,11 +31,13 @@ from .web.glossary import word
 from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
-LONGEST = 90  # characters of a next run in a table; the whole of it stands beside the verdict
+LONGEST = 180  # characters of a next run in a table; the whole of it stands beside the verdict
+TABLE_END = "</table></div>"
 WHAT = (
     "This page shows what was made of the recordings in raw/. For each material: the model to take, and "
     "how large its error is. For each run: what the simulator leaves out, and which run to make next."
 )
+RULES_ASIDE = "by which rule the model to take is found, what later strokes are, which model errs less on what"
 UNSEEN = 3  # of the sizes are errors on strokes that no fit has seen
 Name = Callable[[str], Text]  # the name of a material or a run as a link to its part
 
@@ -48,9 +50,14 @@ def shortened(text: str) -> str:
     return first[:LONGEST].rsplit(" ", 1)[0] + " …"
 
 
-def next_run(content: Content | None, folder: Path) -> str:
-    """The run that a diagnosis asks for, or the recording that its verdict does, in a few words; else empty."""
-    return shortened(str((content or {}).get("next_experiment") or next_recording(folder)))
+def next_run(content: Content | None, folder: Path) -> Text:
+    """The run that a diagnosis asks for, or the recording that its verdict does, in a few words; else empty.
+
+    Words that are cut off are whole in a title.
+    """
+    whole = str((content or {}).get("next_experiment") or next_recording(folder))
+    words = shortened(whole)
+    return Markup('<span title="{}">{}</span>').format(whole, words) if words.endswith(" …") else words
 
 
 def advice(verdict: str, folder: Path) -> str:
@@ -99,18 +106,21 @@ def glance(
     """The opening of the index; `of` gives a run's material, `jumped` what is said of jumps of a material's zero."""
     contents = {run: content_of(reports / "diagnosis" / run) for run in runs}
     parts: list[Text] = [paragraph(WHAT) if materials or runs else "", Markup('<h2 id="glance">At a glance</h2>')]
+    below_runs: list[Text] = []
     if runs:
         parts.append(paragraph(Markup("Verdicts: {}.").format(counted(contents))))
     if materials:
         aside = f"{len(materials):,}: the model to take, and its error beside the least possible one (× floor)"
         named = {material: material_name(material) + jumps.hint(material, jumped) for material in materials}
-        below = materials_table(reports, materials, named.__getitem__)
-        parts.append(folded("materials", "Materials", aside, below, level=3, is_open=True))
+        of_materials, end, rules = materials_table(reports, materials, named.__getitem__).partition(TABLE_END)
+        parts.append(folded("materials", "Materials", aside, of_materials + end, level=3, is_open=True))
+        below_runs.append(folded("rules", "How to read the materials", RULES_ASIDE, rules, level=3))
     if jumped:
         parts.append(jumps.section(jumped))
     if runs:
         aside = f"{len(runs):,}: what the simulator leaves out, run by run; mismatch and noise are rms"
         parts.append(folded("runs", "Runs", aside, runs_table(reports, contents, of, run_name), level=3, is_open=True))
+    parts += below_runs
     if not materials and not runs:
         parts.append(paragraph("No run lies in raw/ yet."))
     return together(filter(None, parts))

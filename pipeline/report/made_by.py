@@ -8,6 +8,7 @@ from pathlib import PurePath
 from typing import Any
 
 from ..ground.configuration import ModelPlan
+from ..ground.names import SYNTHETIC
 
 AMOUNTS = ("within", "later", "seeds", "epochs", "strings", "count", "each")  # less of these than usual: a small fit
 NOT_HASHED = ("recordings",)  # where files of others lie on this machine
@@ -123,7 +124,7 @@ def sentence(mark: MadeBy, versioned: bool = True) -> str:
     """What a reader must know of the configuration, in one or two plain sentences; `versioned` with the hash of it."""
     if mark.kind == "unknown":
         return "Made by hand: which configuration made its numbers is not known."
-    rig = f" It records another synthetic rig: {mark.rig}." if mark.rig else ""
+    rig = f" Material {SYNTHETIC}, and no other, is of another synthetic rig: {mark.rig}." if mark.rig else ""
     fits = rig + (f" Fits: {mark.fits}." if mark.fits else "")
     name = f"{mark.name} ({mark.version})" if versioned else mark.name
     if mark.kind == "default":

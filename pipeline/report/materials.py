@@ -58,7 +58,7 @@ def _apart(csv: str, number: int) -> str:
     empty = sorted({line.split(",")[-4] for line in csv.splitlines()[1:] if line.endswith(",,")})
     differences = ["the files call the turns θ/2π, as the paper does"] if paper.UNITS[number] == "θ/2π" else []
     if empty:
-        differences.append(f"the csv has {' and '.join(empty)} too, in empty cells, since programs read all three")
+        differences.append(f"the csv has {' and '.join(empty)} too, in empty cells")
     return "".join(f"; {difference}" for difference in differences)
 
 

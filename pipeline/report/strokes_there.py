@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from ..ground.counts import consecutive
 
-SHOWN = "The paper shows"
+SHOWN = "Shown "
 
 
 def there_of(strokes: Iterable[str | int]) -> list[int]:
@@ -27,6 +27,11 @@ def tabled(strokes: Sequence[int], wanted: Sequence[int]) -> list[int]:
     return [stroke for stroke in wanted if stroke in strokes] or drawn(strokes, wanted)
 
 
+def tabled_and_last(strokes: Sequence[int], wanted: Sequence[int], most: int) -> list[int]:
+    """All strokes where `most` or fewer are there; else those that a table shows, and the last."""
+    return list(strokes) if len(strokes) <= most else sorted({*tabled(strokes, wanted), strokes[-1]})
+
+
 def ranges(strokes: Sequence[int]) -> str:
     """The strokes in words: "1 to 8", "1 to 4 and 9"."""
     return listed([f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in consecutive(strokes)])
@@ -44,7 +49,9 @@ def rows_of(material: str) -> str:
 
 
 def shown_of(strokes: Sequence[int], wanted: Sequence[int], material: str) -> str:
-    """A sentence on which strokes the paper shows, the material has and a table shows, and where all are.
+    """A sentence on which strokes a table shows of those that the material has, and where all are.
+
+    The paper's are named where one of them is not there.
 
     Empty where the table shows all strokes, the paper's among them. The file that it names is the one that the table
     was made of, so it is there wherever the table is.
@@ -52,15 +59,11 @@ def shown_of(strokes: Sequence[int], wanted: Sequence[int], material: str) -> st
     rows = tabled(strokes, wanted)
     if not strokes or (len(rows) >= len(strokes) and set(wanted) <= set(strokes)):
         return ""
-    known = f"{SHOWN} {_strokes(wanted)}. This material has {_strokes(strokes)}"
+    are = f"{SHOWN}{'are strokes' if len(rows) > 1 else 'is stroke'} {listed(rows)}"
+    papers = "" if set(wanted) <= set(strokes) else f" (the paper has {listed(wanted)})"
     if len(rows) >= len(strokes):
-        return f"{known}."
-    are_shown = f"{listed(rows)} {'are' if len(rows) > 1 else 'is'} shown"
-    return f"{known}, so {are_shown}. All strokes are rows of {rows_of(material)}, column stroke."
-
-
-def _strokes(strokes: Sequence[int]) -> str:
-    return f"stroke{'s' * (len(strokes) > 1)} {ranges(strokes)}"
+        return f"{are}, all that there are{papers}."
+    return f"{are} of {ranges(strokes)}{papers}. All strokes are rows of {rows_of(material)}, column stroke."
 
 
 def in_figure(strokes: Sequence[int], shown: Sequence[int], wanted: Sequence[int]) -> str:

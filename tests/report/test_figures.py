@@ -10,12 +10,14 @@ from matplotlib.lines import Line2D
 
 from pipeline.ground import schemas
 from pipeline.report import figures
+from pipeline.report.averaged import PARTS, averaged
 from pipeline.report.drawing import STYLE, save
-from pipeline.report.figure_4 import figure_4
+from pipeline.report.figure_4 import MEANS, figure_4
 from pipeline.report.figure_5 import as_bars, by_range, figure_5, foot_of
 from pipeline.report.figures import best_other
 from pipeline.report.made_by import MadeBy
 from pipeline.report.winding import with_median, with_nominal
+from pipeline.report.zero_of_x import zero_of_x
 
 TITLES = {"inn": "INN model", "spline": "Spline model", "mlp": "MLP model", "traditional": "Traditional model"}
 AWAY = {"inn": 0.1, "spline": 0.02, "mlp": 0.3, "traditional": 0.01}  # of the measurement, in mm and turns
@@ -90,7 +92,7 @@ def test_figures_are_drawn_and_the_same_every_time(material, tmp_path):
 
 
 def test_figure_4_shows_strokes_against_the_traditional_model(dataset):
-    four = figure_4(with_nominal(dataset), "UHMWPE")
+    four = figure_4(with_nominal(dataset), "synthetic")
     labels = [text.get_text() for text in four.axes[0].get_legend().get_texts()]
     assert labels == ["n=1", "n=3", "n=5", "n=7", "traditional model"]
     forward_error = four.axes[1].get_lines()[0].get_ydata()
@@ -171,7 +173,8 @@ def test_a_figure_says_which_strokes_it_shows_and_which_the_tables_do(dataset):
     """Figures 4, 5 and the tables show different strokes, and none said so."""
     nine, few = with_nominal(dataset), with_nominal(dataset[dataset["stroke"] <= 4])
     said = [
-        (figure_4(nine, "m").get_supxlabel(), "n=1, 3, 5, 7 of 1 to 9; the tables show n=1, 5, 9."),
+        (figure_4(nine, "synthetic").get_supxlabel(), "n=1, 3, 5, 7 of 1 to 9; the tables show n=1, 5, 9."),
+        (figure_4(nine, "m").get_supxlabel(), "n=1, 5, 9 of 1 to 9; as in the tables."),
         (figure_5(nine, {}, "m").legends[0].get_title().get_text(), "n=1, 5, 9 of 1 to 9; as in the tables."),
         (figure_4(few, "m").get_supxlabel(), "n=1, 2, 3, 4, all that there are; the tables show n=1."),
         (figure_5(few, {}, "m").legends[0].get_title().get_text(), "n=1, 3, 4 of 1 to 4; the tables show n=1."),
@@ -282,3 +285,33 @@ def test_a_figure_of_a_small_fit_says_that_it_is_no_result(tmp_path):
     save(figure, tmp_path / "usual", MadeBy("default.yaml", "abc1234", "default", "", ()))
     assert figure.get_suptitle() == "nylon"
     assert b"Made by the default configuration" in (tmp_path / "usual.png").read_bytes()
+
+
+def test_errors_of_many_samples_are_averaged_along_a_stroke_but_on_the_papers_figure(dataset):
+    """At 100 Hz the error was noise, and the last stroke lay over the others: no drift could be seen."""
+    one = with_nominal(dataset[(dataset["stroke"] == 1) & (dataset["phase"] == "winding")])
+    many = pd.concat([one] * (1 + 500 // len(one)), ignore_index=True).sort_values("motor_turns", ignore_index=True)
+    noise = np.tile([0.5, -0.5], len(many))[: len(many)]
+    many = many.assign(time_s=np.arange(len(many)) / 100.0, forward_mm=many["displacement_mm"] + 0.2 + noise)
+    own, papers = figure_4(many, "nylon"), figure_4(many, "synthetic")
+    every, means = own.axes[1].get_lines()[:2]
+    assert len(every.get_ydata()) == len(many) and len(means.get_ydata()) == PARTS and every.get_alpha() < 0.5
+    middle = means.get_ydata()[np.isfinite(means.get_ydata())]
+    assert np.abs(middle - 0.2).max() < 0.2 and middle.mean() == pytest.approx(0.2, abs=0.05)
+    assert MEANS in " ".join(own.get_supxlabel().split()) and MEANS not in papers.get_supxlabel()
+    assert len(papers.axes[1].get_lines()) == 2 and papers.axes[1].get_lines()[0].get_alpha() is None
+
+
+def test_a_mean_is_of_a_hundredth_of_the_range_and_missing_where_no_point_lies():
+    x, y = averaged(pd.Series([0.0, 0.5, 100.0, np.nan]), pd.Series([1.0, 3.0, 7.0, 1.0]))
+    assert len(x) == PARTS and x[[0, -1]].tolist() == [0.25, 100.0] and y[[0, -1]].tolist() == [2.0, 7.0]
+    assert np.isnan(y[1:-1]).all() and np.isnan(averaged(pd.Series([np.nan]), pd.Series([1.0]))[1]).all()
+
+
+def test_figure_4_says_where_an_untwisted_string_stands(dataset):
+    """The string stood at 0.2 mm, and the words spoke of its zero as if it were there."""
+    said = " ".join(figure_4(with_nominal(dataset), "m").get_supxlabel().split())
+    untwisted_mm = np.hypot(150.0, 8.0) - 150.0
+    assert f"Without twist that is {untwisted_mm:.2f} mm, not 0, since the separator spreads the string." in said
+    pair = dataset.assign(actuator="twisted_pair", separator_mm=np.nan, torsion_zone_mm=np.nan)
+    assert zero_of_x(pair).endswith("to the traditional model's value at that twist.") and zero_of_x(pair[:0]) == ""

@@ -22,7 +22,7 @@ from pipeline.ground import schemas
 from pipeline.ground.kinematics import usual_stiffness
 from pipeline.ground.left_out import LeftOut, to_json
 from pipeline.report.index import page
-from pipeline.report.index_head import glance, runs_table, shortened
+from pipeline.report.index_head import glance, next_run, runs_table, shortened
 from pipeline.report.made_by import MadeBy
 from pipeline.report.models import NOTES
 from pipeline.report.page_parts import of_materials, of_runs
@@ -202,7 +202,10 @@ def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
     assert (
         opening.index("Small fit, not a result") < opening.index("At a glance") < opening.index('data-only="ambiguous"')
     )
-    assert opening.count("<details") == opening.count(" open>") == 2  # what a person came for may be folded, and is not
+    assert opening.count(" open>") == 2  # what a person came for may be folded, and is not
+    open_parts, _, folded_part = opening.partition('<details id="rules">')
+    assert open_parts.count("<details") == open_parts.count("<table") == 2, "nine paragraphs stood between the tables"
+    assert all(words in folded_part and words not in open_parts for words in (RULE, LATER[:40], "is exported by"))
     assert "TABLE" not in opening and "Table II: inverse" in rest and "glossary" in rest
     assert "models.html" in rest and "models.md" not in rest and "comparison.html" in rest
 
@@ -303,7 +306,15 @@ def test_an_error_far_above_the_floor_is_coloured_and_what_the_page_is_stands_fi
 def test_the_next_run_is_said_in_a_few_words():
     assert shortened("one stroke under twice the load: hold 0 turns for 2 s; more") == "one stroke under twice the load"
     assert shortened("Rest at 0.5 turns. Then go on.") == "Rest at 0.5 turns"
-    assert shortened("word " * 60).endswith("word …") and len(shortened("word " * 60)) < 95
+    assert shortened("word " * 60).endswith("word …") and len(shortened("word " * 60)) < 185
+
+
+def test_a_next_run_is_readable_to_its_end(tmp_path):
+    """A sentence ended in "and diagnose …", and the end of it stood in no place of the page."""
+    whole = "Record the rig once more, with at least 8 strokes (30 N among the first), and diagnose all runs together"
+    assert next_run({"next_experiment": whole}, tmp_path) == whole
+    long = "word " * 60 + '"end"'
+    assert f'<span title="{"word " * 60}&#34;end&#34;">word ' in next_run({"next_experiment": long}, tmp_path)
 
 
 def test_what_was_left_out_stands_on_the_page_and_beneath_the_tables(tmp_path, reports):

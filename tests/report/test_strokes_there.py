@@ -1,6 +1,6 @@
 import pytest
 
-from pipeline.report.strokes_there import drawn, ranges, shown_of, tabled, there_of
+from pipeline.report.strokes_there import drawn, ranges, shown_of, tabled, tabled_and_last, there_of
 
 
 @pytest.mark.parametrize(
@@ -30,9 +30,15 @@ def test_which_strokes_there_are_is_said_as_ranges():
 def test_which_strokes_are_shown_and_why_is_said():
     """Tables of 42 strokes had three rows a model, without a word why."""
     where = " All strokes are rows of processed/nylon/metrics.parquet, column stroke."
-    paper = "The paper shows strokes 1, 5 and 9. This material has stroke"
-    assert shown_of(range(1, 43), (1, 5, 9), "nylon") == f"{paper}s 1 to 42, so 1, 5 and 9 are shown.{where}"
-    assert shown_of(range(1, 6), (1, 5, 9), "nylon") == f"{paper}s 1 to 5, so 1 and 5 are shown.{where}"
-    assert f"{paper}s 21 to 29, so 21, 25 and 29 are shown." in shown_of(range(21, 30), (1, 5, 9), "nylon")
-    assert shown_of([2], (1, 5, 9), "m") == f"{paper} 2." and shown_of([2, 3], (1, 5, 9), "m") == f"{paper}s 2 to 3."
+    paper = "(the paper has 1, 5 and 9)"
+    assert shown_of(range(1, 43), (1, 5, 9), "nylon") == f"Shown are strokes 1, 5 and 9 of 1 to 42.{where}"
+    assert shown_of(range(1, 6), (1, 5, 9), "nylon") == f"Shown are strokes 1 and 5 of 1 to 5 {paper}.{where}"
+    assert f"Shown are strokes 21, 25 and 29 of 21 to 29 {paper}." in shown_of(range(21, 30), (1, 5, 9), "nylon")
+    assert shown_of([2], (1, 5, 9), "m") == f"Shown is stroke 2, all that there are {paper}."
     assert shown_of([1, 5, 9], (1, 5, 9), "m") == ""
+
+
+def test_a_figure_of_a_string_of_ones_own_shows_the_tables_strokes_and_the_last():
+    assert tabled_and_last(range(1, 11), (1, 5, 9), 4) == [1, 5, 9, 10]
+    assert tabled_and_last(range(1, 16), (1, 5, 9), 4) == [1, 5, 9, 15]
+    assert tabled_and_last(range(1, 10), (1, 5, 9), 4) == [1, 5, 9] and tabled_and_last([1, 2], (1, 5, 9), 4) == [1, 2]

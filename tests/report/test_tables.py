@@ -131,18 +131,18 @@ def test_eight_strokes_give_no_empty_row_where_a_person_reads(tmp_path):
     assert from_markdown(markdown)[2][1][1] == "n=5" and len(from_markdown(markdown)[2]) == 6
     assert "n=9$" not in latex and latex.count(r"\multirow{2}") == 3
     for text in (markdown, latex):
-        assert "The paper shows strokes 1, 5 and 9. This material has strokes 1 to 8, so 1 and 5 are shown." in text
+        assert "Shown are strokes 1 and 5 of 1 to 8 (the paper has 1, 5 and 9)." in text
     assert (tmp_path / "table_1.csv").read_text().count("n=9,,,\n") == 3
     compared = comparison(made_metrics(strokes=range(1, 9)), "m", TITLES)
     assert (
         "| n=9 |" not in compared.split("## Forward, later")[0]
-        and "This material has strokes 1 to 8, so 1 and 5 are" in compared
+        and "Shown are strokes 1 and 5 of 1 to 8 (the" in compared
     )
 
 
 def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_path):
     write(made_metrics(strokes=range(1, 13)), 1, TITLES, SMALL, tmp_path)
-    words = "This material has strokes 1 to 12, so 1, 5 and 9 are shown. All strokes are rows of processed/"
+    words = "Shown are strokes 1, 5 and 9 of 1 to 12. All strokes are rows of processed/"
     for text in ((tmp_path / "table_1.md").read_text(), (tmp_path / "table_1.tex").read_text()):
         assert words in text
     assert words in comparison(made_metrics(strokes=range(1, 13)), "m", TITLES)
@@ -150,7 +150,8 @@ def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_pa
     assert "shown are the paper's three, processed/" in columns[1]["dc:description"]
     for number in (1, 2):
         write(made_metrics(strokes=range(1, 13)), number, TITLES, SMALL, tmp_path)
-    assert html_table(tmp_path, 1, "").count("The paper shows strokes 1, 5 and 9.") == 1
+    assert html_table(tmp_path, 1, "").count("Shown are strokes 1, 5 and 9 of 1 to 12.") == 1
+    assert "the paper has" not in html_table(tmp_path, 1, ""), "noise where the strokes are there"
     inverse = html_table(tmp_path, 2, "")
     assert inverse.count("(turns)") == 3 and "(θ/2π)" not in inverse, "the paper's head is no unit"
     assert "; the files call the turns θ/2π, as the paper does." in inverse and "csv has" not in inverse
@@ -158,10 +159,10 @@ def test_every_form_says_which_of_many_strokes_it_shows_and_where_all_are(tmp_pa
     write(made_metrics(strokes=range(1, 7)), 2, TITLES, SMALL, tmp_path)
     six = html_table(tmp_path, 2, "")
     assert "n=9" not in six.split("</table>")[0], "and the page says why the csv has it"
-    assert "; the csv has n=9 too, in empty cells, since programs read all three." in six
+    assert "; the csv has n=9 too, in empty cells." in six
     assert "n is the number of the stroke." in inverse
     write(made_metrics(), 1, TITLES, SMALL, tmp_path)
-    assert "The paper shows" not in (tmp_path / "table_1.md").read_text()
+    assert "Shown" not in (tmp_path / "table_1.md").read_text()
 
 
 def test_comparison_shows_the_paper_beside_ours_with_the_spread():
