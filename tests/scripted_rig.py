@@ -54,7 +54,7 @@ class ScriptedRig(threading.Thread):
 @contextmanager
 def synthetic_rig(link: Path, setup: object, *options: object) -> Iterator[Path]:
     """The synthetic rig of a set-up behind a link, until the end."""
-    program = ready.start("pipeline.rig", setup, "--link", link, *options)
+    program = ready.start("pipeline.rig", setup, "--link", link, "--seed", 0, *options)
     try:
         while not link.is_symlink():
             assert program.poll() is None, program.communicate()[0]

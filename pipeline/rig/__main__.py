@@ -2,6 +2,7 @@
 
 import math
 import os
+import secrets
 import signal
 import sys
 from pathlib import Path
@@ -13,7 +14,7 @@ from ..ground.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .line import line, serve
-from .options import again, command, free_name
+from .options import again, command, free_name, number_of
 from .setup import names, read_setup
 from .simulate import simulate
 from .standing import Standing
@@ -25,6 +26,7 @@ ANEW = "rig: every recording is of a new string: give each a run and a --string-
 STAYS = "rig: every recording is of the same string: give each a run of its own and the same --string-id"
 KEPT = "rig: its displacement sensor keeps its zero from recording to recording, so no run needs --tare run"
 ZEROED = "rig: its displacement sensor is set to zero at each start, so every run after the first has --tare run"
+SEEDS = 1_000_000  # one of so many is drawn for a rig that is given none
 PACE = 5.0  # the paper's nine strokes in a minute
 
 
@@ -49,13 +51,18 @@ def strokes_of(count: int) -> str:
     )
 
 
+def drawn(seed: int) -> str:
+    """How a person gets what a drawn seed made once more."""
+    return f"; seed {seed}: the same again with --seed {seed}"
+
+
 @program
 def main() -> int:
     """Make the link, then serve until Ctrl-C, or so many recordings; exit 1 when nobody acknowledges the last one."""
     parser = Parser(prog=called.command("rig"), description=__doc__)
     parser.add_argument("setup", metavar="SETUP", help=f"a YAML file, or one of {', '.join(names())}")
     parser.add_argument("--link", type=Path, required=True, help="name of the serial port that is made")
-    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--seed", type=int, help="what is drawn: the same one gives the same strings again")
     parser.add_argument("--pace", type=float, default=PACE, help=f"times real time, inf for no waiting ({PACE:g})")
     parser.add_argument("--recordings", type=int, default=0, help="so many, then end (default: until Ctrl-C)")
     strokes = f"strokes of each recording, 1 to {MOST_STROKES:,}; default: as the set-up says (paper: 9)"
@@ -70,20 +77,21 @@ def main() -> int:
     arguments = parser.parse_args()
     if arguments.strokes is not None and not 1 <= arguments.strokes <= MOST_STROKES:
         parser.error(f"--strokes must be 1 to {MOST_STROKES}")
-    if arguments.seed < 0 or not arguments.pace > 0 or arguments.recordings < 0:
+    if (arguments.seed or 0) < 0 or not arguments.pace > 0 or arguments.recordings < 0:
         parser.error("--seed and --recordings must be 0 or more, --pace above 0")
     setup = read_setup(arguments.setup)
     if arguments.strokes is not None:
         setup = setup.model_copy(update={"motion": setup.motion.of_strokes(arguments.strokes)})
     if arguments.zeroed and not arguments.standing:
         parser.error("--zeroed is for --standing: without it every recording is of another string")
+    seed = secrets.randbelow(SEEDS) if arguments.seed is None else arguments.seed  # two rigs have two strings
     load, zeroed = not arguments.fixed_load, arguments.zeroed and setup.sensors["displacement_mm"].zeroed
-    standing = Standing(setup, arguments.seed, load, zeroed) if arguments.standing else None
+    standing = Standing(setup, seed, load, zeroed) if arguments.standing else None
 
     def device_of(number: int) -> Device:
         if standing is not None:
             return Commanded(standing, arguments.stalls_at)
-        return Device(simulate(setup, arguments.seed + number - 1))
+        return Device(simulate(setup, seed + number - 1))
 
     device, number = device_of(1), 1
     for asks_to_end in (signal.SIGINT, signal.SIGTERM):  # to the first of them a shell's background job is deaf
@@ -92,9 +100,9 @@ def main() -> int:
         pace = paced(arguments.pace, setup.rate_hz)
         ends = f"Ctrl-C ends it, in the background kill {os.getpid()}"
         print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; {ends}")
-        first = free_name(RAW)
+        first = name = free_name(RAW)
         print(f"rig: before recording 1 describe its string by: {command(setup, first, arguments.setup)}")
-        print(STAYS if standing else ANEW)
+        print((STAYS if standing else ANEW) + drawn(seed) * (arguments.seed is None))
         if standing:
             print(ZEROED if zeroed else KEPT)
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)
@@ -106,7 +114,9 @@ def main() -> int:
                 return 0 if served else 1
             number += 1
             if standing is None:
-                print(f"rig: recording {number} will be of another string than recording {number - 1}", flush=True)
+                name = free_name(RAW, number_of(name) + 1)
+                described = command(setup, name, arguments.setup)
+                print(f"rig: before recording {number} describe its string, another one, by: {described}", flush=True)
             else:
                 print(f"rig: before recording {number} describe it by: {again(RAW, first, zeroed)}", flush=True)
             device = device_of(number)

@@ -20,6 +20,11 @@ def free_name(raw: Path, number: int = 1) -> str:
     return next(name for name in names if not os.path.lexists(raw / name))
 
 
+def number_of(name: str) -> int:
+    """The number of such a name."""
+    return int(name.rpartition("-")[2])
+
+
 def option(name: str) -> str:
     """The option of a key of run.yaml."""
     return "--" + name.replace("_", "-")

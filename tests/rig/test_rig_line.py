@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shlex
 import signal
 import subprocess
@@ -13,7 +14,7 @@ import ready
 
 from pipeline.ground.names import own_material
 from pipeline.new_run import main as new_run
-from pipeline.rig.options import command, free_name, material_of
+from pipeline.rig.options import command, free_name, material_of, number_of
 from pipeline.rig.setup import described as described_as
 from pipeline.rig.setup import dimensions, read_setup
 from pipeline.run.folder import read_run
@@ -78,7 +79,11 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
             assert "Next: this rig's next recording is of another string" in said and "--like" not in said
             assert json.loads((tmp_path / name / "capture.json").read_text())["hello"]["strokes"] == 5
         said, _ = rig.communicate(timeout=300)
-        assert said.count("recording 2 will be of another string than recording 1") == 1 and "recording 3" not in said
+        later = f"example-{number_of(free_name(ROOT / 'raw')) + 1}"
+        second = (
+            f"before recording 2 describe its string, another one, by: {command(read_setup('small'), later, 'small')}"
+        )
+        assert said.count(second) == 1 and "recording 3" not in said
     finally:
         rig.kill()
         rig.communicate()
@@ -123,7 +128,7 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
 
 
 def test_a_rig_that_stays_powered_keeps_its_zero_and_asks_for_no_tare(tmp_path):
-    rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2", "--standing", "--strokes", "4")
+    rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2", "--standing", "--strokes", "4", "--seed", "0")
     try:
         said = [rig.stdout.readline() for _ in range(4)]
         assert "its displacement sensor keeps its zero from recording to recording, so no run needs --tare" in said[3]
@@ -205,6 +210,32 @@ def test_each_set_up_has_a_material_of_its_own():
 def test_the_page_of_the_protocol_has_the_command_that_the_rig_says():
     text = (ROOT / "docs" / "protocol.md").read_text()
     assert f"\n{command(read_setup('paper'), 'example-1')}\n" in text and "of a new string" in text
+
+
+def test_the_readme_has_the_command_that_the_rig_says():
+    text = (ROOT / "README.md").read_text().replace("\\\n    ", "")
+    assert f"\n{command(read_setup('paper'), 'example-1')}\n" in text
+
+
+def test_two_rigs_that_are_given_no_seed_have_two_strings_and_say_how_to_have_one_again(tmp_path):
+    """Their first recordings were the same, byte by byte."""
+    hashes, seeds = [], []
+
+    def recorded(name, *options):
+        rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "1", "--strokes", "2", *options)
+        try:
+            words = [rig.stdout.readline() for _ in range(3)][-1]
+            run("pipeline.capture", "--", tmp_path / "port", tmp_path / name)
+            rig.communicate(timeout=300)
+        finally:
+            rig.kill()
+        hashes.append(json.loads((tmp_path / name / "capture.json").read_text())["sha256"])
+        return words
+
+    for name in ("a-1", "a-2"):
+        seeds.append(re.search(r"; seed (\d+): the same again with --seed (\d+)$", recorded(name))[1])
+    assert seeds[0] != seeds[1] and hashes[0] != hashes[1]
+    assert "seed" not in recorded("a-3", "--seed", seeds[0]) and hashes[2] == hashes[0]
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
