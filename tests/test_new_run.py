@@ -419,5 +419,6 @@ def test_the_example_of_a_text_rig_with_other_names_and_units_is_taken_as_the_pa
     assert (option, program) == ("-m", "pipeline.new_run")
     done = programs.run(program, name, *words, "--out", str(tmp_path))
     assert done.returncode == 0, done.stderr
-    units = {name: channel.unit for name, channel in read_run(tmp_path / name).channels.items()}
-    assert units == {"time_s": "ms", "motor_turns": "deg", "displacement_mm": "mm", "load_n": "kgf"}
+    columns = {name: (channel.column, channel.unit) for name, channel in read_run(tmp_path / name).channels.items()}
+    whole = {"time_s": ("t_ms", "ms"), "motor_turns": ("turns", None), "load_n": ("load", None)}
+    assert columns == {**whole, "displacement_mm": ("disp", None)} and "`t_ms,turns,load,disp` first" in page

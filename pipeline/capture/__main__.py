@@ -9,15 +9,16 @@ from ..ground.errors import BadInput, program
 from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
-from ..run.description import Run
 from ..run.folder import read_run
 from ..run.run_dir import run_dir
 from .commit import recover
 from .fields import names
-from .lines_to_csv import CSV, recover_lines
+from .fitting_columns import check_channels, unusable_columns
+from .lines_to_csv import recover_lines
 from .log import LINES
 from .motion_program import read_legs
-from .near_names import doubt, mend_of
+from .naming import GAP
+from .near_names import doubt
 from .printed import WAIT_S
 from .session import capture, capture_lines
 from .told_clock import tell_clock
@@ -27,8 +28,11 @@ from .undescribed import warn_undescribed
 GAPS_TOLD = 5
 
 
-def tell(info: CaptureJson, folder: Path) -> None:
-    """Say what was recorded, and what is missing for the run to be used."""
+def tell(info: CaptureJson, folder: Path) -> bool:
+    """Say what was recorded, and what is missing for the run to be used; whether what was recorded can be used.
+
+    That nobody has described the run yet is no fault of its recording.
+    """
     if "lines" in info:
         tell_lines(info, folder, usable=not unusable_columns(folder))
     else:
@@ -38,8 +42,10 @@ def tell(info: CaptureJson, folder: Path) -> None:
         print(f"{folder}: {'; '.join(filter(None, (ended, info['fault'])))}; what had come is kept")
     if info["exit_status"] == "aborted":
         print(f"{folder}: aborted means ended before the rig was done; what was recorded is used like any run's")
+    described = False
     try:
         run = read_run(folder)
+        described = True
         if "lines" in info:
             check_channels(run, folder)
             tell_clock(run, folder, info)
@@ -47,32 +53,9 @@ def tell(info: CaptureJson, folder: Path) -> None:
         if "lines" in info and info["lines"]["time_backward"]:
             print(f"{folder}: {clock_question(info)}")
         print(f"{error} Until then nothing can use this run.")
-    else:
-        tell_of_its_string(folder, info)
-
-
-def unusable_columns(folder: Path) -> bool:
-    """Whether the run is described, and its columns as they are called are not those of its channels."""
-    try:
-        check_channels(read_run(folder), folder, again=True)
-    except BadInput as error:
-        return error.file == str(folder / CSV)
-    return False
-
-
-def check_channels(run: Run, folder: Path, again: bool = False) -> None:
-    """Raise BadInput where the columns of printed lines, as they are named, are not those of the run's channels."""
-    import pandas as pd  # for which no rig should wait
-
-    from ..run.channels import Channels
-
-    channels, first = Channels(run, folder / CSV, folder / "run.yaml", again), pd.read_csv(folder / CSV, nrows=1)
-    try:
-        channels.look(first)
-        channels.samples(first)
-    except BadInput as error:
-        mend = mend_of(error.mend, [str(name) for name in first.columns], run, folder)
-        raise BadInput(error.file, error.field, error.problem, mend) from None
+        return not described
+    tell_of_its_string(folder, info)
+    return True
 
 
 def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
@@ -130,7 +113,7 @@ def tell_frames(info: CaptureJson, folder: Path) -> None:
 def main() -> int:
     """Exit 0 when the recording is complete, was ended on request or is recovered, 1 after a fault, 2 on bad input.
 
-    Nothing without a sample is exit 0.
+    Nothing without a sample is exit 0, and no recording that its run.yaml does not fit, which is kept.
     """
     parser = Parser(prog=command("capture"), description=__doc__)
     parser.add_argument("port", metavar="PORT", nargs="?", help="the rig's serial port")
@@ -153,7 +136,8 @@ def main() -> int:
         parser.error("--wait goes with --text, and must be above 0 seconds")
     columns = names(arguments.columns.encode())
     if arguments.columns and not columns:
-        parser.error("--columns needs two names or more, separated by commas")
+        gaps = f"; put a name in the place of each {GAP}" if GAP in arguments.columns else ""
+        parser.error(f"--columns needs two names or more, separated by commas{gaps}")
     folder: Path
     if arguments.recover is not None:
         if arguments.port is not None:
@@ -176,8 +160,8 @@ def main() -> int:
                 info = capture(arguments.port, folder, arguments.baud, arguments.longest, legs)
         except KeyboardInterrupt:  # before START: nothing was recorded
             return 130
-    tell(info, folder)
-    return 1 if info["exit_status"] == "fault" else 0
+    usable = tell(info, folder)
+    return 1 if info["exit_status"] == "fault" else 0 if usable else 2
 
 
 if __name__ == "__main__":

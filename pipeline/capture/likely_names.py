@@ -7,7 +7,7 @@ from ..ground.header_units import header_unit
 from ..ground.units import unit_of
 from ..run.named_units import in_its_unit
 from .fields import is_known
-from .unnamed import named
+from .naming import NEEDED
 
 WORDS = {  # in the names that people give to a rig's columns
     "time_s": r"t|time|clock|sec|seconds",
@@ -17,27 +17,29 @@ WORDS = {  # in the names that people give to a rig's columns
     "temperature_c": r"temp|temperature",
     "motor_current_a": r"current|amps?",
 }
-NEEDED = 3  # of a system's columns, which a recording must have
 UNSURE = "time_ms where it prints milliseconds"
 
 
 def likely(columns: Sequence[str], channels: Sequence[str], own: Mapping[object, str]) -> str:
     """The names of all columns, separated by commas, as a run's channels are called; a remark where a clock's is open.
 
-    By the words in them, then by their places. `own` are the channels of the columns that run.yaml gives. Nothing
-    where not all that a recording must have is found, or a name says a unit that its channel cannot have.
+    By the words in them; one that is left is the one that lacks. `own` are the channels of the columns that run.yaml
+    gives. Nothing where a channel that a recording must have is not found, or a name says a unit of another quantity.
     """
     if 2 * sum(is_known((name,)) or name in own for name in columns) < len(columns):
-        return named(len(columns)).rpartition(" ")[2] if len(columns) >= NEEDED else ""
+        return ""  # a banner, not names
     held = {name: own.get(name) or _held(name, channels, columns) for name in columns}
     taken = {name: channel for name, channel in held.items() if channel}
     free = [channel for channel in channels if channel not in taken.values()]
-    for by_word in (True, False):
-        for name in columns:
-            meant = next((each for each in free if (_says(name, each) if by_word else each in channels[:NEEDED])), None)
-            if name not in taken and meant is not None:
-                taken[name] = meant
-                free.remove(meant)
+    for name in columns:
+        meant = next((each for each in free if _says(name, each)), None)
+        if name not in taken and meant is not None:
+            taken[name] = meant
+            free.remove(meant)
+    left = [name for name in columns if name not in taken]
+    lacking = [channel for channel in channels[:NEEDED] if channel in free]
+    if len(left) == len(lacking) == 1:  # of several the order would be a guess
+        taken[left[0]] = lacking[0]
     names = [_called(name, taken[name], own) if name in taken else name for name in columns]
     if "" in names or not {*channels[:NEEDED]} <= {*taken.values()}:
         return ""

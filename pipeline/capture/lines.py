@@ -1,16 +1,20 @@
 """Lines that a rig prints, one by one: which are samples, which name the columns, and what the others are."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ..ground.counts import are, counted
 from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
-from .unnamed import UNSURE, Unnamed, named
+from .naming import Naming
+from .unnamed import Unnamed
 
 LISTED = 1000  # so many places are kept; all are counted
 GREETINGS = 5  # so many lines of text are kept
 REMEMBERED = 50  # so many lines that can be headers
+USUALLY = Naming()
 TEXT = re.compile(rb"\s*[A-Za-z\[<>*=!-]")
+READABLE = re.compile(rb"[\s\x20-\x7e]*")
 
 
 class Splitter:
@@ -45,6 +49,7 @@ class Lines:
     good: int = 0
     text: int = 0  # lines of words
     bad: int = 0  # lines that are neither words nor a sample
+    noise: int = 0  # of these, such as are no text at all
     count: int = 0
     bad_lines: list[int] = field(default_factory=list)
     greetings: list[str] = field(default_factory=list)
@@ -135,6 +140,7 @@ class Lines:
 
     def _pass_over(self, line: bytes) -> None:
         if not TEXT.match(line) or len(line) > MAX_LINE:
+            self.noise += len(line) > MAX_LINE or not READABLE.fullmatch(line)
             self._bad()
             return
         self.text += 1
@@ -146,12 +152,10 @@ class Lines:
         self.bad += 1
         self.bad_lines += [self.count] if len(self.bad_lines) < LISTED else []
 
-    def reading(self) -> str:
-        """What is read as what, by the last sample, and how many lines are not."""
-        values = [f"{name} = {value}" for name, value in zip(self.columns, self.last, strict=False)]
-        more = f" and {len(values) - 3} more" if len(values) > 3 else ""
+    def reading(self, values: Sequence[str]) -> str:
+        """What is read as what, by the `values` of the last sample, and how many lines are not."""
         commas = ", its decimal commas as points" if self.decimal_commas else ""
-        return f"reads {', '.join(values[:3])}{more}{commas}; {self.counts()}"
+        return f"reads {', '.join(values)}{commas}; {self.counts()}"
 
     @property
     def not_read(self) -> int:
@@ -168,30 +172,18 @@ class Lines:
         read = f"{counted(self.good, 'line')} {are(self.good)} read, {self.not_read} {are(self.not_read)} not"
         return f"{read} ({self.text} of text, {self.bad} bad{before})"
 
-    def problem(self, seconds: float = 0.0, recover: str = "") -> tuple[str, str]:
+    def problem(self, seconds: float = 0.0, recover: str = "", naming: Naming = USUALLY) -> tuple[str, str]:
         """Why no line is read, and the mend by command `recover`; the lines came in so many seconds."""
         count, between, line = self.wrong
-        to_name = f"name them in the order in which the rig prints them: {recover or 'add'}"
         if not count:
-            return (
-                f"{counted(self.text + self.bad, 'line')} came, and none of numbers",
-                "check --baud, and what the rig prints",
-            )
+            mend = "check what the rig prints" if not self.noise else "check --baud, and what the rig prints"
+            return f"{counted(self.text + self.bad, 'line')} came, and none of numbers", mend
         if self._foreign:
             return "the rig has named other columns since", "reset it, or end the run and begin another"
         columns = self._expected
         if not columns:
-            return self._nameless(seconds, to_name)
-        mend = f"{to_name} {named(count)} {UNSURE}"
+            return self.unnamed.problem(seconds, recover, naming)
+        mend = naming.mend(count, recover or "add")
         if between == "," and count > len(columns):
             mend = "if these are decimal commas, print decimal points or put ; between the numbers; else " + mend
         return f"lines like {line!r} have {count} numbers, and the columns are {', '.join(columns)}", mend
-
-    def _nameless(self, seconds: float, to_name: str) -> tuple[str, str]:
-        """What lines of numbers without names are, and the mend."""
-        if self.unnamed.size == 1:
-            mend = "let it print the time, the turns and the displacement in one line, such as 1250,3.5,2.75"
-            return f"lines like {self.unnamed.example!r} have one number, and a sample has more", mend
-        came = f"{self.unnamed.times()} lines of {self.unnamed.size} numbers like {self.unnamed.example!r} came"
-        lost = "a header that was printed before the port was open is lost"
-        return f"{came}, and no line that names their columns; {lost}", f"{to_name} {self.unnamed.columns(seconds)}"

@@ -14,6 +14,7 @@ from .commit import PIECE, check_own, committed, opening, seal, unwritten
 from .fields import names
 from .lines import Lines, Splitter
 from .log import LINES, in_use
+from .naming import naming_in
 from .pending import noted, noted_columns, propose, withdraw
 from .stream import Outcome
 
@@ -84,8 +85,10 @@ def commit_lines(
         with whole(folder / CSV, new=not anew) as temporary:
             csv_sha256 = _write(printed, temporary)
             if not lines.good:
-                problem, mend = lines.problem((ended - began).total_seconds(), recover_command(folder))
-                propose(folder, mend.partition(" --columns ")[2])
+                problem, mend = lines.problem(
+                    (ended - began).total_seconds(), recover_command(folder), naming_in(folder)
+                )
+                propose(folder, mend.partition(" --columns ")[2].partition(";")[0])
                 raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", mend)
             check_own(folder, LINES, printed.sha256)
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())

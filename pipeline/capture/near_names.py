@@ -2,6 +2,7 @@
 
 import difflib
 from collections.abc import Container, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from ..ground.command import recover_command
@@ -12,9 +13,8 @@ from ..run.folder import read_run
 from ..run.named_units import TIMES, in_its_unit
 from .fields import TIME
 from .likely_names import likely
-from .unnamed import LIKELY
+from .naming import USUAL, naming_of
 
-USUAL: tuple[str, ...] = ("time_s", *LIKELY)  # of a run that nobody described yet
 NEAR = 0.75  # likeness, from 0 to 1
 
 
@@ -37,31 +37,35 @@ def _same_unit(name: str, channel: str) -> bool:
 
 def mend_of(mend: str, columns: Sequence[str], run: Run, folder: Path) -> str:
     """The mend of columns that are not those of a run's channels: the names that were likely meant come first."""
-    meant = corrected(columns, run.system.columns, [channel.column for channel in run.channels.values()])
+    meant, names = _meant(columns, run)
     again = f"{recover_command(folder)} --columns"
-    if meant == tuple(columns):
-        own = [(channel.column, name) for name, channel in run.channels.items()]
-        given: dict[object, str] = {column: name for column, name in own if column is not None}
-        names = likely(columns, run.system.columns, given)
-        if names and names != ",".join(columns):
-            first = "call the columns as the channels that they likely are, in the order in which they are printed"
-            return f"{first}: {again} {names}; or {mend}"
-        return f"{mend}; or, with the names in the order in which they are printed: {again} ..."
-    return f"did you mean {','.join(meant)}? Then: {again} {','.join(meant)}; or {mend}"
+    if names and names != ",".join(columns):
+        if names == ",".join(meant):
+            return f"did you mean {names}? Then: {again} {names}; or {mend}"
+        first = "call the columns as the channels that they likely are, in the order in which they are printed"
+        return f"{first}: {again} {names}; or {mend}"
+    return f"{mend}; or {naming_of(run).mend(len(columns), recover_command(folder))}"
+
+
+def _meant(columns: Sequence[str], run: Run | None) -> tuple[tuple[str, ...], str]:
+    """The columns without slips of the pen, and one complete list of what they likely are, empty where none is sure."""
+    channels = run.system.columns if run else USUAL
+    own = [(channel.column, name) for name, channel in run.channels.items()] if run else []
+    given: dict[object, str] = {column: name for column, name in own if column is not None}
+    meant = corrected(columns, channels, given)
+    return meant, likely(meant, channels, given)
 
 
 def doubt(columns: Sequence[str], folder: Path) -> str:
     """What is asked of names that a person gave for the columns of a run; empty where there is nothing to ask."""
-    channels, own = USUAL, list[object]()
-    try:
+    run: Run | None = None
+    with suppress(BadInput):  # it is said when the recording is there
         run = read_run(folder)
-        channels, own = run.system.columns, [channel.column for channel in run.channels.values()]
-    except BadInput:
-        pass  # it is said when the recording is there
-    meant = corrected(columns, channels, own)
-    strange = [name for name, near in zip(columns, meant, strict=True) if name != near]
-    if not strange:
+    meant, names = _meant(columns, run)
+    if meant == tuple(columns):
         return ""
+    names = names or ",".join(meant)
+    strange = [name for name, near in zip(columns, names.split(","), strict=True) if name != near.partition(" ")[0]]
     are = f"{' and '.join(strange)} {'is no channel' if len(strange) == 1 else 'are no channels'}"
-    again = f"{recover_command(folder)} --columns {','.join(meant)}"
-    return f"--columns: {are}; did you mean {','.join(meant)}? What is recorded is kept; this calls it so: {again}"
+    again = f"{recover_command(folder)} --columns {names}"
+    return f"--columns: {are}; did you mean {names}? What is recorded is kept; this calls it so: {again}"

@@ -11,7 +11,9 @@ from ..ground.errors import BadInput
 from .fields import MAX_LINE, is_known
 from .lines import Lines, Splitter
 from .log import Log
+from .naming import naming_in
 from .port import Port, Unplugged
+from .read_channels import ReadChannels
 from .screen import Screen, clock
 from .stream import PERSON, Outcome
 
@@ -20,6 +22,7 @@ HEADER_S = 5.0  # from the first line on, within which a header or samples are t
 SAID_AFTER_S = 2.0  # of waiting, what is waited for
 NAMELESS = 5  # so many lines of as many numbers are a rig, though no header has come
 SILENCE_S = 3.0
+GREETING_S = 5.0  # so long nothing but text is no reason to warn
 SOON_S = 1.0  # after so long it says what is read as what, or why nothing is
 
 
@@ -90,7 +93,8 @@ class Telling:
     """What the person sees while it records."""
 
     def __init__(self, lines: Lines, folder: Path, began_s: float) -> None:
-        self.lines, self.screen, self.recover = lines, Screen(), recover_command(folder)
+        self.lines, self.folder, self.screen = lines, folder, Screen()
+        self.recover, self.naming = recover_command(folder), naming_in(folder)
         self._began_s, self._looked_s = began_s, time.monotonic()
         self._told = ""
         self._read = self._not_read = 0
@@ -102,14 +106,14 @@ class Telling:
             self._looked_s = now_s
             read, not_read = lines.good, lines.not_read
             if lines.good and self._told != "reads":
-                self._say("reads", lines.reading())
-            elif not lines.good and not_read:
-                problem, mend = lines.problem(now_s - self._began_s, self.recover)
+                self._say("reads", self._reading())
+            elif not lines.good and not_read and not self._greets(now_s):
+                problem, mend = lines.problem(now_s - self._began_s, self.recover, self.naming)
                 kept = f"warning: no line is read yet, but all are kept: {problem}"
                 now = "let the rig print its header again, or when the run has ended " if lines.unnamed.size > 1 else ""
                 self._say("nothing", f"{kept}. Mend: {now}{mend}")
             elif read - self._read < not_read - self._not_read and lines.bad:
-                problem, mend = lines.problem(0.0, self.recover)
+                problem, mend = lines.problem(0.0, self.recover, self.naming)
                 self._say("most", f"warning: most lines are not read now; {lines.counts()}; {problem}. Mend: {mend}")
             self._read, self._not_read = read, not_read
         if self.screen.due:
@@ -118,8 +122,19 @@ class Telling:
     def close(self) -> None:
         """The last line."""
         if self.lines.good and self._told != "reads":
-            self.screen.say(self.lines.reading())
+            self.screen.say(self._reading())
         self.screen.close(self._parts())
+
+    def _greets(self, now_s: float) -> bool:
+        """Whether nothing but readable text came, for no longer than a rig may take to boot, home and tare."""
+        lines = self.lines
+        only_text = not (lines.noise or lines.unnamed.count or lines.wrong[0])
+        return only_text and now_s - self._began_s < GREETING_S
+
+    def _reading(self) -> str:
+        """What is read as what, and in a second line why nothing can use it so."""
+        channels = ReadChannels(self.folder, self.lines.columns)
+        return "\n".join(filter(None, (self.lines.reading(channels.values(self.lines.last)), channels.warning())))
 
     def _parts(self) -> list[str]:
         values = [f"{name} = {value}" for name, value in zip(self.lines.columns, self.lines.last, strict=False)]

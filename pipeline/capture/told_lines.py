@@ -6,7 +6,7 @@ from ..ground.command import recover_command
 from ..ground.counts import counted
 from ..run.capture_json import CaptureJson, Lost
 from .fields import TIME, is_known
-from .unnamed import named
+from .naming import Naming, naming_in
 
 SIZES_TOLD = 5  # of holes
 
@@ -32,11 +32,11 @@ def clock_of(info: CaptureJson) -> str:
     return next((name for name in info["columns"] if TIME.fullmatch(name)), "time")
 
 
-def _names(info: CaptureJson) -> str:
+def _names(info: CaptureJson, naming: Naming) -> str:
     """The option that names the columns: as they are called now, or as they may be called if these are no names."""
     columns = tuple(info["columns"])
     known = all(is_known((name,)) for name in columns)
-    return f"--columns {','.join(columns)}" if known else named(len(columns))
+    return f"--columns {','.join(columns)}" if known else naming.option(len(columns))
 
 
 def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
@@ -52,7 +52,8 @@ def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
         again = f"{recover_command(folder)} --columns {','.join(info['columns'])} reads them too"
         came = f"{counted(lines['unnamed'], 'line')} of numbers came before anything named their columns"
         print(f"{folder}: {came}; {again if usable else 'the command below reads them too'}")
-    rename = f"if not, put their names in the order in which they are printed: {recover_command(folder)} {_names(info)}"
+    again = f"{recover_command(folder)} {_names(info, naming_in(folder))}"
+    rename = f"if not, put their names in the order in which they are printed: {again}"
     print(f"{folder}: the columns are {', '.join(info['columns'])}{f'; {rename}' if usable else ''}")
     if lines["swapped_headers"]:
         again = f"named the columns in another order {counted(lines['swapped_headers'], 'time')}"

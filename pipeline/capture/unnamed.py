@@ -1,11 +1,11 @@
-"""Lines of numbers that came before anything named their columns: how many, and the names that they could have."""
+"""Lines of numbers that came before anything named their columns: how many, and how they are named."""
 
 from collections import Counter
 
-LIKELY = ("motor_turns", "displacement_mm", "load_n", "temperature_c", "motor_current_a")
+from .naming import Naming
+
 CLOCKS = {"time_s": 1.0, "time_ms": 1e3, "time_us": 1e6}  # how many a second
 PACE = 1.5  # a column that goes so many times faster or slower than a clock is none
-UNSURE = "(time_s where it prints seconds)"
 
 
 class Unnamed:
@@ -45,14 +45,13 @@ class Unnamed:
         pace = (last - first) / seconds if seconds > 0 else 0.0
         return next((name for name, rate in CLOCKS.items() if rate / PACE < pace < rate * PACE), "")
 
-    def columns(self, seconds: float) -> str:
-        """An option that names them, with a name for each number; with a remark where their clock is not known."""
+    def problem(self, seconds: float, recover: str, naming: Naming) -> tuple[str, str]:
+        """What they are, and the mend by command `recover`; they came in so many seconds."""
+        if self.size == 1:
+            mend = "let it print the time, the turns and the displacement in one line, such as 1250,3.5,2.75"
+            return f"lines like {self.example!r} have one number, and a sample has more", mend
+        came = f"{self.times()} lines of {self.size} numbers like {self.example!r} came"
+        lost = "a header that was printed before the port was open is lost"
         clock = self.clock(seconds)
-        return named(self.size, clock or "time_ms") + ("" if clock or self.size < 3 else f" {UNSURE}")
-
-
-def named(size: int, clock: str = "time_ms") -> str:
-    """An option that names so many columns as a rig may have them."""
-    names = [*([clock] if size != 2 else []), *LIKELY]
-    names += [f"column_{at}" for at in range(len(names) + 1, size + 1)]
-    return f"--columns {','.join(names[: max(2, size)])}"
+        mend = naming.mend(self.size, recover or "add", clock)
+        return f"{came}, and no line that names their columns; {lost}", mend

@@ -14,7 +14,8 @@ from made_recording import content
 from pipeline.capture.holes import MOST
 from pipeline.capture.likely_names import likely
 from pipeline.capture.lines_to_csv import recover_lines
-from pipeline.capture.near_names import USUAL, doubt
+from pipeline.capture.naming import USUAL
+from pipeline.capture.near_names import doubt
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 
@@ -59,7 +60,7 @@ def test_names_that_no_channel_has_are_said_with_the_command_that_mends_them(fol
     (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
     done = recover(folder, "--columns", "t_ms,turns,mm")
     words = "there are no columns 'motor_turns' and 'displacement_mm', only t_ms, turns, mm"
-    assert done.returncode == 0 and words in done.stdout and "Until then nothing can use this run." in done.stdout
+    assert done.returncode == 2 and words in done.stdout and "Until then nothing can use this run." in done.stdout
     right = "t_ms,motor_turns,displacement_mm"
     assert f"printed: python -m pipeline.capture --recover {folder} --columns {right}; or name the" in done.stdout
     assert done.stdout.count("--recover") == 1 and "Next:" not in done.stdout, "the one command that works"
@@ -96,12 +97,15 @@ def test_lines_before_a_header_of_other_names_get_one_command_that_reads_all(fol
         ("t,theta,x_mm", "time_s,motor_turns,displacement_mm (time_ms where it prints milliseconds)"),
         ("time_ms,theta_deg,x_cm,pressure_bar", "time_ms,motor_deg,displacement_cm,pressure_bar"),
         ("time_ms,angle,mm", "time_ms,angle,displacement_mm"),  # run.yaml gives it
-        ("Real,time,rig", "time_ms,motor_turns,displacement_mm"),  # a banner
+        ("Real,time,rig", ""),  # a banner
+        ("time_ms,turns,load,disp", "time_ms,motor_turns,load_n,displacement_mm"),
+        ("t_ms,turns,q", "t_ms,motor_turns,displacement_mm"),  # one is left, and one lacks
+        ("t_ms,q1,q2,load", ""),  # their order would be a guess
         ("time,motor_deg,displacement_cm,load_kg", ""),  # no column is load_kg
         ("turns,mm", ""),
     ],
 )
-def test_what_a_rigs_own_names_mean_goes_by_their_words_then_by_their_places(printed, names):
+def test_what_a_rigs_own_names_mean_goes_by_their_words_then_by_what_is_left(printed, names):
     assert likely(printed.split(","), USUAL, {"angle": "motor_turns"} if "angle" in printed else {}) == names
 
 
@@ -149,7 +153,8 @@ def test_names_that_are_nearly_those_of_channels_are_asked_about(tmp_path, given
 
 def test_a_name_that_the_run_gives_is_no_misspelt_one(folder):
     channels = {"motor_turns": {"column": "motor_turn", "unit": "deg"}}
-    assert "is no channel; did you mean time_s,motor_turns,x?" in doubt(["time_s", "motor_turn", "x"], folder)
+    question = doubt(["time_s", "motor_turn", "x"], folder)
+    assert "motor_turn and x are no channels; did you mean time_s,motor_turns,displacement_mm?" in question
     (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1") | {"channels": channels}))
     assert doubt(["time_s", "motor_turn", "x"], folder) == ""
 

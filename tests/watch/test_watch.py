@@ -306,10 +306,8 @@ def test_names_that_a_person_gave_are_known_while_it_is_recorded_and_afterwards(
         with written_to(run / "recording.lines"):
             found = told(port, lambda found: found["state"] == "recording" and found["empty"] != "No sample came yet.")
             assert found["samples"] == 0 and found["empty"].startswith("No line is read yet, but all are kept")
-            assert (
-                f"name them in the order in which the rig prints them: python -m pipeline.capture --recover {run}"
-                in (found["empty"])
-            )
+            assert "name them in the order in which the rig prints them, with a name for each ... (" in found["empty"]
+            assert found["empty"].endswith(f": python -m pipeline.capture --recover {run} --columns ...,...,...")
             note(run, datetime.now(UTC), columns)
             found = told(port, lambda found: found["samples"])
             assert found["columns"] == [*columns[1:]] and found["state"] in ("recording", "silent")
@@ -327,14 +325,13 @@ def test_a_run_whose_columns_nobody_named_says_so_everywhere_with_the_command_th
     os.utime(run / "recording.lines", (time.time() - 500, time.time() - 500))
     refused = ready.run("pipeline.diagnose", run, "--out", tmp_path / "mine")
     assert refused.returncode == 2 and "its columns have no names yet" in refused.stderr, refused.stderr
-    mend = re.search(
-        rf"pipeline\.capture (--recover {run} --columns time_ms,motor_turns,displacement_mm)", refused.stderr
-    )
+    mend = re.search(rf"pipeline\.capture (--recover {run} --columns (\.\.\.|time_ms),\.\.\.,\.\.\.)", refused.stderr)
     assert mend and "wait for the capture" not in refused.stderr
     with watched(run) as (port, _):
         found = told(port, lambda found: found["unnamed"])
         assert (found["samples"], found["unnamed"], found["state"]) == (0, 898, "kept; its columns have no names")
-        assert ready.run("pipeline.capture", *mend[1].split()).returncode == 0
+        filled = [*mend[1].split()[:-1], "time_ms,motor_turns,displacement_mm"]
+        assert ready.run("pipeline.capture", *filled).returncode == 0
         assert told(port, lambda found: found["ended"])["unnamed"] == 0
     assert not (run / "capture-pending.json").exists()
 
