@@ -30,7 +30,8 @@ def model_to_take(folder: Path) -> Markup:
         for where, model in commands.items()
         if model
     ]
-    first = paragraph(Markup("<b>{}{}</b> {}").format(reason[:1].upper(), reason[1:], at_inverse))
+    name, _, because = reason.partition(". ")
+    first = paragraph(Markup("<b>{}{}.</b> {} {}").format(name[:1].upper(), name[1:], because, at_inverse))
     return together([first, paragraph(Markup("<br>").join(ways))])
 
 

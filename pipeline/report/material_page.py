@@ -31,8 +31,9 @@ def main() -> None:
     parts = [jumps.box(read_jumps(arguments.jumps)), model_to_take(folder)]
     if arguments.dataset:
         strokes = by_stroke(arguments.dataset)
+        tared = tared_runs(arguments.runs) if arguments.runs else None
         runs = list(dict.fromkeys(map(str, strokes.index.get_level_values("run"))))
-        parts += [recorded_strings(strokes, folder.name, tared_runs(arguments.runs)), left_out_of(runs)]
+        parts += [recorded_strings(strokes, folder.name, tared), left_out_of(runs)]
     parts += [part(folder.parent, folder.name, up="../"), glossary()]
     text = document(folder.name, together(filter(None, parts)), mark_from(arguments.made_by), above=INDEX)
     write_text(folder / "index.html", text)

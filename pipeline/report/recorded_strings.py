@@ -84,10 +84,10 @@ def sentence(row: list[str]) -> str:
     return f"String {string} (run{'s' * (', ' in runs)} {runs}): {', '.join(named)}; {strokes_named}."
 
 
-def recorded_strings(strokes: pd.DataFrame, material: str, tared: Collection[str] = ()) -> Markup:
+def recorded_strings(strokes: pd.DataFrame, material: str, tared: Collection[str] | None = None) -> Markup:
     """What a material's page is of, from `by_stroke`: two sentences a string, or a table of many.
 
-    `tared` names the runs whose run.yaml says `tare: run`.
+    `tared` names the runs whose run.yaml says `tare: run`, None where that is not known.
     """
     of_strings = list(rows(strokes))
     if len(of_strings) <= FEW:

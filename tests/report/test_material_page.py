@@ -64,7 +64,7 @@ def test_a_page_says_which_model_to_take_as_the_terminal_does(pages):
     """The terminal said it, and the page only led to another one."""
     top = pages["calm"]["index.html"].partition("<h1>")[2].partition("Every model")[0]
     least = "Its forward error on later strokes is the least of those that can be exported: 0.061 mm."
-    assert f"<b>Model to take: mlp. {least}</b> Its inverse error on later strokes is 0.305 turns." in top
+    assert f"<b>Model to take: mlp.</b> {least} Its inverse error on later strokes is 0.305 turns." in top
     assert "<code>python -m pipeline.export processed/nylon/mlp/within-0.model --format c</code>" in top
 
 

@@ -10,9 +10,13 @@ def made(**strokes):
 
 def test_the_strokes_of_each_run_are_said_with_the_runs_that_were_tared_anew():
     two = made(a=range(1, 6), b=range(6, 11))
-    assert strokes_of_runs(two, []) == "Strokes 1 to 5 of a, 6 to 10 of b; all have the zero of a."
+    assert (
+        strokes_of_runs(two, [])
+        == "Strokes 1 to 5 of a, 6 to 10 of b; no later run says `tare: run`, so all are tared as a is."
+    )
+    assert strokes_of_runs(two, None) == "Strokes 1 to 5 of a, 6 to 10 of b.", "nobody knows"
     assert strokes_of_runs(two, ["b"]).endswith("; the zero was set anew at b (`tare: run`).")
-    assert strokes_of_runs(two, ["a"]).endswith("; all have the zero of a."), "nothing was before the first"
+    assert strokes_of_runs(two, ["a"]).endswith(" all are tared as a is."), "nothing was before the first"
     assert strokes_of_runs(made(a=[1, 2]), ["a"]) == ""
 
 
