@@ -16,6 +16,7 @@ ROOT = Path(__file__).resolve().parent.parent
 SAMPLE, CPU_S, TIMEOUT_S = 45, 90, 1800  # a mutant without an end is killed by its processor time: machines are busy
 WIRE = "tests/wire/test_wire_frames.py tests/wire/test_wire_recording.py tests/wire/test_wire_numbers.py"
 DECISION = "tests/diagnosis/choice/test_judged.py tests/diagnosis/choice/test_disguise.py"
+VERDICT = "tests/diagnosis/choice/test_outcome.py tests/diagnosis/choice/test_compare.py"
 TARGETS = {
     "strokes": (
         {"run/strokes.py", "run/stands.py", "run/turning.py", "run/clean_motion.py"},
@@ -31,6 +32,7 @@ TARGETS = {
         "tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
     ),
     "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/disguise.py"}, DECISION),
+    "verdict": ({"diagnosis/choice/outcome.py", "diagnosis/choice/compare.py"}, VERDICT),
 }
 TYPES = "ReplaceBinaryOperator_BitOr_"  # `int | None` in a signature: no fault that a program could have
 
