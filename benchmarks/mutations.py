@@ -15,23 +15,23 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SAMPLE, CPU_S, TIMEOUT_S = 45, 90, 1800  # a mutant without an end is killed by its processor time: machines are busy
 WIRE = "tests/wire/test_wire_frames.py tests/wire/test_wire_recording.py tests/wire/test_wire_numbers.py"
-DECISION = "tests/diagnosis/choice/test_judged.py tests/diagnosis/choice/test_disguise.py"
+DECISION = "tests/diagnosis/choice/test_judged.py tests/diagnosis/choice/test_recalibration.py"
 VERDICT = "tests/diagnosis/choice/test_outcome.py tests/diagnosis/choice/test_compare.py"
 TARGETS = {
     "strokes": (
-        {"run/strokes.py", "run/stands.py", "run/turning.py", "run/clean_motion.py"},
+        {"run/strokes.py", "run/standstills.py", "run/turning.py", "run/clean_motion.py"},
         "tests/run/test_strokes.py",
     ),
     "dataset": (
         {"stages/dataset.py", "stages/points.py", "stages/splits.py"},
         "tests/stages/test_dataset.py tests/stages/test_dataset_losses.py",
     ),
-    "wire": ({"wire/frames.py", "wire/cobs.py", "wire/hello.py", "wire/ledger.py", "wire/stamps.py"}, WIRE),
+    "wire": ({"wire/frames.py", "wire/cobs.py", "wire/hello.py", "wire/growing_account.py", "wire/stamps.py"}, WIRE),
     "pieces": (
         {"wire/mending.py", "wire/in_order.py", "wire/recording.py"},
         "tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
     ),
-    "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/disguise.py"}, DECISION),
+    "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/recalibration.py"}, DECISION),
     "verdict": ({"diagnosis/choice/outcome.py", "diagnosis/choice/compare.py"}, VERDICT),
 }
 TYPES = "ReplaceBinaryOperator_BitOr_"  # `int | None` in a signature: no fault that a program could have

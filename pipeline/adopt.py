@@ -28,7 +28,7 @@ from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
 from .run.description import Adopted, Run
 from .run.folder import has_recording, read_run
-from .run.run_dir import run_dir
+from .run.run_arguments import run_dir
 from .run.samples import read_strokes
 
 MOST = 5  # explanations that are named

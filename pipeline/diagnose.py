@@ -14,7 +14,7 @@ from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.own_process import each_alone
 from .notebook.of_folders import Decided, Options, decide, diagnose
-from .run.run_dir import real_name, refuse_twice
+from .run.run_arguments import real_name, refuse_twice
 from .string.history import read_recorded
 from .string.jumps_beside import Beside
 

@@ -16,7 +16,7 @@ from .run.description import STRING_ACTUATORS, parse_run
 from .run.folder import has_recording
 from .run.needed_options import lacking, load_taken
 from .run.next_command import following
-from .run.run_dir import run_dir
+from .run.run_arguments import run_dir
 from .run.tolerances_given import read_back
 from .string.jumps_beside import advice_on
 from .string.known_strings import string_id

@@ -10,20 +10,20 @@ from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
 from ..run.folder import read_run
-from ..run.run_dir import run_dir
+from ..run.run_arguments import run_dir
+from .clock_words import tell_clock
 from .commit import recover
 from .fields import names
 from .fitting_columns import check_channels, unusable_columns
 from .lines_to_csv import recover_lines
+from .lines_words import clock_question, tell_lines
 from .log import LINES
 from .motion_program import read_legs
 from .naming import GAP
 from .near_names import doubt
-from .printed import WAIT_S
+from .printed_lines import WAIT_S
 from .session import capture, capture_lines
-from .told_clock import tell_clock
-from .told_lines import clock_question, tell_lines
-from .undescribed import warn_undescribed
+from .undescribed_string import warn_undescribed
 
 GAPS_TOLD = 5
 

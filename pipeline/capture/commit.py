@@ -13,7 +13,7 @@ from ..ground.files import write_text
 from ..run.capture_json import CaptureJson
 from ..run.folder import capture_info
 from ..wire import Account, Hello, Reason, read_account
-from . import pending
+from . import uncommitted_note
 from .log import NAME, in_use, sync_folder
 from .losses import locate
 from .stream import Outcome
@@ -140,7 +140,7 @@ def seal(folder: Path, name: str, info: CaptureJson) -> CaptureJson:
 def check_own(folder: Path, name: str, sha256: str) -> None:
     """Raise BadInput where capture.json is that of other bytes than those of recording `name`."""
     if committed(folder).get("sha256", sha256) != sha256:
-        files = f"{name} and {pending.NAME}" if (folder / pending.NAME).exists() else name
+        files = f"{name} and {uncommitted_note.NAME}" if (folder / uncommitted_note.NAME).exists() else name
         mend = f"move {files} into the folder of a new run, and run {command('capture')} --recover on that"
         problem = f"is there already, of another recording; {name} is whole and kept"
         raise BadInput(folder, "capture.json", problem, mend)

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 from ..ground.counts import are, counted
 from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
+from .lines_without_names import Unnamed
 from .naming import Naming
-from .unnamed import Unnamed
 
 LISTED = 1000  # so many places are kept; all are counted
 GREETINGS = 5  # so many lines of text are kept

@@ -15,8 +15,8 @@ from .fields import names
 from .lines import Lines, Splitter
 from .log import LINES, in_use
 from .naming import naming_in
-from .pending import noted, noted_columns, propose, withdraw
 from .stream import Outcome
+from .uncommitted_note import noted, noted_columns, propose, withdraw
 
 CSV = "recording.csv"
 

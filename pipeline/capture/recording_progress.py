@@ -5,8 +5,8 @@ import time
 from ..ground.counts import counted
 from ..ground.unwound import Unwound
 from ..wire import Event, Frame, Hello, Kind
-from ..wire.belief import LATE, Numbers
 from ..wire.frames import EVENT
+from ..wire.possible_numbers import LATE, Numbers
 from .remaining_time import Left
 from .sample_faults import Watch
 from .screen import Screen, clock

@@ -20,11 +20,11 @@ from .handshake import check_rate, greet
 from .lines_to_csv import commit_lines
 from .log import LINES, NAME, Log, check_folder
 from .motion_program import load, strokes_of
-from .pending import note
 from .port import Port
-from .printed import WAIT_S, await_header, follow
+from .printed_lines import WAIT_S, await_header, follow
 from .screen import Screen
 from .stream import record
+from .uncommitted_note import note
 
 CLOCK = "time_s"
 

@@ -7,7 +7,7 @@ from ..ground.command import command
 from ..ground.errors import BadInput
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
-from ..run.run_dir import run_dir
+from ..run.run_arguments import run_dir
 from .mechanisms import library
 
 

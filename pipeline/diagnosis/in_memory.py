@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import TypeVar, cast
 
 from ..run.description import Run
-from . import faint, verdict
+from . import faint_recordings, verdict
 from .adoption.adopted_effects import adopted_effects
 from .choice.outcome import Study, rms
 from .document.content import Adoption, Verdict
 from .document.evidence import Evidence
-from .document.keyed import amount, amount_or_none, put
-from .document.tidy import tidy
+from .document.made_keys import amount, amount_or_none, put
+from .document.rounded import tidy
 from .facts.not_kept import not_kept
 from .facts.told_floor import told_floor
 from .numerics.judge import Judge
@@ -52,7 +52,7 @@ def diagnosed(
     say("held out")  # first: a study is large, and this one is let go before the other begins
     held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine, to_polish)[0])
     study = engine.study(problem, say)
-    faint.refuse_faint(study, recorded[0].place)
+    faint_recordings.refuse_faint(study, recorded[0].place)
     study = polish.polished(study, to_polish)
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(study, runs[0]))

@@ -7,8 +7,8 @@ from ..ground.command import command
 from ..run.folder import read_run
 from .one_rig import to_take_out
 from .prediction.another_rig import of_same_string
+from .prediction.errors_to_compare import ToCompare
 from .prediction.simulation import compared, has_zero, off
-from .prediction.to_compare import ToCompare
 from .simulated_recording import SimulatedRecording
 from .words.foretold.recorded_error import A_PART, SWITCHED_OFF, beside, computed_of, means
 from .words.language.quantity import number, size

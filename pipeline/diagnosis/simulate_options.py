@@ -6,8 +6,8 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.parser import Parser
-from ..run.run_dir import run_dir
-from .prediction.home import HOME
+from ..run.run_arguments import run_dir
+from .prediction.motor_zero import HOME
 from .words.foretold.prediction import AFTER_RECORDING
 from .words.foretold.residual import RESIDUAL
 

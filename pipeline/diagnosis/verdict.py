@@ -11,7 +11,7 @@ from .choice import chance
 from .choice.outcome import Study, rms
 from .document.bounds import at_bound
 from .document.content import Verdict
-from .document.tidy import DIGITS, tidy
+from .document.rounded import DIGITS, tidy
 from .facts.beyond_seen import beyond_seen
 from .facts.detectable import detectable
 from .facts.evidence import evidence
@@ -29,7 +29,7 @@ from .mechanisms.interface import physics
 from .mechanisms.library import mechanisms
 from .numerics import residual_band
 from .numerics.noise import white
-from .proposal import nextrun
+from .proposal import next_runs
 from .study.engine import fine_floor
 from .study.heldout import Errors, worse_than_nominal
 from .study.rivals import named_simulator, rivals
@@ -98,13 +98,13 @@ def own_alone(study: Study) -> bool:
     return bool(ids) and not physics(ids) and not any(mechanisms()[id_].helper for id_ in ids)
 
 
-def next_experiment(study: Study, run: Run) -> nextrun.Proposal | None:
+def next_experiment(study: Study, run: Run) -> next_runs.Proposal | None:
     """What to record next."""
     if study.verdict == "unknown":
-        return nextrun.after_unknown(study.problem, run, " and ".join(mismatch_signal(study)[1]))
+        return next_runs.after_unknown(study.problem, run, " and ".join(mismatch_signal(study)[1]))
     if study.verdict != "ambiguous":
         return None
-    return nextrun.best(study.problem, run, study.noise, study.search, study.sets)
+    return next_runs.best(study.problem, run, study.noise, study.search, study.sets)
 
 
 def diagnosis(
@@ -112,7 +112,7 @@ def diagnosis(
     fine: Problem,
     heldout: Errors | None,
     runs: list[Run],
-    experiment: nextrun.Proposal | None,
+    experiment: next_runs.Proposal | None,
     without: frozenset[str],
 ) -> Verdict:
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""

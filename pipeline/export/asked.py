@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..models.interface import about
-from ..models.parts.beyond import also, beyond, held, with_unit
+from ..models.parts.beyond_range import also, beyond, held, with_unit
 from ..models.parts.box import MARGIN
-from ..models.parts.reach import reached_mm, unreached
+from ..models.parts.reached_contraction import reached_mm, unreached
 from ..models.parts.recorded_pairs import Paired
 from ..models.parts.recorded_strokes import Under
 from ..models.parts.rolling_origin import too_far

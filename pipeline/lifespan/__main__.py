@@ -11,7 +11,7 @@ from ..ground.errors import BadInput, program
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..ground.progress import clear, steps
-from ..run.run_dir import run_dir
+from ..run.run_arguments import run_dir
 from . import sentences, written
 from .calibrate_again import calibrate_by
 from .from_folders import others_beside, strings

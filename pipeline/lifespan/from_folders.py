@@ -5,7 +5,7 @@ from tempfile import TemporaryDirectory
 
 from ..ground.progress import steps
 from ..run.folder import has_recording
-from ..run.run_dir import refuse_twice
+from ..run.run_arguments import refuse_twice
 from ..string.from_raw import read_long
 from ..string.history import Recorded
 from ..string.jumps_beside import runs_naming

@@ -22,10 +22,10 @@ from torch.nn.functional import mse_loss
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from .about import About
-from .coupling import InvertibleNet
 from .parts.box import Box
 from .parts.condition_columns import conditions
 from .parts.conditions import Conditions
+from .parts.coupling import InvertibleNet
 from .parts.scaling import Scaling
 from .parts.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
 from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values

@@ -17,7 +17,7 @@ import numpy as np
 import pandas as pd
 from pydantic import Field, field_validator
 
-from ..diagnosis import faint
+from ..diagnosis import faint_recordings
 from ..diagnosis.choice import cross_validation, kept, outcome
 from ..diagnosis.choice.candidates import apart
 from ..diagnosis.choice.search import LARGEST, TRIED
@@ -131,7 +131,7 @@ def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
     run, samples = run_of(known), known[SAMPLES]
     try:
         studied = engine.study(holed(run, samples, without))
-        faint.refuse_faint(studied, Path(run.run))
+        faint_recordings.refuse_faint(studied, Path(run.run))
     except (BadInput, np.linalg.LinAlgError) as error:  # too little to decide anything is enough to calibrate
         base = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
         alone = (base.values.tolist(), float(base.zeros[0]))

@@ -11,7 +11,7 @@ from ..models.parts.configured import configured, fitting
 from ..models.parts.prediction_intervals import Intervals, TooFew
 from ..models.parts.question_points import Questions, questions_of
 from ..models.parts.thinned import thinned
-from .arguments import as_arguments, settings_of
+from .as_arguments import as_arguments, settings_of
 
 LEVEL = 0.9  # the probability that an interval holds the truth, unless told otherwise
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from ..diagnosis import written
 from ..diagnosis.choice.outcome import Study
-from ..diagnosis.document import keyed
+from ..diagnosis.document import made_keys
 from ..diagnosis.document.content import Verdict
 from ..diagnosis.in_memory import Say, diagnosed
 from ..diagnosis.numerics.judge import Judge
@@ -95,7 +95,7 @@ class Diagnosis:
             Mechanism(
                 entry["id"],
                 float(entry["confidence"]),
-                interval(keyed.interval(entry, f"rms_{unit}"), unit),
+                interval(made_keys.interval(entry, f"rms_{unit}"), unit),
                 {name: interval(each) for name, each in entry["parameters"].items()},
                 entry["sentence"],
             )

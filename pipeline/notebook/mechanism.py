@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..diagnosis.document.keyed import amount, amount_or_none
+from ..diagnosis.document.made_keys import amount, amount_or_none
 
 
 @dataclass(frozen=True)

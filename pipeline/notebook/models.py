@@ -14,7 +14,7 @@ from ..models.interface import Model, names
 from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS
 from ..stages.dataset import make_dataset
-from .arguments import as_arguments, settings_of
+from .as_arguments import as_arguments, settings_of
 from .recording import Recording
 
 

@@ -10,8 +10,8 @@ from typing import Any
 
 from ..ground.kinematics import Array
 from ..rig import effects
+from ..rig.altered_motion import Otherwise
 from ..rig.motion_commands import Commands
-from ..rig.otherwise import Otherwise
 from ..rig.string import String
 from .bench import Bench
 from .protocol import Protocol

@@ -11,7 +11,7 @@ from ..diagnosis.fit.problem import Problem
 from ..diagnosis.prediction.carried_over import carried_over
 from ..diagnosis.prediction.simulation import state_of
 from ..diagnosis.recording.recorded_run import RecordedRun
-from ..diagnosis.study.homes import one_string
+from ..diagnosis.study.motor_zeros import one_string
 from ..diagnosis.study.own_rate import at_own_rate
 from ..ground.kinematics import Array
 from ..run.description import Run

@@ -16,8 +16,8 @@ from .agreement import agreement
 from .made_by import MadeBy
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
+from .shown_strokes import shown_of, tabled, there_of
 from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
-from .strokes_there import shown_of, tabled, there_of
 from .titles import titles_of
 
 UNKNOWN = MadeBy()

@@ -11,9 +11,9 @@ from . import paper
 from .averaged import PARTS, averaged
 from .clipped import clipped
 from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, name, wrapped
+from .shown_strokes import drawn, in_figure, tabled_and_last
 from .strings_together import together
 from .stroke_conditions import labels
-from .strokes_there import drawn, in_figure, tabled_and_last
 from .winding import SHOWN, strokes_of, winding
 from .zero_of_x import zero_of_x
 

@@ -15,9 +15,9 @@ from ..ground.kinematics import Array
 from . import paper
 from .clipped import clipped
 from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
+from .shown_strokes import drawn, in_figure
 from .strings_together import together
 from .stroke_conditions import labels
-from .strokes_there import drawn, in_figure
 from .winding import strokes_of, winding
 
 Ends = tuple[float, float]

@@ -6,9 +6,9 @@ from pathlib import Path
 from markupsafe import Markup
 
 from . import paper
+from .shown_strokes import SHOWN
 from .strings_together import TOGETHER
 from .stroke_conditions import OTHERWISE
-from .strokes_there import SHOWN
 from .table_forms import OF_WHAT, from_markdown
 from .web.page import Text, link, paragraph, picture, together
 from .web.table import table

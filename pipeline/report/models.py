@@ -14,7 +14,7 @@ from ..ground.model_names import WHOLE_MOTION
 from . import inverse_beside, jumps, paper
 from .comparison import line
 from .fitted import FLOORS, SPLITS, lines_on_files, times_floor
-from .least import sentences
+from .least_errors import sentences
 from .marks import add_mark, mark_from, write_page
 from .plain_markdown import plain
 from .sidecar import Column, describe

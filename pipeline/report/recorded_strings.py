@@ -10,7 +10,7 @@ from markupsafe import Markup
 from ..ground import schemas
 from ..ground.kinematics import usual_stiffness
 from .run_strokes import strokes_of_runs
-from .strokes_there import ranges
+from .shown_strokes import ranges
 from .web.page import paragraph, together
 from .web.table import table
 

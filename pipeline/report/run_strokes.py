@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.strict_yaml import read_yaml
-from .strokes_there import listed, ranges
+from .shown_strokes import listed, ranges
 
 NAMED = 8  # runs that a sentence names
 

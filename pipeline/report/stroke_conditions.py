@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground import schemas
-from .strokes_there import ranges
+from .shown_strokes import ranges
 
 APART = "Later strokes under other conditions"
 OTHERWISE = "Recorded under other conditions"

@@ -16,10 +16,10 @@ from .left_out import quoted
 from .made_by import MadeBy, sentence, warning
 from .marks import add_mark, mark_from
 from .plain_markdown import note, plain
+from .shown_strokes import rows_of, shown_of, tabled, there_of
 from .sidecar import Column, describe
 from .strings_together import together
 from .stroke_conditions import add_dataset, dataset_from, otherwise
-from .strokes_there import rows_of, shown_of, tabled, there_of
 from .table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
 from .titles import titles_of
 

@@ -13,11 +13,11 @@ from ..ground.errors import program
 from ..ground.parser import Parser
 from .commanded import Commanded
 from .device import Device
-from .line import line, serve
+from .kept_string import Standing
 from .options import again, command, free_name, number_of
+from .serial_line import line, serve
 from .setup import names, read_setup
 from .simulate import simulate
-from .standing import Standing
 
 MOST_STROKES = 1000
 FORECAST = 12  # strokes that a forecast of the life needs at least; a test holds it to that program's own number

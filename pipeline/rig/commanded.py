@@ -5,7 +5,7 @@ import math
 from ..wire import Event, Frame, Kind, Reason, encode
 from ..wire.motion import LEG, PROGRAM, TAKEN, Answer, Leg, packed, refusal
 from .device import Device
-from .standing import Standing
+from .kept_string import Standing
 
 STALLED = 1  # the fault's number
 

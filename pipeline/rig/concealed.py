@@ -8,8 +8,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from ..ground.kinematics import Array, Geometry
+from .altered_motion import Otherwise
 from .motion_commands import Commands
-from .otherwise import Otherwise
 
 Parameters = dict[str, Any]  # arguments of an effect's `Model`: numbers, or lists of them
 

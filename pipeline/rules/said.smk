@@ -49,7 +49,7 @@ def end(rewritten):
 
 onstart:
     if workflow.execution_settings.keep_going:
-        os.environ[handed.REFUSALS] = "--note-refusals"  # for nodes; here the prefix says so
+        os.environ[handed_plan.REFUSALS] = "--note-refusals"  # for nodes; here the prefix says so
         shell.prefix(f"{PREFIX} NOTE_REFUSALS=--note-refusals; ")
     gone = remove_stale(KNOWN.notes.get("reports", []), REPORTS)
     for name in gone:

@@ -8,8 +8,8 @@ import pandas as pd
 
 from ..ground import spans
 from ..ground.units import unit_of
-from .course import Course, Mask, Recorded
 from .description import Run
+from .motion_course import Course, Mask, Recorded
 from .planned_limits import (
     LONGER,
     NEAR,

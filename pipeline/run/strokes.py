@@ -19,7 +19,7 @@ from ..ground.spans import Spans
 from ..ground.units import unit_of
 from ..ground.unwound import PHASE_REVERSAL
 from .clean_motion import Motion
-from .stands import stands
+from .standstills import stands
 from .turning import turning_points
 
 STROKE_REVERSAL = 0.25  # of the range: what parts a winding from an unwinding

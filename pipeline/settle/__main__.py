@@ -7,7 +7,7 @@ from ..ground.errors import BadInput, program
 from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..run.folder import read_run
-from ..run.run_dir import run_dir
+from ..run.run_arguments import run_dir
 from .approve import UNATTENDED, WAYS
 from .choose import Budget
 from .limits import EXAMPLE, Allowed

@@ -10,7 +10,7 @@ from typing import Any
 from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.parser import Parser
-from ..run.run_dir import run_dir
+from ..run.run_arguments import run_dir
 from .jobs import Jobs
 from .recording import Followed
 from .server import LOCAL, Page, Server

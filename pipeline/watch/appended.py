@@ -15,7 +15,7 @@ from ..run.description import Run
 from ..run.named_units import TIMES
 from ..wire import Event, Ledger
 from ..wire.counters import Whole, steps_of
-from .named import channel_of
+from .column_names import channel_of
 
 LONGEST_STEP_US = 60_000_000  # a clock that goes on by more was set anew
 

@@ -16,10 +16,10 @@ from ..ground.unwound import Unwound
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
 from .appended import Counts, Frames, Printed, Source
-from .came import Means
-from .coming import Coming
+from .arrival_rate import Coming
+from .came_of_run import Means
+from .column_names import stored_columns
 from .envelope import Envelope
-from .named import stored_columns
 from .noise import Noise
 from .nominal import Nominal
 

@@ -7,7 +7,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from ..ground.kinematics import Array
-from .came import beyond
+from .came_of_run import beyond
 from .envelope import Envelope
 from .left_of_string import strokes_left
 from .recording import Followed

@@ -1,10 +1,10 @@
 """Frames to bytes and back; no I/O, no clock, and nothing of ours is imported (docs/protocol.md)."""
 
-from .account import Account, End, Gap
 from .check import PROTOCOL
+from .frame_account import Account, End, Gap
 from .frames import Decoder, Event, Frame, Heard, Kind, Reason, encode
+from .growing_account import Ledger
 from .hello import Channel, Hello
-from .ledger import Ledger
 from .recording import PIECE, Pieces, Recording, read_account, read_pieces, read_recording
 
 __all__ = [

@@ -7,11 +7,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from .account import Account, Event
 from .counters import Whole
+from .frame_account import Account, Event
+from .growing_account import Ledger
 from .hello import Hello
 from .in_order import Part, in_order, joined
-from .ledger import Ledger
 from .mending import Mending, Steps, steps_between
 from .stamps import Array
 

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .account import Event, Gap
 from .counters import Whole
+from .frame_account import Event, Gap
 
 # a run: frames whose numbers follow each other, all of them samples but for the last one, perhaps
 FIRST, SAMPLES, FIRST_US, LAST_US, SPAN_US = range(5)

@@ -15,7 +15,7 @@ import tty
 import pytest
 import ready
 
-from pipeline.capture import pending
+from pipeline.capture import uncommitted_note
 from pipeline.capture.log import LINES, NAME, Log
 from pipeline.ground.errors import BadInput
 
@@ -118,14 +118,14 @@ def test_what_another_put_there_while_it_recorded_is_never_replaced(start, line,
     said, _ = text.communicate(timeout=LONG_S)
     assert text.returncode == 2 and f"{other}: is there already" in said and "Mend: move" in said, said
     assert (folder / other).read_text() == '{"sha256": "of another"}' and (folder / LINES).read_bytes() == body
-    assert sorted(path.name for path in folder.iterdir()) == sorted([other, LINES, pending.NAME])
-    assert (f"move {LINES} and {pending.NAME} into" in said) == (other == "capture.json")
+    assert sorted(path.name for path in folder.iterdir()) == sorted([other, LINES, uncommitted_note.NAME])
+    assert (f"move {LINES} and {uncommitted_note.NAME} into" in said) == (other == "capture.json")
     moved = tmp_path / "run-2"
     moved.mkdir()
-    for name in (LINES, pending.NAME):
+    for name in (LINES, uncommitted_note.NAME):
         (folder / name).rename(moved / name)
     recovered = start("pipeline.capture", "--recover", moved, "--columns", "time_ms,turns")
     assert recovered.wait(LONG_S) == 0
     info = json.loads((moved / "capture.json").read_text())
     assert info["samples"]["received"] == 49 and (info["exit_status"], info["ended_by"]) == ("ended", "person")
-    assert not (moved / pending.NAME).exists()
+    assert not (moved / uncommitted_note.NAME).exists()

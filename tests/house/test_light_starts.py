@@ -46,7 +46,7 @@ def test_the_synthetic_rig_starts_without_the_libraries_of_tables(program: str) 
 
 
 def test_the_device_of_the_rig_loads_no_table() -> None:
-    assert loaded([], "import pipeline.rig.device, pipeline.rig.line") <= COMPILED
+    assert loaded([], "import pipeline.rig.device, pipeline.rig.serial_line") <= COMPILED
 
 
 def test_a_program_with_tables_loads_them() -> None:

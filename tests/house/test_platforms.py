@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 # what needs a serial port or a pseudo-terminal by its nature
-SERIAL = ("pipeline.capture", "pipeline.rig.line", "pipeline.rig.__main__", "pipeline.rig.record")
+SERIAL = ("pipeline.capture", "pipeline.rig.serial_line", "pipeline.rig.__main__", "pipeline.rig.record")
 # takes them from our own code, and /proc from everybody
 POOR = """
 import builtins, errno, os, sys

@@ -29,10 +29,10 @@ METHODS = [
         "diagnosis/fit", "calibrate", "discrepancy", "flexible", "gauss_newton", "generic", "intervals", "uncertainty"
     ),
     *named("diagnosis/choice", "compare", "cross_validation", "search"),
-    *named("diagnosis/proposal", "design", "nextrun"),
+    *named("diagnosis/proposal", "design", "next_runs"),
     *named("lifespan", "fit", "law_choice", "laws", "strokes_left"),
     *named("models/parts", "growth", "prediction_intervals", "marquardt", "rational", "training"),
-    *named("models", "coupling"),
+    *named("models/parts", "coupling"),
     *named("stages/campaign", "adapt"),
 ]
 

@@ -5,7 +5,7 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.models.coupling import Coupling, InvertibleNet, mixing_layers, product
+from pipeline.models.parts.coupling import Coupling, InvertibleNet, mixing_layers, product
 from pipeline.models.parts.training import repeatable
 
 

@@ -11,10 +11,10 @@ import torch
 from made_dataset import made_dataset
 
 from pipeline.ground import progress
-from pipeline.models.coupling import mixing_layers, product
 from pipeline.models.inn import Inn
 from pipeline.models.mlp import Mlp
 from pipeline.models.parts.condition_columns import contraction_and_conditions, twist_and_conditions
+from pipeline.models.parts.coupling import mixing_layers, product
 from pipeline.models.parts.scaling import Scaling
 from pipeline.models.parts.training import Adam, minimise, repeatable, tensor
 

@@ -21,7 +21,7 @@ from pipeline.proof.perform import perform
 from pipeline.proof.protocol import draw_protocol
 from pipeline.proof.referee import rule
 from pipeline.proof.size import OutOfReach, measure
-from pipeline.rig import effects, otherwise
+from pipeline.rig import altered_motion, effects
 from pipeline.rig.concealed import Claim
 from pipeline.run.strokes import label
 
@@ -138,8 +138,8 @@ def test_the_declared_driver_carries_the_effect(effect):
 def test_an_effect_may_bring_the_motion_in_which_its_driver_stands_still(monkeypatch):
     """A ripple stands still wherever the angle within a turn does, a quarter of a turn on too: no other file knows."""
     case = case_of("eccentricity")
-    quarter = otherwise.turns("by turns and a quarter", lambda motor_turns: np.rint(motor_turns) + 0.25)
-    other = otherwise.turns("a tenth of a turn on", lambda motor_turns: motor_turns + 0.1)
+    quarter = altered_motion.turns("by turns and a quarter", lambda motor_turns: np.rint(motor_turns) + 0.25)
+    other = altered_motion.turns("a tenth of a turn on", lambda motor_turns: motor_turns + 0.1)
     hidden = type(effects.concealed("eccentricity"))
     monkeypatch.setattr(hidden, "claim", Claim("the angle within a turn", quarter, (other,)))
     ruling = rule("eccentricity", case.effects["eccentricity"], case.bench, case.protocol)

@@ -19,7 +19,7 @@ from pipeline.report.drawing import STYLE
 from pipeline.report.fitted import lines_at_end, lines_on_files, times_floor
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
-from pipeline.report.least import sentences
+from pipeline.report.least_errors import sentences
 from pipeline.report.models import columns, main, numbers, on_simulator, page
 from pipeline.report.to_take import materials_table
 from pipeline.report.usual_model import RULE, RULES

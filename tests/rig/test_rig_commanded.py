@@ -16,8 +16,8 @@ from scripted_rig import synthetic_rig
 
 from pipeline.capture.motion_program import as_legs
 from pipeline.rig.commanded import Commanded
+from pipeline.rig.kept_string import Standing, followed
 from pipeline.rig.setup import read_setup
-from pipeline.rig.standing import Standing, followed
 from pipeline.wire import Decoder, Kind, Reason, encode, read_recording
 from pipeline.wire.frames import END
 from pipeline.wire.motion import LEG, PROGRAM, TAKEN, Answer, Leg, cruise, packed

@@ -6,7 +6,7 @@ import threading
 import time
 import tty
 
-from pipeline.rig.line import serve
+from pipeline.rig.serial_line import serve
 from pipeline.wire import Decoder, Kind, encode
 
 

@@ -8,9 +8,9 @@ import torch
 from models.made_dataset import made_dataset
 
 from pipeline.ground import schemas
-from pipeline.models.coupling import product
 from pipeline.models.inn import Inn
 from pipeline.models.parts.condition_columns import contraction_and_conditions
+from pipeline.models.parts.coupling import product
 from pipeline.stages.leak import decomposed, leak, main
 
 TINY = {"blocks": 4, "width": 16, "layers": 1, "epochs": 4, "batch": 60}

@@ -8,8 +8,8 @@ import pytest
 from made_recording import recording
 from stages.nine_strokes import recorded, string
 
+from pipeline.rig.kept_string import Standing
 from pipeline.rig.setup import described, read_setup
-from pipeline.rig.standing import Standing
 from pipeline.run.strokes import segment
 from pipeline.string.history import Recorded
 from pipeline.string.recovered import recovered_mm

@@ -22,7 +22,7 @@ from browser import CHROMIUM, browser
 from made_recording import content
 from scripted_rig import synthetic_rig
 
-from pipeline.capture.pending import note
+from pipeline.capture.uncommitted_note import note
 from pipeline.watch.appended import Printed
 from pipeline.watch.left_of_string import strokes_left
 from pipeline.wire import Channel, Event, Hello, Kind, encode, read_recording

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.watch.came import Means
+from pipeline.watch.came_of_run import Means
 from pipeline.watch.jobs import Jobs
 from pipeline.watch.noise import Noise
 

@@ -16,7 +16,7 @@ from watch.test_watch import HELLO, ROOT, SAMPLE, folder, told, watched
 
 from pipeline.run.strokes import segment
 from pipeline.watch.appended import Printed
-from pipeline.watch.coming import Coming
+from pipeline.watch.arrival_rate import Coming
 from pipeline.wire import Event, Kind, encode, read_recording
 from pipeline.wire.frames import EVENT
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from pipeline.wire import Channel, Decoder, Event, Hello, Kind, Reason, encode, read_account, read_recording
 from pipeline.wire.frames import END, EVENT
-from pipeline.wire.ledger import Ledger
+from pipeline.wire.growing_account import Ledger
 
 CHANNELS = (Channel("motor_turns", "turns", "i32", 0.25, 1.0), Channel("displacement_mm", "mm", "i16", 0.02))
 HELLO = Hello("a rig", "1.0", "00000001", 50.0, 2, CHANNELS)

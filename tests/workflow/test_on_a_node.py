@@ -6,7 +6,7 @@ import sys
 
 from made_recording import content, recording
 
-from pipeline.workflow import handed
+from pipeline.workflow import handed_plan
 from pipeline.workflow.dag import Plan
 
 
@@ -17,7 +17,7 @@ def test_a_node_goes_by_the_plan_that_it_is_handed(bare_project, make_run):
     other.mkdir()
     (other / "run.yaml").write_text("no: run\n")
     files = {"nylon-1": ["raw/nylon-1/run.yaml", "raw/nylon-1/recording.parquet"]}
-    environment = {**os.environ, handed.PLAN: handed.packed(Plan({"nylon": ["nylon-1"]}), files)}
+    environment = {**os.environ, handed_plan.PLAN: handed_plan.packed(Plan({"nylon": ["nylon-1"]}), files)}
     words = [
         "--mode",
         "remote",

@@ -7,7 +7,7 @@ from ...ground.kinematics import Array
 from ...run.description import Run
 from ..choice.outcome import rms
 from ..document.effects_named import AdoptedEffect, Loop, MechanismEntry
-from ..document.keyed import with_made
+from ..document.made_keys import with_made
 from ..facts import extents, loops
 from ..facts.mechanism_entries import parameters_of
 from ..fit.problem import Act, Problem

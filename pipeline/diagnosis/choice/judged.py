@@ -19,7 +19,7 @@ UNKNOWN = 0.4  # of the probability of "none of them", from which on the verdict
 
 @dataclass(frozen=True)
 class LeftOut:
-    """A likely explanation that is no name: `because` of what (`disguise.py`, or `cancels`), and `of` which effects."""
+    """A likely explanation that is no name: `because` of what (`recalibration.py` or `cancels`), `of` which effects."""
 
     ids: tuple[str, ...]
     because: str

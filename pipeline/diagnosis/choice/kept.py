@@ -6,9 +6,9 @@ from ..fit import calibrate
 from ..fit.linear import Linear
 from ..fit.problem import State
 from ..numerics.noise import white
-from .disguise import in_disguise, no_name
 from .judged import Judged, LeftOut
 from .outcome import cancels, rms
+from .recalibration import in_disguise, no_name
 from .search import Explanation, Search
 
 INEXACT_FROM = 0.2  # noise floors between two ways to weigh the samples: more shows that no formula is exact

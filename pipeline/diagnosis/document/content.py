@@ -8,7 +8,7 @@ from .effects_named import Dimension, Location, MechanismEntry, OfYourOwn, Stand
 from .evidence import Evidence
 from .expected import NextRun
 from .explanations import ExplanationEntry
-from .keyed import amount
+from .made_keys import amount
 
 
 class Simulated(TypedDict):

@@ -3,7 +3,7 @@
 from typing import NotRequired, TypedDict
 
 from ...run.description import Included
-from .keyed import Interval
+from .made_keys import Interval
 
 
 class Location(TypedDict):

@@ -13,7 +13,7 @@ from ...ground.kinematics import Array
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..document.effects_named import Dimension
-from ..document.keyed import amount
+from ..document.made_keys import amount
 from ..prediction.simulation import at_its_best_zero
 from ..words.explanations import excursions
 from ..words.held_out import holdout, unseen

@@ -12,7 +12,7 @@ from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 from ...ground.outside_library import is_outside
 from ..document.content import HeldOut, Verdict, left_with_discrepancy
 from ..document.explanations import ExplanationEntry, share_of
-from ..document.keyed import amount
+from ..document.made_keys import amount
 from ..recording.drivers import Drivers
 from ..words.explanations import explanation_table, probability, rivals
 from ..words.held_out.holdout import included

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..choice.outcome import Study, rms
 from ..document.evidence import Evidence, Excursion
-from ..document.keyed import with_made
+from ..document.made_keys import with_made
 from ..recording.covered import covered
 from . import extents, mechanism_entries
 from .explanations import explanations, left_out

@@ -14,7 +14,7 @@ from ..choice.kept import at_work
 from ..choice.outcome import Study, cancels
 from ..choice.search import Explanation, Search
 from ..document.explanations import Cause, ExplanationEntry, LeftOut, share_of
-from ..document.keyed import put
+from ..document.made_keys import put
 from ..fit import generic, locate
 from ..fit.problem import Problem
 from . import aspects

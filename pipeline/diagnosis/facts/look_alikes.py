@@ -1,9 +1,9 @@
 """How much of each named effect moved dimensions cannot do, and which dimensions moved in its place."""
 
-from ..choice.disguise import beyond
 from ..choice.outcome import Study, rms
+from ..choice.recalibration import beyond
 from ..document.evidence import Evidence
-from ..document.keyed import with_made
+from ..document.made_keys import with_made
 from ..fit import discrepancy
 from ..fit.linear import Linear
 from ..numerics.noise import white

@@ -5,7 +5,7 @@ import numpy as np
 from ...ground.kinematics import Array
 from ..choice import chance
 from ..choice.outcome import Study, rms
-from ..document import keyed
+from ..document import made_keys
 from ..document.effects_named import Loop, MechanismEntry, Quantity
 from ..fit import locate
 from ..fit.adopt import entries
@@ -23,7 +23,7 @@ HALF_LOOP = "half_loop_mm"  # of the sums, the one that is the same at every loa
 HalfWidths = dict[tuple[str, int, str], float]  # by id, number and name: half the relative width of an interval
 
 
-def as_entry(interval: Interval) -> keyed.Interval:
+def as_entry(interval: Interval) -> made_keys.Interval:
     """A value with its 90 % interval, as an entry."""
     return {"value": interval.value, "low": interval.low, "high": interval.high}
 
@@ -92,7 +92,7 @@ def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[Mec
             "parameters": parameters_of(problem, act, relative, known.half_widths, half_loop),
             "location": locate.box(effect, problem),
         }
-        entries_.append(keyed.with_made(entry, {f"rms_{unit}": as_entry(size)}, "parameters"))
+        entries_.append(made_keys.with_made(entry, {f"rms_{unit}": as_entry(size)}, "parameters"))
     return entries_
 
 
@@ -117,7 +117,7 @@ def opened(problem: Problem, effects: dict[str, Array], reading: str, driver: st
         loop = loops.widest(problem, effect)
         if loop:
             by_load: Loop = {"by_load": [list(pair) for pair in loop.by_load]} if loop.by_load else {}
-            open_by_id[id_] = keyed.with_made(by_load, {reading: loop.width, driver: loop.motion}, "by_load")
+            open_by_id[id_] = made_keys.with_made(by_load, {reading: loop.width, driver: loop.motion}, "by_load")
     return open_by_id
 
 

@@ -10,7 +10,7 @@ from ..choice.candidates import apart
 from ..choice.outcome import Study
 from ..choice.search import Explanation
 from ..document.explanations import Change, NotKept, Stood
-from ..document.keyed import with_made
+from ..document.made_keys import with_made
 from ..mechanisms.interface import physics
 from ..recording.working_samples import PHASES
 from .explanations import fitted

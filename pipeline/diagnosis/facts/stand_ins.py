@@ -2,7 +2,7 @@
 
 from ..choice.outcome import Study, rms
 from ..document.effects_named import StandIn
-from ..document.keyed import Made, with_made
+from ..document.made_keys import Made, with_made
 from ..fit import locate
 from . import extents
 from .mechanism_entries import effect_of

@@ -5,7 +5,7 @@ from typing import cast
 from ...ground.outside_library import is_outside
 from ..document.content import Mismatch, Verdict
 from ..document.explanations import ExplanationEntry
-from ..document.keyed import interval
+from ..document.made_keys import interval
 from ..mechanisms.library import mechanisms
 
 

@@ -5,7 +5,7 @@ from numba import njit
 
 from ...ground.kinematics import Array
 from ..document.effects_named import Location
-from ..document.keyed import with_made
+from ..document.made_keys import with_made
 from ..recording.working_samples import PHASES
 from .problem import Problem
 

@@ -12,7 +12,7 @@ from typing import cast
 from ...ground.errors import BadInput
 from ..document.content import Simulated
 from ..fit.problem import Problem
-from .home import HOME, Home, homed, left_of_first
+from .motor_zero import HOME, Home, homed, left_of_first
 
 CLEARLY = 0.8  # of what all of a diagnosis leaves of the first stroke: a part of it that leaves less is taken instead
 

@@ -12,8 +12,8 @@ import pandas as pd
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array
 from ...run.continued import continued
-from ...run.course import Mask, Recorded
 from ...run.description import Run
+from ...run.motion_course import Mask, Recorded
 from ...run.outside import Outside, outside
 from ...run.samples import read_strokes
 from ..choice.outcome import rms
@@ -22,7 +22,7 @@ from ..fit.problem import Problem
 from ..mechanisms.library import mechanisms
 from ..recording.recorded_run import RecordedRun
 from ..study.own_rate import at_own_rate
-from .harder import with_harder
+from .harder_acceleration import with_harder
 from .later_run import places_beside
 from .planned_zero import beginning, own_zero, set_by, set_where_it_begins
 from .prediction_band import Foretold, band, curves

@@ -3,7 +3,7 @@
 from typing import cast
 
 from ..document.content import Simulated, Verdict
-from .to_compare import ToCompare
+from .errors_to_compare import ToCompare
 
 AT_NOISE = 1.3  # times the noise on strokes that no fit had seen: no more is told to be missing
 AGAINST = "beware: run.yaml adopted this against the advice of its verdict, which says"

@@ -5,7 +5,7 @@ import numpy as np
 from ...run.description import Run
 from ..choice.outcome import Study
 from ..study.rivals import refitted
-from .nextrun import Proposal, appended, lengthened
+from .next_runs import Proposal, appended, lengthened
 
 
 def apart(study: Study, run: Run, proposal: Proposal) -> dict[str, float]:

@@ -11,7 +11,7 @@ from ..choice.outcome import Study
 from ..choice.search import Explanation
 from ..document.effects_named import MechanismEntry
 from ..document.expected import Expected, ExpectedExplanation
-from ..document.keyed import amount, with_made
+from ..document.made_keys import amount, with_made
 from ..document.time_constants import time_constants_s
 from ..facts.recorded_loop import recorded_loop
 from ..fit.problem import Problem, State
@@ -20,7 +20,7 @@ from ..mechanisms.library import mechanisms
 from ..study.rivals import refitted
 from .foretold_spread import plus_minus
 from .legs import Leg, Rig
-from .nextrun import appended, counts, lengthened
+from .next_runs import appended, counts, lengthened
 
 STROKES = {  # times as slow, of the load
     "as_before": (1.0, 1.0), "half_speed": (2.0, 1.0), "half_load": (1.0, 0.5), "twice_load": (1.0, 2.0),

@@ -9,10 +9,10 @@ from ...run.description import Run
 from ..choice.outcome import Study
 from ..choice.search import Explanation
 from ..document.expected import NextRun
-from ..document.tidy import tidy
+from ..document.rounded import tidy
 from ..mechanisms.interface import physics
 from .design import decides, raises
-from .nextrun import Proposal, appended, lengthened, options
+from .next_runs import Proposal, appended, lengthened, options
 
 POINTS = 400  # of a curve
 SURE = 0.9  # probability from which one explanation needs no other run: of five firm wrong names none had more

@@ -6,7 +6,7 @@ from typing import TypedDict
 import numpy as np
 
 from ...ground.kinematics import Array
-from ...run.course import Course, Recorded, longest_s
+from ...run.motion_course import Course, Recorded, longest_s
 from ...run.planned_limits import NEAR
 from ...run.strokes import of_samples
 from ..document.evidence import Covered

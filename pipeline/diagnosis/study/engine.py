@@ -25,7 +25,7 @@ from ..numerics.noise import Noise, estimate, robust, white
 from ..recording.drivers import Drivers, drivers_of
 from ..recording.recorded_run import RecordedRun
 from ..recording.working_samples import DRIVES_SAMPLES, WORKING_SAMPLES, joined
-from . import homes
+from . import motor_zeros
 from .beside import clearer, with_stand_ins
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
@@ -61,7 +61,7 @@ def make_problem(
             where, "recording", f"holds {counted(len(record), 'sample')}, of which {LEAST_SAMPLES} are needed", mend
         )
     drivers = drivers_of(system, record, runs[0])
-    zeros = homes.of_runs(system, runs)
+    zeros = motor_zeros.of_runs(system, runs)
     nowhere = unplaced(system, drivers)
     for number, entry in enumerate(runs[0].simulation):
         if entry.get("id") in nowhere:
@@ -70,7 +70,7 @@ def make_problem(
     included = acts_from(runs[0].simulation, drivers, str(where / "run.yaml"))  # what the simulator has already
     return Problem(
         system, record, drivers, (*system.parameters(runs[0]), *zeros), record.measured, len(record), included,
-        len(zeros), without | nowhere, by or judge(), homes.one_string(runs),
+        len(zeros), without | nowhere, by or judge(), motor_zeros.one_string(runs),
     )  # fmt: skip
 
 
@@ -127,8 +127,8 @@ def with_homes(problem: Problem, say: Progress) -> Study:
     """The procedure with one simulator; twice where a break between runs may mislead it."""
     if not (problem.homed and problem.stays):
         return studied_once(problem, say)
-    held = studied_once(homes.held(problem), say)
-    return studied_once(problem, say) if homes.moved(problem, held) else held
+    held = studied_once(motor_zeros.held(problem), say)
+    return studied_once(problem, say) if motor_zeros.moved(problem, held) else held
 
 
 def studied_once(problem: Problem, say: Progress) -> Study:

@@ -26,7 +26,7 @@ from ..interface import Model
 from .between import Between
 from .box import Box
 from .foreseen import GIVEN, foreseen
-from .reach import brought
+from .reached_contraction import brought
 from .recorded_pairs import pairs_of, turns_at
 from .recorded_strokes import Under
 from .rolling_origin import FOLDS, last_seen, last_strokes, parts_of

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
 from ...ground.units import unit_of
-from .beyond import WORDS, also, inward, with_unit
+from .beyond_range import WORDS, also, inward, with_unit
 from .box import room
 from .conditions import Conditions
 

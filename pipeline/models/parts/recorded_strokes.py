@@ -16,7 +16,7 @@ import numpy as np
 import pandas as pd
 
 from ...ground.kinematics import Array
-from .beyond import with_unit
+from .beyond_range import with_unit
 from .box import room
 from .conditions import Conditions
 from .recorded_pairs import upper

@@ -12,10 +12,10 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from .beyond import also, beyond, held
+from .beyond_range import also, beyond, held
 from .box import MARGIN
 from .prediction_intervals import Intervals
-from .reach import reached_mm
+from .reached_contraction import reached_mm
 from .recorded_pairs import around
 from .rolling_origin import too_far
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from ..concealed import Concealed
 from ..effect import Effect
-from ..unsteady import Unsteady
+from ..wandering_strength import Unsteady
 
 
 def names() -> list[str]:
@@ -25,7 +25,7 @@ def names() -> list[str]:
 def make(name: str, parameters: Mapping[str, Any]) -> Effect:
     """A fresh effect of that name; raises ValueError for a name or a parameter that it does not know.
 
-    Any effect can have the parameter `unsteady`, with the arguments of `pipeline.rig.unsteady.Unsteady`.
+    Any effect can have the parameter `unsteady`, with the arguments of `pipeline.rig.wandering_strength.Unsteady`.
     """
     if name not in names():
         raise ValueError(f"is not an effect of the rig; known are {', '.join(names())}")

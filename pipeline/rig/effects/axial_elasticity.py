@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -43,7 +43,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A string as soft as fibres and toe make it."""
 
-    claim = Claim("load", otherwise.UNDER_ONE_LOAD, (otherwise.AT_HALF_SPEED, otherwise.NEVER_UNWOUND))
+    claim = Claim("load", altered_motion.UNDER_ONE_LOAD, (altered_motion.AT_HALF_SPEED, altered_motion.NEVER_UNWOUND))
     grows = ("compliance_mm_per_n",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -58,7 +58,9 @@ class Hidden(Concealed):
     """Play of a fifth of a turn, and more."""
 
     claim = Claim(
-        "reversals of twist", otherwise.WOUND_UP_ONCE, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD)
+        "reversals of twist",
+        altered_motion.WOUND_UP_ONCE,
+        (altered_motion.AT_HALF_SPEED, altered_motion.UNDER_TWICE_THE_LOAD),
     )
     grows, most, wanders = ("turns",), 2.0, 0.034
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
@@ -57,7 +57,7 @@ def _pull(tired_s: Array, lives_s: Array, slips_mm: Array, glides: float, state:
 class Hidden(Concealed):
     """A clamp that gives way once or twice."""
 
-    claim = Claim("an event", otherwise.IN_NO_TIME, (otherwise.AT_REST,))
+    claim = Claim("an event", altered_motion.IN_NO_TIME, (altered_motion.AT_REST,))
     grows, wanders, by_chance = ("slips_mm",), 0.019, True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import RAD_PER_TURN, Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
@@ -63,7 +63,7 @@ def _slip(tired_s: Array, lives_s: Array, slips_rad: Array, most_rad: float, sta
 class Hidden(Concealed):
     """A screw that lets go one to three times."""
 
-    claim = Claim("an event", otherwise.IN_NO_TIME)
+    claim = Claim("an event", altered_motion.IN_NO_TIME)
     grows, most, wanders, by_chance = ("turns",), 2.0, 0.032, True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

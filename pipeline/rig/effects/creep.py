@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -57,7 +57,7 @@ def _flow(pull_n: Array, compliance_mm_per_n: Array, kept: Array, yield_mm: floa
 class Hidden(Concealed):
     """A string that gives way in three times."""
 
-    claim = Claim("time under load", otherwise.IN_NO_TIME)
+    claim = Claim("time under load", altered_motion.IN_NO_TIME)
     grows = ("compliance_mm_per_n", "yield_mm")
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ rest is the geometry of this rig.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -38,7 +38,9 @@ class Hidden(Concealed):
     """A hook a tenth of a millimetre out of true, and more."""
 
     claim = Claim(
-        "the angle within a turn", otherwise.BY_WHOLE_TURNS, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD)
+        "the angle within a turn",
+        altered_motion.BY_WHOLE_TURNS,
+        (altered_motion.AT_HALF_SPEED, altered_motion.UNDER_TWICE_THE_LOAD),
     )
     grows = ("run_out_mm",)
 

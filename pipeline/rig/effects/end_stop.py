@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -50,7 +50,7 @@ def _dent(past_mm: Array, ratio: float) -> Array:
 class Hidden(Concealed):
     """A stop in the last hundredths of the stroke, and further in."""
 
-    claim = Claim("large displacement", otherwise.HALF_WOUND, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("large displacement", altered_motion.HALF_WOUND, (altered_motion.AT_HALF_SPEED,))
     wanders = 0.035
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

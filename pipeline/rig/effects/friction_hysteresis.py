@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -63,7 +63,7 @@ def _hold_with_tail(limit_rad: Array, moved: Array, tail: float, held_rad: Array
 class Hidden(Concealed):
     """A loop of a tenth of a turn under the usual load, and more."""
 
-    claim = Claim("reversals of twist under load", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("reversals of twist under load", altered_motion.WITHOUT_LOAD, (altered_motion.AT_HALF_SPEED,))
     grows = ("turns_per_n",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ Source: the law is this rig's own; that contacts close one after the other is th
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -49,7 +49,9 @@ def _press(past: Array) -> Array:
 class Hidden(Concealed):
     """Coils that touch in the upper part of the twist."""
 
-    claim = Claim("large twist", otherwise.HALF_WOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
+    claim = Claim(
+        "large twist", altered_motion.HALF_WOUND, (altered_motion.AT_HALF_SPEED, altered_motion.UNDER_TWICE_THE_LOAD)
+    )
     grows, most, wanders = ("share",), 0.95, 0.036
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -59,7 +59,7 @@ def _swing(contraction_mm: Array, steps: tuple[float, ...], state: Array) -> Arr
 class Hidden(Concealed):
     """A load of which a third swings, and more."""
 
-    claim = Claim("starts and stops", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
+    claim = Claim("starts and stops", altered_motion.INFINITELY_SLOWLY, (altered_motion.UNDER_TWICE_THE_LOAD,))
     grows, most = ("share",), 0.95
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ this rig's own.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -59,7 +59,9 @@ def _coil(turns: Array, nucleates_turns: Array, melts_turns: Array, coiled: Arra
 class Hidden(Concealed):
     """Coils in the upper part of the twist."""
 
-    claim = Claim("large twist", otherwise.HALF_WOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
+    claim = Claim(
+        "large twist", altered_motion.HALF_WOUND, (altered_motion.AT_HALF_SPEED, altered_motion.UNDER_TWICE_THE_LOAD)
+    )
     grows, wanders = ("gain_mm_per_turn",), 0.034
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -53,7 +53,7 @@ def _yield(work_n_mm: Array, capacity_n_mm: Array, left_mm: Array, given_mm: Arr
 class Hidden(Concealed):
     """A string that stretches by four tenths of a millimetre in all, and more."""
 
-    claim = Claim("worked strokes", otherwise.WOUND_UP_ONCE, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("worked strokes", altered_motion.WOUND_UP_ONCE, (altered_motion.AT_HALF_SPEED,))
     grows, wanders = ("stretch_mm",), 0.010
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

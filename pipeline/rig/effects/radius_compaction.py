@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -63,7 +63,7 @@ def _pack(
 class Hidden(Concealed):
     """A bundle that is pressed thinner."""
 
-    claim = Claim("twist under load", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("twist under load", altered_motion.WITHOUT_LOAD, (altered_motion.AT_HALF_SPEED,))
     wanders = 0.036
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ of Physics of the Earth 43, 1995 (a rate that falls so); that a zero does so is 
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -33,7 +33,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A zero that moves by a millimetre an hour, and more, either way."""
 
-    claim = Claim("time", otherwise.IN_NO_TIME, (otherwise.UNDER_TWICE_THE_LOAD, otherwise.AT_REST))
+    claim = Claim("time", altered_motion.IN_NO_TIME, (altered_motion.UNDER_TWICE_THE_LOAD, altered_motion.AT_REST))
     grows, either_sign, wanders = ("mm_per_hour",), True, 0.017
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, settle
 
@@ -45,7 +45,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A reading that is late by six hundredths of a second, and more."""
 
-    claim = Claim("displacement rate", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
+    claim = Claim("displacement rate", altered_motion.INFINITELY_SLOWLY, (altered_motion.UNDER_TWICE_THE_LOAD,))
     grows, most, wanders = ("lag_s",), 0.5, 0.044
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -6,7 +6,7 @@ Source: the law is this rig's own; that rubber hardens: Treloar, The Physics of 
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -41,7 +41,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A coupling that gives way."""
 
-    claim = Claim("torque", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("torque", altered_motion.WITHOUT_LOAD, (altered_motion.AT_HALF_SPEED,))
     grows, wanders = ("compliance_rad_per_n_mm",), 0.030
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

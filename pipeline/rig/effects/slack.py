@@ -7,7 +7,7 @@ Source: the law is this rig's own; with a hardness of 1.5 the bed is a ball afte
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -64,7 +64,9 @@ def _lift(asked_mm: Array, softness_mm: Array, bed_mm: float, hardness: float) -
 class Hidden(Concealed):
     """A string that is four tenths of a millimetre too long, and more."""
 
-    claim = Claim("low twist", otherwise.NEVER_UNWOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
+    claim = Claim(
+        "low twist", altered_motion.NEVER_UNWOUND, (altered_motion.AT_HALF_SPEED, altered_motion.UNDER_TWICE_THE_LOAD)
+    )
     grows, wanders = ("take_up_mm", "bed_mm"), 0.020
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -65,7 +65,7 @@ def _stick(contraction_mm: Array, step_s: float, settings: tuple[float, ...], st
 class Hidden(Concealed):
     """Steps of a tenth of a millimetre, and more."""
 
-    claim = Claim("slow displacement", otherwise.A_HUNDRED_TIMES_AS_FAST)
+    claim = Claim("slow displacement", altered_motion.A_HUNDRED_TIMES_AS_FAST)
     grows, by_chance = ("step_mm",), True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ Mechanics of Fibers, Yarns, and Fabrics, 1969.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -48,7 +48,7 @@ def _lock(work: Array, order: float, unlocked: Array) -> Array:
 class Hidden(Concealed):
     """A string that grows up to half as stiff again."""
 
-    claim = Claim("worked strokes, under load", otherwise.WITHOUT_LOAD, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("worked strokes, under load", altered_motion.WITHOUT_LOAD, (altered_motion.AT_HALF_SPEED,))
     grows = ("compliance_mm_per_n",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

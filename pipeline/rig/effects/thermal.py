@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -76,7 +76,7 @@ def _warm(warming_k: Array, room_k: Array, rates: tuple[float, ...], state: Arra
 class Hidden(Concealed):
     """A string that lengthens by two hundredths of a millimetre a kelvin, and more, or shrinks."""
 
-    claim = Claim("temperature", otherwise.AT_REST)
+    claim = Claim("temperature", altered_motion.AT_REST)
     grows, either_sign = ("expansion_mm_per_k",), True
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
@@ -92,7 +92,7 @@ class Hidden(Concealed):
     def claims(self, parameters: Mapping[str, Any]) -> Claim:
         """Heat that comes from the room stands still when time does, not when the string does."""
         warm = self.warms_the_room(parameters)
-        return Claim("temperature", otherwise.IN_NO_TIME, (otherwise.AT_REST,)) if warm else self.claim
+        return Claim("temperature", altered_motion.IN_NO_TIME, (altered_motion.AT_REST,)) if warm else self.claim
 
     def warms_the_room(self, parameters: Mapping[str, Any]) -> bool:
         """Whether the heat comes from the room, which nobody can know without a thermometer."""

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -36,7 +36,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """Strands with something between them that resists."""
 
-    claim = Claim("twisting rate", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
+    claim = Claim("twisting rate", altered_motion.INFINITELY_SLOWLY, (altered_motion.UNDER_TWICE_THE_LOAD,))
     grows, wanders = ("mm_per_rate",), 0.015
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ this rig's own.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, compiled
 
@@ -50,7 +50,7 @@ def _rub(way_mm: Array, share_per_mm: Array, edge: float, first_mm: float, state
 class Hidden(Concealed):
     """A radius that falls by three hundredths a metre, and more; worn fibres may fuzz instead."""
 
-    claim = Claim("travel", otherwise.WOUND_UP_ONCE, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("travel", altered_motion.WOUND_UP_ONCE, (altered_motion.AT_HALF_SPEED,))
     grows, either_sign, wanders = ("share_per_m",), True, 0.030
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ thread", Proceedings of the Royal Society A 245, 1958.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -30,7 +30,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A bow of a hundredth of a millimetre at a turn a second, and more."""
 
-    claim = Claim("twisting rate squared", otherwise.INFINITELY_SLOWLY, (otherwise.UNDER_TWICE_THE_LOAD,))
+    claim = Claim("twisting rate squared", altered_motion.INFINITELY_SLOWLY, (altered_motion.UNDER_TWICE_THE_LOAD,))
     grows = ("mm_per_rate2",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -7,7 +7,7 @@ Optics 20, 1981.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived
 
@@ -29,7 +29,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A count that errs by a fiftieth of a turn, and more."""
 
-    claim = Claim("the angle within a turn", otherwise.BY_WHOLE_TURNS, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("the angle within a turn", altered_motion.BY_WHOLE_TURNS, (altered_motion.AT_HALF_SPEED,))
     grows = ("error_turns",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -6,7 +6,7 @@ Source: Rayleigh, The Theory of Sound, 1877 (beats).
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -31,7 +31,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A floor that moves by a twentieth of a millimetre, and more."""
 
-    claim = Claim("time", otherwise.IN_NO_TIME, (otherwise.UNDER_TWICE_THE_LOAD, otherwise.AT_REST))
+    claim = Claim("time", altered_motion.IN_NO_TIME, (altered_motion.UNDER_TWICE_THE_LOAD, altered_motion.AT_REST))
     grows = ("sway_mm",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

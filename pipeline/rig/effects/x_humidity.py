@@ -7,7 +7,7 @@ Fibres, 1962.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived, settle
 
@@ -33,7 +33,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A string that swells by a tenth of a millimetre, and more."""
 
-    claim = Claim("time", otherwise.IN_NO_TIME, (otherwise.UNDER_TWICE_THE_LOAD, otherwise.AT_REST))
+    claim = Claim("time", altered_motion.IN_NO_TIME, (altered_motion.UNDER_TWICE_THE_LOAD, altered_motion.AT_REST))
     grows = ("swell_mm",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

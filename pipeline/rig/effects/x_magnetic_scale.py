@@ -7,7 +7,7 @@ Sensors Handbook, 1999.
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene, uniform
 from ..effect import Effect, Lived
 
@@ -29,7 +29,7 @@ class Model(Effect):
 class Hidden(Concealed):
     """A scale that errs by a twentieth of a millimetre, and more."""
 
-    claim = Claim("displacement", otherwise.AT_REST, (otherwise.AT_HALF_SPEED,))
+    claim = Claim("displacement", altered_motion.AT_REST, (altered_motion.AT_HALF_SPEED,))
     grows = ("error_mm",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

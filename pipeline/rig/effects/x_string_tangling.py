@@ -7,7 +7,7 @@ Source: the law is this rig's own; scatter from one winding to the next: Joint C
 import numpy as np
 
 from ...ground.kinematics import Array
-from .. import otherwise
+from .. import altered_motion
 from ..concealed import Claim, Concealed, Parameters, Scene
 from ..effect import Effect, Lived, compiled
 
@@ -42,7 +42,11 @@ def _tangle(twist_rad: Array, open_rad: float, factors: Array, state: Array) -> 
 class Hidden(Concealed):
     """A radius that scatters by half a hundredth, and more."""
 
-    claim = Claim("a new winding", otherwise.NEVER_UNWOUND, (otherwise.AT_HALF_SPEED, otherwise.UNDER_TWICE_THE_LOAD))
+    claim = Claim(
+        "a new winding",
+        altered_motion.NEVER_UNWOUND,
+        (altered_motion.AT_HALF_SPEED, altered_motion.UNDER_TWICE_THE_LOAD),
+    )
     grows = ("scatter",)
 
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pipeline.diagnosis.choice.disguise import beyond
 from pipeline.diagnosis.choice.outcome import rms
+from pipeline.diagnosis.choice.recalibration import beyond
 from pipeline.diagnosis.facts.look_alikes import look_alikes
 from pipeline.diagnosis.fit.linear import Linear
 from pipeline.diagnosis.numerics.noise import white

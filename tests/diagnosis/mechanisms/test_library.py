@@ -12,7 +12,7 @@ import pipeline.diagnosis
 from pipeline.diagnosis.fit.adopt import acts_from, entries
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.proposal.legs import Rig
-from pipeline.diagnosis.proposal.nextrun import appended
+from pipeline.diagnosis.proposal.next_runs import appended
 from pipeline.diagnosis.recording.drivers import drivers_of
 from pipeline.systems import systems
 

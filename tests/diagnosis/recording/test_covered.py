@@ -9,8 +9,8 @@ import pytest
 from pipeline.diagnosis.recording.covered import covered, pauses
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.recording.working_samples import PHASES, Record
-from pipeline.run.course import Recorded
 from pipeline.run.description import parse_run
+from pipeline.run.motion_course import Recorded
 from pipeline.run.outside import outside
 
 RIG = {"actuator": "twisted_pair", "rig": {"load_n": 20.0}}

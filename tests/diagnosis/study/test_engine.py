@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.diagnosis.choice.search import Search
-from pipeline.diagnosis.proposal import design, nextrun
+from pipeline.diagnosis.proposal import design, next_runs
 from pipeline.diagnosis.proposal.legs import Rig
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
@@ -46,7 +46,7 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     found = study(problem)
     rivals = found.search.all_of(1)[:3]
     assert any(problem.ports(found.search.linear.state.acts))
-    proposal = nextrun.best(problem, run, found.noise, found.search, rivals)
+    proposal = next_runs.best(problem, run, found.noise, found.search, rivals)
     possible = design.parts(Rig(problem.record), loads=True, faster=True)
     assert set(proposal.title.split("; ")) <= set(possible) and all(leg[0] > 0 for leg in proposal.legs)
     entry = proposal.entry(run, fixed_load=True)
@@ -55,16 +55,16 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     assert min(pair["gap_then"] for pair in entry["pairs"]) == entry["gap_then"]
     assert min(pair["gap_now"] for pair in entry["pairs"]) == entry["gap_now"]
     assert [leg["seconds"] for leg in entry["legs"]] == [leg[0] for leg in proposal.legs]
-    asked, plain = [], nextrun.separations
+    asked, plain = [], next_runs.separations
 
     def counted(*told):
         asked.append(len(told[-1]))
         return plain(*told)
 
-    monkeypatch.setattr(nextrun, "separations", counted)
-    first = nextrun.best(problem, run, found.noise, found.search, rivals)
+    monkeypatch.setattr(next_runs, "separations", counted)
+    first = next_runs.best(problem, run, found.noise, found.search, rivals)
     alone = len(asked)
-    every = nextrun.options(problem, run, found.noise, found.search, rivals)
+    every = next_runs.options(problem, run, found.noise, found.search, rivals)
     assert (first.title, first.legs, first.then) == (proposal.title, proposal.legs, proposal.then)
     assert (every[0].title, every[0].then) == (first.title, first.then)  # the best is the first, for less
     assert 0 < alone < len(asked) - alone

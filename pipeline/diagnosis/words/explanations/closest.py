@@ -6,7 +6,7 @@ from ...choice.judged import UNKNOWN
 from ...choice.search import EXPLAINED
 from ...document.content import Verdict
 from ...document.explanations import ExplanationEntry
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, percent, size, times

@@ -1,7 +1,7 @@
 """What a verdict without a name is worth, in words: the sizes from which effects would have been seen."""
 
 from ...document.content import Verdict
-from ...document.keyed import by_name
+from ...document.made_keys import by_name
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..held_out import holdout, unseen

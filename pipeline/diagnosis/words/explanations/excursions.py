@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...document.evidence import Excursion
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..language.quantity import duration, listing, number, size
 from ..language.vocabulary import Vocabulary
 

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...document.explanations import ExplanationEntry, share_of
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ...mechanisms.interface import physics
 from ..language.quantity import of_column, percent, size, times
 from ..language.table import UNKNOWN, within

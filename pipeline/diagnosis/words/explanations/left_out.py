@@ -1,6 +1,6 @@
 """Explanations that are likely enough to be kept and are no names, in words: which, how likely, and by which rule."""
 
-from ...choice.disguise import DIMENSIONS, IDLE, OUTSIDE
+from ...choice.recalibration import DIMENSIONS, IDLE, OUTSIDE
 from ...document.content import Verdict
 from ...document.explanations import LeftOut, share_of
 from ..language.quantity import listing, percent

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from ....ground.counts import consecutive
 from ...document.content import Verdict, left_with_discrepancy
 from ...document.explanations import ExplanationEntry
-from ...document.keyed import amount
+from ...document.made_keys import amount
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary

@@ -4,7 +4,7 @@ import math
 
 from ...document.content import Verdict
 from ...document.explanations import Change, NotKept, Stood
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, of_column, percent, size, times
 from ..language.table import UNKNOWN, aligned

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict, left_with_discrepancy
 from ...document.explanations import ExplanationEntry
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..language.quantity import size, times
 from ..language.vocabulary import Vocabulary
 

@@ -2,7 +2,7 @@
 
 from ....ground.outside_library import is_outside
 from ...document.content import Verdict, mismatch_of
-from ...document.keyed import amount, amount_or_none, by_name
+from ...document.made_keys import amount, amount_or_none, by_name
 from ..held_out import holdout, level, unseen
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times

@@ -1,6 +1,6 @@
 """The range in which a planned motion is answered with an error band, as a verdict's page says it before any plan."""
 
-from ....run.course import ALIKE
+from ....run.motion_course import ALIKE
 from ....run.planned_limits import (
     LONGER,
     SHORT_S,
@@ -13,7 +13,7 @@ from ....run.planned_limits import (
 )
 from ...document.content import Verdict
 from ...document.evidence import Covered
-from ...document.keyed import amount, extent
+from ...document.made_keys import amount, extent
 from ...mechanisms.library import mechanisms
 from ..language.quantity import at, duration, ends, listing, span
 from ..language.vocabulary import Vocabulary

@@ -4,7 +4,7 @@ import re
 
 from ...document.content import Verdict
 from ...document.expected import Expected, ExpectedExplanation
-from ...document.keyed import amount, extent
+from ...document.made_keys import amount, extent
 from ..language.quantity import at, duration, listing, plus_minus, quantity, size
 from ..language.sections import WIDE
 from ..language.table import UNKNOWN, aligned

@@ -6,7 +6,7 @@ from itertools import combinations
 
 from ...document.content import Verdict
 from ...document.expected import ExpectedExplanation
-from ...document.keyed import amount
+from ...document.made_keys import amount
 from ..explanations import rivals
 from ..held_out import unseen
 from ..language.vocabulary import Vocabulary

@@ -6,11 +6,11 @@ from ....ground import spans
 from ....ground.command import command
 from ....ground.counts import are
 from ....ground.kinematics import Array
-from ....run.course import Mask
+from ....run.motion_course import Mask
 from ...choice.outcome import rms
 from ...document.content import Verdict
 from ...document.evidence import Evidence
-from ...document.keyed import amount
+from ...document.made_keys import amount
 from ...prediction.prediction_band import Foretold
 from ..held_out import holdout
 from ..language.quantity import listing, number, percent, plus_minus, quantity, size, times

@@ -6,8 +6,8 @@ import pandas as pd
 
 from ....systems import System
 from ...document.content import Verdict
-from ...prediction.home import HOME
-from ...prediction.to_compare import ToCompare
+from ...prediction.errors_to_compare import ToCompare
+from ...prediction.motor_zero import HOME
 from ..held_out import holdout
 from ..language.quantity import listing, size, times
 from ..language.table import aligned

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from ...document.content import Verdict
 from ...document.expected import ExpectedExplanation
-from ...document.keyed import amount_or_none
+from ...document.made_keys import amount_or_none
 from ...proposal import design
 from ..language.quantity import duration, listing, size
 from ..language.vocabulary import Vocabulary

@@ -3,7 +3,7 @@
 import math
 
 from ...document.content import Verdict
-from ...document.keyed import amount
+from ...document.made_keys import amount
 from ...study.heldout import WORSE
 from ..language.quantity import first_upper, size
 from ..language.vocabulary import Vocabulary

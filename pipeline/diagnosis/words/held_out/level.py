@@ -1,7 +1,7 @@
 """The level that physics has to reach: what a regression without physics foretells of unseen strokes, in words."""
 
 from ...document.content import Verdict
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import size
 from ..language.vocabulary import Vocabulary

@@ -4,7 +4,7 @@ import math
 
 from ....ground.command import program_name
 from ...document.content import Verdict
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..language.quantity import duration, size, times
 from ..language.vocabulary import Vocabulary
 from . import holdout

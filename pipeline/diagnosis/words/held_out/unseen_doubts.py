@@ -1,7 +1,7 @@
 """What must be known first of a simulator that errs on strokes that no fit has seen."""
 
 from ...document.content import Verdict
-from ...document.keyed import amount
+from ...document.made_keys import amount
 from ...study.heldout import WORSE
 from ..language.quantity import ends, listing, percent, size
 from ..language.vocabulary import Vocabulary

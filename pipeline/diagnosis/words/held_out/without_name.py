@@ -1,7 +1,7 @@
 """A verdict that names no effect: whether it moved dimensions in vain, and whether what was adopted still holds."""
 
 from ...document.content import Verdict
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..language.vocabulary import Vocabulary
 from . import unseen
 

@@ -2,7 +2,7 @@
 
 from ...document.effects_named import Location
 from ...document.evidence import Evidence
-from ...document.keyed import extent
+from ...document.made_keys import extent
 from .quantity import span
 from .vocabulary import Vocabulary
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from ....ground.units import unit_of
 from ...document.bounds import BOUND, at_bound, of_later_run
 from ...document.content import Verdict
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..held_out import holdout
 from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing, number, said_unit, size, times

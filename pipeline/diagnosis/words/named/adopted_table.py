@@ -3,7 +3,7 @@
 from ....ground.outside_library import is_outside
 from ...document.content import Adoption, Verdict
 from ...document.effects_named import AdoptedEffect
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import size
 from ..language.table import aligned

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
-from ...document.keyed import amount, interval
+from ...document.made_keys import amount, interval
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved

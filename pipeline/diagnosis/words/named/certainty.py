@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from ...document.bounds import at_bound
 from ...document.content import Verdict, mismatch_of
-from ...document.keyed import Interval, amount, interval
+from ...document.made_keys import Interval, amount, interval
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals

@@ -8,7 +8,7 @@ import math
 
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
-from ...document.keyed import amount, amount_or_none, by_name, interval
+from ...document.made_keys import amount, amount_or_none, by_name, interval
 from ..language.quantity import size
 from ..language.vocabulary import Vocabulary
 

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict, mismatch_of
 from ...document.effects_named import MechanismEntry
-from ...document.keyed import Interval, amount, by_name, interval
+from ...document.made_keys import Interval, amount, by_name, interval
 from ..explanations import probability
 from ..held_out import holdout
 from ..language.quantity import listing, percent, size

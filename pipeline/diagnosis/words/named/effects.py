@@ -5,7 +5,7 @@ from string import Formatter
 
 from ...document.content import Verdict
 from ...document.effects_named import Loop, MechanismEntry, Quantity, WithParameters
-from ...document.keyed import amount, extent, interval
+from ...document.made_keys import amount, extent, interval
 from ...document.time_constants import BRANCH_S, time_constants_s
 from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units

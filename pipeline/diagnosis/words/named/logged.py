@@ -1,7 +1,7 @@
 """What was logged, and is followed by nothing that is named: said in one sentence, or a reader wonders."""
 
 from ...document.content import Verdict
-from ...document.keyed import by_name
+from ...document.made_keys import by_name
 from ...mechanisms.library import mechanisms
 from ..language.quantity import number, size
 from ..language.vocabulary import Vocabulary

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
-from ...document.keyed import by_name, interval
+from ...document.made_keys import by_name, interval
 from ..language import sized
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary

@@ -1,7 +1,7 @@
 """Of each slow effect that looks like a named one under one load: excluded by this recording, or open; in words."""
 
 from ...document.content import Verdict
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..explanations import other_effects
 from ..language.explained_words import tells
 from ..language.quantity import listing, size, times

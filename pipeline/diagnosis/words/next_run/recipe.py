@@ -1,7 +1,7 @@
 """The next recording as a recipe: so many strokes, under which load, at which speed, with which holds and rests."""
 
 from ...document.content import Verdict
-from ...document.keyed import extent
+from ...document.made_keys import extent
 from ...mechanisms.library import mechanisms
 from ..language.quantity import at, duration, ends, quantity, span
 from ..language.vocabulary import Vocabulary

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict, proposal
 from ...document.expected import NextRun
-from ...document.keyed import amount, extent
+from ...document.made_keys import amount, extent
 from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
 from ..language import outcomes

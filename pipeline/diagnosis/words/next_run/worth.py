@@ -3,7 +3,7 @@
 from ....ground.command import command
 from ...document.content import Verdict, proposal
 from ...document.expected import NextRun
-from ...document.keyed import amount, extent
+from ...document.made_keys import amount, extent
 from ...fit.adopt import NO_USE
 from ...proposal import design
 from ...proposal.design import PLAIN, deviations

@@ -3,7 +3,7 @@
 from ....ground.command import program_name
 from ....ground.verdict_text import MAY_ADOPT as MAY
 from ...document.content import Verdict
-from ...document.keyed import amount, interval
+from ...document.made_keys import amount, interval
 from ..held_out import holdout, in_vain, unseen
 from ..language.quantity import listing, size
 from ..language.vocabulary import Vocabulary

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ....systems import System
 from ...document.content import Verdict, mismatch_of
-from ...document.keyed import amount
+from ...document.made_keys import amount
 from ..explanations import (
     chances,
     closest,

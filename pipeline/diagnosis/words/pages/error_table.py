@@ -4,7 +4,7 @@ import math
 
 from ....ground.command import program_name
 from ...document.content import Verdict
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..explanations import rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import kept_times

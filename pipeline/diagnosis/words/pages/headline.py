@@ -3,7 +3,7 @@
 from ...choice.judged import UNKNOWN
 from ...document.bounds import at_bound
 from ...document.content import Verdict
-from ...document.keyed import amount, amount_or_none
+from ...document.made_keys import amount, amount_or_none
 from ..explanations import excursions, left_out, rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain

@@ -2,7 +2,7 @@
 
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
-from ...document.keyed import amount
+from ...document.made_keys import amount
 from ..explanations import chances, left_out, probability, rivals
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED

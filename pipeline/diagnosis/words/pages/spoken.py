@@ -5,7 +5,7 @@ from typing import cast
 from ....systems import System
 from ...document.content import Verdict
 from ...document.evidence import Evidence
-from ...document.keyed import amount, by_name, extent
+from ...document.made_keys import amount, by_name, extent
 from ...mechanisms.library import mechanisms
 from ...recording.system_units import Units
 from ..language.quantity import listing

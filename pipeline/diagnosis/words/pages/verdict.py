@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ....systems import System
 from ...document.content import Verdict
-from ...document.keyed import amount, by_name
+from ...document.made_keys import amount, by_name
 from ...mechanisms.interface import physics
 from ..explanations import chances, closest, excursions, rivals, stand_ins, unexplained_pattern
 from ..held_out import holdout, in_vain, level, unseen, unseen_doubts

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.ground.left_out import LeftOut
-from pipeline.workflow import handed
+from pipeline.workflow import handed_plan
 from pipeline.workflow.dag import Plan
 from pipeline.workflow.storage import copy_of_storage
 
@@ -19,15 +19,15 @@ def plan_of(count):
 
 def test_a_plan_comes_back_as_it_was():
     plan, files = plan_of(40)
-    assert handed.unpacked(handed.packed(plan, files)) == (plan, files)
+    assert handed_plan.unpacked(handed_plan.packed(plan, files)) == (plan, files)
 
 
 def test_ten_thousand_runs_fit_into_one_variable_and_what_does_not_is_left_to_the_node(monkeypatch):
     plan, files = plan_of(10_000)
-    text = handed.packed(plan, files)
-    assert text and len(text) <= handed.LONGEST and handed.unpacked(text)[1] == files
-    monkeypatch.setattr(handed, "LONGEST", len(text) - 1)
-    assert handed.packed(plan, files) == ""
+    text = handed_plan.packed(plan, files)
+    assert text and len(text) <= handed_plan.LONGEST and handed_plan.unpacked(text)[1] == files
+    monkeypatch.setattr(handed_plan, "LONGEST", len(text) - 1)
+    assert handed_plan.packed(plan, files) == ""
 
 
 class Settings:

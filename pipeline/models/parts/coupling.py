@@ -116,13 +116,13 @@ class InvertibleNet(nn.Module):
         self.unmixing = [torch.argsort(permutation) for permutation in self.mixing]
 
     def forward(self, x: Tensor, given: Tensor | None = None) -> Tensor:
-        """Outputs for inputs, in standard deviations."""
+        """Outputs for inputs, both of shape (points, size); without a unit, as they are standardised."""
         for number, block in enumerate(self.blocks):
             x = block(x if number == 0 else x[:, self.mixing[number - 1]], given)
         return x
 
     def inverse(self, y: Tensor, given: Tensor | None = None) -> Tensor:
-        """Inputs for outputs, in standard deviations: the blocks backwards."""
+        """Inputs for outputs, both of shape (points, size): the blocks backwards; without a unit."""
         for number in reversed(range(len(self.blocks))):
             y = cast(Coupling, self.blocks[number]).inverse(y, given)
             y = y if number == 0 else y[:, self.unmixing[number - 1]]

@@ -9,8 +9,8 @@ import ready
 from made_recording import recording
 
 from pipeline.run.folder import recording_path
-from pipeline.workflow import usable
-from pipeline.workflow.usable import answers, refusals
+from pipeline.workflow import usable_recordings
+from pipeline.workflow.usable_recordings import answers, refusals
 
 ROOT = Path(__file__).parents[2]
 
@@ -23,7 +23,7 @@ def quick(monkeypatch):
         assert command[:2] == [sys.executable, "-m"]
         return ready.run(*command[2:], cwd=Path.cwd())
 
-    monkeypatch.setattr(usable, "subprocess", SimpleNamespace(run=run))
+    monkeypatch.setattr(usable_recordings, "subprocess", SimpleNamespace(run=run))
 
 
 def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_run, tmp_path, capsys, monkeypatch):
@@ -35,7 +35,7 @@ def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_r
     assert "2 (a-01, b-01)" in capsys.readouterr().err
 
     asked = []
-    monkeypatch.setattr(usable, "answers", lambda folders, place: asked.extend(folders) or {})
+    monkeypatch.setattr(usable_recordings, "answers", lambda folders, place: asked.extend(folders) or {})
     assert refusals(raw, contents, "code", kept) == (refused, kept) and not asked
     assert capsys.readouterr().err == ""
     refusals(raw, {**contents, "b-01": "3"}, "code", kept)
@@ -56,14 +56,14 @@ def test_a_recording_at_which_the_reader_dies_has_no_answer_and_the_others_do(ma
     python = tmp_path / "python"
     python.write_text(
         f"#!{sys.executable}\n"
-        "import os, sys\nfrom pipeline.run import samples\nfrom pipeline.workflow import usable\n"
+        "import os, sys\nfrom pipeline.run import samples\nfrom pipeline.workflow import usable_recordings\n"
         "read = samples.stored_strokes\n"
         "samples.stored_strokes = lambda folder, out: os._exit(9) if folder.name == 'b-01' else read(folder, out)\n"
-        "sys.argv = sys.argv[2:]\nusable.main()\n"
+        "sys.argv = sys.argv[2:]\nusable_recordings.main()\n"
     )
     python.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(python))
-    monkeypatch.setattr(usable, "AT_ONCE", 2)  # programs of two runs each
+    monkeypatch.setattr(usable_recordings, "AT_ONCE", 2)  # programs of two runs each
     assert answers(dict.fromkeys(folders, "")) == {"a-01": [], "c-01": []}
 
 

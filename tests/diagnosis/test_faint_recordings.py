@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.diagnosis.faint import refuse_faint, unforeseen
+from pipeline.diagnosis.faint_recordings import refuse_faint, unforeseen
 from pipeline.diagnosis.study.engine import study
 from pipeline.ground.errors import BadInput
 

@@ -9,7 +9,7 @@ from made_recording import content, recording
 
 from pipeline import adopt
 from pipeline.ground.errors import BadInput
-from pipeline.run.run_dir import refuse_twice, run_dir
+from pipeline.run.run_arguments import refuse_twice, run_dir
 
 
 def test_a_program_inside_a_run_folder_takes_a_dot_for_it(tmp_path, monkeypatch, capsys):

@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from .account import Account, End, Tally
 from .batch import Batch, read_batch, samples_of
-from .belief import LATE, Numbers
 from .counters import Whole, from_one, steps_of
+from .frame_account import Account, End, Tally
 from .frames import END, EVENT, MAX_STUFFED, Kind, decode, greeting
 from .hello import Hello
+from .possible_numbers import LATE, Numbers
 from .timeline import FIRST, Timeline
 
 NONE: Whole = np.zeros(0, np.int64)

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pipeline.diagnosis.choice import disguise
+from pipeline.diagnosis.choice import recalibration
 from pipeline.diagnosis.fit import calibrate
 from pipeline.diagnosis.fit.linear import Linear
 from pipeline.diagnosis.fit.problem import Act
@@ -31,10 +31,10 @@ def never_below(problem, lowest):
 def test_slack_that_is_taken_up_below_the_lowest_twist_is_no_name(problem, lowest, is_outside):
     moved = never_below(problem, lowest)
     terms = moved.terms(mechanisms()["slack"], SLACK)
-    assert disguise.outside(moved, terms) == is_outside
+    assert recalibration.outside(moved, terms) == is_outside
     state = replace(moved.nominal(), acts=(Act("slack", (SLACK,), (1.0,)),))
     dimensions = Linear(moved, moved.nominal(), white(1.0), {})
-    assert disguise.no_name(moved, state, dimensions) == (("outside", ("slack",)) if is_outside else None)
+    assert recalibration.no_name(moved, state, dimensions) == (("outside", ("slack",)) if is_outside else None)
 
 
 @pytest.mark.parametrize(("share", "is_outside"), [(-0.5, True), (0.5, False), (1.5, True)])
@@ -43,16 +43,16 @@ def test_a_corner_of_ones_own_counts_inside_the_recording_alone(problem, port, s
     motion = problem.drivers.motion
     corner = motion.min() + share * np.ptp(motion)
     signal = hinge(motion, corner, 1e-3) if port == "twist" else (motion > corner).astype(float)
-    assert disguise.outside(problem, [Term("own", port, signal)]) == is_outside
+    assert recalibration.outside(problem, [Term("own", port, signal)]) == is_outside
 
 
 def test_what_dimensions_do_as_well_is_no_name_and_what_they_may_not_is(problem):
     dimensions = Linear(problem, problem.nominal(), white(1.0), {})
     radius = dimensions.table[1] * dimensions.high[1]
     bump = 0.02 * np.std(radius) * np.sin(3.0 * problem.drivers.time_s)
-    assert disguise.only_calibration(radius, dimensions)
-    assert not disguise.only_calibration(9.0 * radius, dimensions)  # further than it may move
-    assert not disguise.only_calibration(radius + bump, dimensions)
+    assert recalibration.only_calibration(radius, dimensions)
+    assert not recalibration.only_calibration(9.0 * radius, dimensions)  # further than it may move
+    assert not recalibration.only_calibration(radius + bump, dimensions)
 
 
 @pytest.mark.parametrize(("times", "is_calibration"), [(400.0, False), (2500.0, True)])
@@ -63,7 +63,7 @@ def test_a_true_compaction_that_dimensions_take_back_but_for_a_400th_keeps_its_n
     own = wave - columns @ np.linalg.lstsq(columns, wave, rcond=1e-8)[0]  # what no dimension does
     radius = dimensions.table[1] * dimensions.high[1]
     size = np.sqrt(np.mean(radius**2) / np.mean(own**2)) / times
-    assert disguise.only_calibration(radius + size * own, dimensions) == is_calibration
+    assert recalibration.only_calibration(radius + size * own, dimensions) == is_calibration
 
 
 def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch):
@@ -103,9 +103,9 @@ def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch)
 )
 def test_a_constant_or_on_the_twist_a_line_is_what_a_dimension_could_be(problem, port, degree, is_outside):
     term = Term("made", port, 1.0 + problem.drivers.motion**degree)
-    assert disguise.outside(problem, [term]) is is_outside
-    assert not disguise.outside(problem, [term, replace(term, signal=problem.drivers.motion**3)])
-    assert not disguise.outside(problem, [])
+    assert recalibration.outside(problem, [term]) is is_outside
+    assert not recalibration.outside(problem, [term, replace(term, signal=problem.drivers.motion**3)])
+    assert not recalibration.outside(problem, [])
 
 
 @pytest.mark.parametrize(("outside", "back"), [(True, False), (False, True), (False, False)])
@@ -121,8 +121,8 @@ def test_an_explanation_is_calibration_in_disguise_by_its_corner_or_by_its_whole
     )
     one = SimpleNamespace(keys=nonlinear, fit=SimpleNamespace(coefficients=np.array([7.0, 2.0, 3.0])))
     asked = []
-    monkeypatch.setattr(disguise, "outside", lambda problem, terms: outside)
-    monkeypatch.setattr(disguise, "only_calibration", lambda effect, dimensions: asked.append(effect) or back)
+    monkeypatch.setattr(recalibration, "outside", lambda problem, terms: outside)
+    monkeypatch.setattr(recalibration, "only_calibration", lambda effect, dimensions: asked.append(effect) or back)
     why = "outside" if outside else "dimensions"
-    assert disguise.in_disguise(linear, one, None) == ((why, ("creep",)) if outside or back else None)
+    assert recalibration.in_disguise(linear, one, None) == ((why, ("creep",)) if outside or back else None)
     assert outside or [effect.tolist() for effect in asked] == [[32.0, 64.0]]

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from ..capture.pending import noted_columns
+from ..capture.uncommitted_note import noted_columns
 from ..ground.errors import BadInput
 from ..ground.units import conversion
 from ..run.description import Channel, Run

@@ -10,8 +10,8 @@ import pandas as pd
 import programs
 import pytest
 
+from pipeline.diagnosis.prediction.errors_to_compare import ToCompare
 from pipeline.diagnosis.prediction.simulation import read_diagnosis
-from pipeline.diagnosis.prediction.to_compare import ToCompare
 from pipeline.diagnosis.words.foretold import recorded_error
 from pipeline.real.asked_recording import About
 from pipeline.string.from_raw import read

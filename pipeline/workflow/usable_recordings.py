@@ -33,7 +33,7 @@ def answers(bound: Mapping[Path, str], place: Path | None = None) -> dict[str, l
     project = str(Path(__file__).resolve().parents[2])
     environment = {**os.environ, "PYTHONPATH": project, "TWISTBENCH_PARENT": str(os.getpid())}
     while batch := waiting[:AT_ONCE]:
-        command = [sys.executable, "-m", f"{__package__}.usable", *map(str, batch)]
+        command = [sys.executable, "-m", f"{__package__}.usable_recordings", *map(str, batch)]
         command += ["--keep", str(place), *(f"--of={bound[folder]}" for folder in batch)] if place else []
         lines = subprocess.run(command, capture_output=True, text=True, env=environment).stdout.splitlines()
         for folder, line in zip(batch, lines, strict=False):

@@ -2,39 +2,39 @@
 
 import pytest
 
-from pipeline.diagnosis.document import keyed
+from pipeline.diagnosis.document import made_keys
 from pipeline.diagnosis.document.explanations import ExplanationEntry, share_of
 
 
 def test_a_number_is_read_and_a_text_is_none() -> None:
     part = {"left_mm": 0.25, "gap_mm": None, "rms_mm": "a lot"}
-    assert keyed.amount(part, "left_mm") == keyed.amount_or_none(part, "left_mm") == 0.25
-    assert keyed.amount_or_none(part, "gap_mm") is keyed.amount_or_none(part, "not_there_mm") is None
+    assert made_keys.amount(part, "left_mm") == made_keys.amount_or_none(part, "left_mm") == 0.25
+    assert made_keys.amount_or_none(part, "gap_mm") is made_keys.amount_or_none(part, "not_there_mm") is None
     with pytest.raises(TypeError, match="rms_mm"):
-        keyed.amount(part, "rms_mm")
+        made_keys.amount(part, "rms_mm")
     with pytest.raises(KeyError, match="not_there_mm"):
-        keyed.amount(part, "not_there_mm")
+        made_keys.amount(part, "not_there_mm")
 
 
 def test_ranges_names_and_intervals_are_told_from_numbers() -> None:
     size = {"value": 0.2, "low": 0.1, "high": 0.3}
     part = {"motor_turns": [0.0, 20.0], "tops_mm": {"creep": 0.1}, "rms_mm": size, "floor_mm": 0.01}
-    assert keyed.extent(part, "motor_turns") == [0.0, 20.0]
-    assert keyed.by_name(part, "tops_mm") == {"creep": 0.1}
-    assert keyed.by_name(part, "spans_mm") == {}  # an older file has none
-    assert keyed.interval(part, "rms_mm") == size
-    for read in (keyed.extent, keyed.by_name, keyed.interval):
+    assert made_keys.extent(part, "motor_turns") == [0.0, 20.0]
+    assert made_keys.by_name(part, "tops_mm") == {"creep": 0.1}
+    assert made_keys.by_name(part, "spans_mm") == {}  # an older file has none
+    assert made_keys.interval(part, "rms_mm") == size
+    for read in (made_keys.extent, made_keys.by_name, made_keys.interval):
         with pytest.raises(TypeError, match="floor_mm"):
             read(part, "floor_mm")
 
 
 def test_made_keys_stand_before_the_entry_that_is_named_or_last() -> None:
     entry: ExplanationEntry = {"ids": ["creep"], "standing": "named"}
-    assert list(keyed.with_made(entry, {"left_mm": 0.1}, "standing")) == ["ids", "left_mm", "standing"]
-    assert list(keyed.with_made(entry, {"left_mm": 0.1}, "probability")) == ["ids", "standing", "left_mm"]
+    assert list(made_keys.with_made(entry, {"left_mm": 0.1}, "standing")) == ["ids", "left_mm", "standing"]
+    assert list(made_keys.with_made(entry, {"left_mm": 0.1}, "probability")) == ["ids", "standing", "left_mm"]
     assert list(entry) == ["ids", "standing"]
-    keyed.put(entry, "left_mm", 0.1)
-    assert keyed.amount(entry, "left_mm") == 0.1
+    made_keys.put(entry, "left_mm", 0.1)
+    assert made_keys.amount(entry, "left_mm") == 0.1
 
 
 @pytest.mark.parametrize(("probability", "share"), [(0.4, 0.4), (None, 0.0)])
