@@ -28,7 +28,10 @@ else:
     PLAN.leave_out(UNUSABLE)
     RECORDED = {run: recorded_files(RAW, run, SYNTHETIC) for run in PLAN.runs}
     if not ON_NODE:
-        os.environ |= {handed_plan.PLAN: handed_plan.packed(PLAN, RECORDED), handed_plan.REFUSALS: ""}  # until it starts
+        os.environ |= {
+            handed_plan.PLAN: handed_plan.packed(PLAN, RECORDED),
+            handed_plan.REFUSALS: "",
+        }  # until it starts
 os.environ.setdefault(handed_plan.REFUSALS, "")
 workflow.register_envvars(handed_plan.PLAN, handed_plan.REFUSALS)
 MATERIALS = list(PLAN.materials)

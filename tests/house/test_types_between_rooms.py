@@ -12,7 +12,7 @@ BARE = re.compile(r"(dict|Mapping)\[str, (Any|object)\]")
 DOCUMENTS = {
     "foreign.made_run.make_run": "run.yaml",
     **{
-        f"diagnosis.document.made_keys.{name}": "any typed part, read by a key that ends in the unit of the rig's reading"
+        f"diagnosis.document.made_keys.{name}": "any typed part, read by a key that ends in the reading's unit"
         for name in ("amount", "amount_or_none", "by_name", "extent", "interval", "put")
     },
     "models.parts.diagnosed_run.Simulator": "what its `saved` writes, its `from_saved` alone reads",
