@@ -32,7 +32,6 @@ from .web.page import Text, folded, paragraph, together
 from .web.table import table
 
 LONGEST = 180  # characters of a next run in a table; the whole of it stands beside the verdict
-TABLE_END = "</table></div>"
 WHAT = (
     "This page shows what was made of the recordings in raw/. For each material: the model to take, and "
     "how large its error is. For each run: what the simulator leaves out, and which run to make next."
@@ -112,8 +111,8 @@ def glance(
     if materials:
         aside = f"{len(materials):,}: the model to take, and its error beside the least possible one (× floor)"
         named = {material: material_name(material) + jumps.hint(material, jumped) for material in materials}
-        of_materials, end, rules = materials_table(reports, materials, named.__getitem__).partition(TABLE_END)
-        parts.append(folded("materials", "Materials", aside, of_materials + end, level=3, is_open=True))
+        of_materials, rules = materials_table(reports, materials, named.__getitem__)
+        parts.append(folded("materials", "Materials", aside, of_materials, level=3, is_open=True))
         below_runs.append(folded("rules", "How to read the materials", RULES_ASIDE, rules, level=3))
     if jumped:
         parts.append(jumps.section(jumped))

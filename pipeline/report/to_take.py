@@ -129,8 +129,8 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
     return together([*begins, *(paragraph(line) for line in lines)])
 
 
-def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
-    """Each material's model to take with its errors, the diagnosed simulator's beside them, and why beneath."""
+def materials_table(reports: Path, materials: list[str], name: Name) -> tuple[Markup, Markup]:
+    """Each material's model to take with its errors, the diagnosed simulator's beside them; and why."""
     by_material = {material: Models.read(reports / material / "models.csv") for material in materials}
     rows: list[list[Text]] = [[name(material), *models.row()] for material, models in by_material.items()]
     head = ["Material", "model to take", *MODEL_HEADS, *MODEL_HEADS, *MODEL_HEADS]
@@ -140,4 +140,4 @@ def materials_table(reports: Path, materials: list[str], name: Name) -> Markup:
         ("inverse: RMSE in turns (× floor)", 2),
     ]
     over.append(("diagnosed simulator, forward: mm (× floor)", 2))
-    return together([table(head, rows, texts=(0, 1), over=over, paged=True), words(reports, by_material)])
+    return table(head, rows, texts=(0, 1), over=over, paged=True), words(reports, by_material)

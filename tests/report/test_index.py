@@ -31,7 +31,7 @@ from pipeline.report.summary import summary
 from pipeline.report.to_take import LATER, Models, materials_table
 from pipeline.report.usual_model import RULE, RULES, uses
 from pipeline.report.web.markdown import web_page
-from pipeline.report.web.page import anchor
+from pipeline.report.web.page import anchor, together
 
 HOSTILE = "<img src=x onerror=alert(1)>"
 SMALL = MadeBy(f"{HOSTILE}.yaml", "abc1234", "small", f"{HOSTILE} 2 seeds", ())
@@ -243,7 +243,7 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     changed(reports / MATERIAL / "models.csv", folder, diagnosed=("Simulator", 0.01, 0.889), **medians)
     cells = ["0.103 (2.00 ×)", "0.153 (2.00 ×)"]
     assert Models.read(folder).row() == ["Spline", *cells, *cells, "0.010 (2.00 ×)", "0.889 (2.00 ×)"]
-    words = html.unescape(str(materials_table(tmp_path, [MATERIAL], str)))
+    words = html.unescape(str(together(materials_table(tmp_path, [MATERIAL], str))))
     export, _ = uses(MATERIAL, "spline")
     assert export in words
     assert RULE in words and all(f"<li>{rule}</li>" in words for rule in RULES)
@@ -254,7 +254,8 @@ def test_the_model_of_a_material_is_the_one_that_the_command_exports(tmp_path, r
     assert f"{less} Take the Polynomial if only strokes" in words
     medians["polynomial"] = ("Polynomial", 0.1, 0.4)
     changed(reports / MATERIAL / "models.csv", folder, diagnosed=("Simulator", 0.01, 0.889), **medians)
-    assert "errs less" not in str(materials_table(tmp_path, [MATERIAL], str)), "so little less is told as alike"
+    words = str(together(materials_table(tmp_path, [MATERIAL], str)))
+    assert "errs less" not in words, "so little less is told as alike"
 
 
 @pytest.mark.parametrize(
@@ -266,7 +267,7 @@ def test_the_model_to_take_is_the_one_whose_numbers_on_the_page_justify_it(tmp_p
     spline, polynomial = ("Spline", 0.103, later[0]), ("Polynomial", 0.02, later[1])
     changed(reports / MATERIAL / "models.csv", tmp_path / MATERIAL / "models.csv", polynomial=polynomial, spline=spline)
     assert Models.read(tmp_path / MATERIAL / "models.csv").row()[0] == model
-    words = str(materials_table(tmp_path, [MATERIAL], str))
+    words = str(together(materials_table(tmp_path, [MATERIAL], str)))
     export, _ = uses(MATERIAL, model.lower())
     assert export in words and words.count("<p>The model to take is found so:") == 1
 
@@ -275,7 +276,7 @@ def test_the_pages_say_why_the_error_on_later_strokes_of_a_model_is_not_that_of_
     """One simulator had 0.153 mm on the last quarter in one table and 0.24 mm on the last 30 % in another."""
     share = f"last {100 * LAST:.0f} %"
     index, runs = (
-        str(table) for table in (materials_table(reports, [MATERIAL], str), runs_table(reports, {}, {}, str))
+        str(table) for table in (together(materials_table(reports, [MATERIAL], str)), runs_table(reports, {}, {}, str))
     )
     assert LATER in html.unescape(index) and "the last quarter" in LATER and share in LATER
     assert "may name other effects" in LATER and "other numbers" not in LATER, "7.3 mm stood beside 2.3 mm of one run"
@@ -287,7 +288,7 @@ def test_the_pages_say_why_the_error_on_later_strokes_of_a_model_is_not_that_of_
 def test_without_a_spline_or_a_simulator_the_index_says_what_it_shows_and_no_more(tmp_path, reports):
     assert Models.read(tmp_path / "none.csv").row() == [""] * 7
     assert Models.read(reports / MATERIAL / "models.csv").row()[:2] == ["MLP model", "0.051 (1.04 ×)"]
-    words = str(materials_table(reports, [MATERIAL], str))
+    words = str(together(materials_table(reports, [MATERIAL], str)))
     assert "processed/<material>" not in words and "no model to take away" not in words
 
 
@@ -297,7 +298,7 @@ def test_an_error_far_above_the_floor_is_coloured_and_what_the_page_is_stands_fi
     rows = ("spline,Spline model,later,forward,all,0.153,4.89", "diagnosed,Diagnosed,later,forward,all,7.271,233.0")
     (tmp_path / "nylon").mkdir()
     (tmp_path / "nylon" / "models.csv").write_text("\n".join([head, *rows]))
-    shown = str(materials_table(tmp_path, ["nylon"], str))
+    shown = str(together(materials_table(tmp_path, ["nylon"], str)))
     assert '<td><span class="far">7.271 (233 ×)</span></td>' in shown and "<td>0.153 (4.89 ×)</td>" in shown
     opening = str(glance(tmp_path, ["nylon"], [], {}, str, str))
     assert opening.index("This page shows what was made of the recordings") < opening.index("At a glance")

@@ -24,6 +24,7 @@ from pipeline.report.models import columns, main, numbers, on_simulator, page
 from pipeline.report.to_take import materials_table
 from pipeline.report.usual_model import RULE, RULES
 from pipeline.report.web.markdown import web_page
+from pipeline.report.web.page import together
 
 TITLES = {"inn": "INN model", "mlp": "MLP model", "calibrated": "Calibrated model"}
 # model → RMSE forward in mm by seed; inverse is five times as much, later 0.01 more
@@ -393,7 +394,7 @@ def test_the_pages_say_which_model_is_better_at_the_inverse(tmp_path):
     rows += [f"{name},{titles[name]},later,forward,all,{error},2" for name, error in (("spline", 0.1), ("mlp", 0.2))]
     rows += [f"{name},{titles[name]},later,inverse,all,{error},2" for name, error in (("spline", 0.5), ("mlp", 0.2))]
     (tmp_path / "nylon" / "models.csv").write_text("\n".join(rows))
-    index = str(materials_table(tmp_path, ["nylon"], str))
+    index = str(together(materials_table(tmp_path, ["nylon"], str)))
     assert "take the MLP model, which errs less at it: 0.200 turns against 0.500 turns. Forward it errs by 0.2" in index
 
 

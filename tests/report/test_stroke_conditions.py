@@ -11,6 +11,7 @@ from pipeline.report.figure_4 import figure_4
 from pipeline.report.figure_5 import figure_5
 from pipeline.report.stroke_conditions import APART, OTHERWISE, labels, later_apart, otherwise
 from pipeline.report.to_take import materials_table
+from pipeline.report.web.page import together
 from pipeline.report.winding import with_nominal
 
 LAST = 9
@@ -94,4 +95,4 @@ def test_pages_with_later_strokes_say_what_differs(tmp_path, program):
         assert text.count(APART) == (folder / f"{program}.html").read_text().count(APART) == times
     assert APART not in text.split("later strokes")[0]
     if program == "models":
-        assert f"<b>made</b>: {APART}: n=9 was recorded at" in materials_table(tmp_path, ["made"], str)
+        assert f"<b>made</b>: {APART}: n=9 was recorded at" in together(materials_table(tmp_path, ["made"], str))
