@@ -14,7 +14,7 @@ from ..ground.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .kept_string import Standing
-from .options import again, command, free_name, number_of
+from .options import again, base_of, command, free_name, number_of
 from .serial_line import line, serve
 from .setup import names, read_setup
 from .simulate import simulate
@@ -100,7 +100,7 @@ def main() -> int:
         pace = paced(arguments.pace, setup.rate_hz)
         ends = f"Ctrl-C ends it, in the background kill {os.getpid()}"
         print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; {ends}")
-        first = name = free_name(RAW)
+        first = name = free_name(RAW, base_of(arguments.link))
         print(f"rig: before recording 1 describe its string by: {command(setup, first, arguments.setup)}")
         print((STAYS if standing else ANEW) + drawn(seed) * (arguments.seed is None))
         if standing:
@@ -114,7 +114,7 @@ def main() -> int:
                 return 0 if served else 1
             number += 1
             if standing is None:
-                name = free_name(RAW, number_of(name) + 1)
+                name = free_name(RAW, base_of(arguments.link), number_of(name) + 1)
                 described = command(setup, name, arguments.setup)
                 print(f"rig: before recording {number} describe its string, another one, by: {described}", flush=True)
             else:

@@ -14,9 +14,18 @@ STRING = ("radius_mm", "length_mm", "stiffness_n_per_mm")
 RIG = ("torsion_zone_mm", "separator_mm", "load_n")
 
 
-def free_name(raw: Path, number: int = 1) -> str:
-    """The first name from example-`number` on under which the folder `raw` holds nothing yet; it need not be there."""
-    names = (f"example-{at}" for at in count(number))
+def base_of(link: Path) -> str:
+    """What a rig's runs are called before their number: after its port, where that is called rig and more.
+
+    So two rigs that serve at once, at /tmp/rig and /tmp/rig2, name runs of their own.
+    """
+    own = re.sub(r"[^a-z0-9]+", "-", link.name.lower()).strip("-")
+    return own if own.startswith("rig") and own != "rig" else MATERIAL
+
+
+def free_name(raw: Path, base: str = MATERIAL, number: int = 1) -> str:
+    """The first name from `base`-`number` on under which the folder `raw` holds nothing yet; it need not be there."""
+    names = (f"{base}-{at}" for at in count(number))
     return next(name for name in names if not os.path.lexists(raw / name))
 
 
@@ -54,4 +63,5 @@ def again(raw: Path, first: str, zeroed: bool) -> str:
     """
     known = raw / first / "run.yaml"
     like = raw / first if known.is_file() else raw / "RUN_OF_RECORDING_1"
-    return f"{called.command('new_run')} {free_name(raw)} --like {like}{' --tare run' if zeroed else ''}"
+    name = free_name(raw, first.rpartition("-")[0])
+    return f"{called.command('new_run')} {name} --like {like}{' --tare run' if zeroed else ''}"

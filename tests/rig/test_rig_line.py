@@ -14,7 +14,7 @@ import ready
 
 from pipeline.ground.names import own_material
 from pipeline.new_run import main as new_run
-from pipeline.rig.options import command, free_name, material_of, number_of
+from pipeline.rig.options import again, base_of, command, free_name, material_of, number_of
 from pipeline.rig.setup import described as described_as
 from pipeline.rig.setup import dimensions, read_setup
 from pipeline.run.folder import read_run
@@ -252,3 +252,21 @@ def test_a_rig_in_the_background_of_a_shell_ends_by_either_signal_and_takes_its_
     finally:
         rig.kill()
         rig.communicate()
+
+
+@pytest.mark.parametrize(
+    ("link", "base"),
+    [
+        ("/tmp/rig", "example"),
+        ("port", "example"),
+        ("/tmp/rig2", "rig2"),
+        ("/tmp/rig_B", "rig-b"),
+        ("ttyS0", "example"),
+    ],
+)
+def test_two_rigs_at_once_name_runs_of_their_own(link: str, base: str, tmp_path: Path) -> None:
+    """Both printed the same new_run line, and the second one was refused: that run was there already."""
+    assert base_of(Path(link)) == base
+    assert free_name(tmp_path, base) == f"{base}-1" and number_of(f"{base}-12") == 12
+    (tmp_path / f"{base}-1").mkdir()
+    assert f"new_run {base}-2 --like" in again(tmp_path, f"{base}-1", zeroed=False)

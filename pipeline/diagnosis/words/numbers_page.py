@@ -17,8 +17,8 @@ SAYING = ("drawing", "words")  # rooms whose numbers decide no verdict
 # modules of others that say or propose, keep memory small, or reckon a planned motion: their numbers decide none
 DECIDE_NOTHING = (
     *("adopt", "aspects", "bounds", "closest", "covered", "design", "evidence", "expected", "explanations", "foretold"),
-    *("legs", "loops", "mechanism_entries", "nextrun", "not_kept", "own_rate", "planned_motion", "prediction_band"),
-    *("problem", "products", "recursions", "residual", "simulation", "tidy", "uncertainty", "verdict"),
+    *("legs", "loops", "mechanism_entries", "next_runs", "not_kept", "own_rate", "planned_motion", "prediction_band"),
+    *("problem", "products", "recursions", "residual", "simulation", "rounded", "uncertainty", "verdict"),
     *("without_a_name", "without_last"),
 )
 HEAD = """# Numbers that decide a verdict

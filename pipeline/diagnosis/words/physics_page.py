@@ -36,6 +36,9 @@ A pair without separator has `x = l - sqrt(l^2 - (r theta)^2)`, and no load in i
 | `a` | helix angle | rad |
 | `F`, `K` | load; stiffness of the string | N, N/mm |
 | `c`, `t`, `T` | worked strokes; time; temperature (in `max T`: tension) | -, s, °C |
+
+Worked strokes are counted by work, which grows only while the string winds: it is the load, or a power of it, times the
+displacement that this winding adds. Unwinding, holds and rests add none.
 """
 OWN = (
     "A mechanism that begins with `x_` is a stand-in, or belongs to a rig that is no string: alone it names no physics "

@@ -20,13 +20,21 @@ SURE, PROBABLE = 0.8, 0.5
 ALSO_ELSEWHERE = "{} the sum over all explanations with {}; the best explanation alone has {}."
 NO_PROMISE = "Sure is that {} acts, not that the simulator predicts: something is still missing."
 COMPARES = "The percentages compare explanations of the library in which a dimension may move by three tolerances"
+TEMPERATURE = "temperature"  # the driver of what follows it
 SURER = 0.03  # by which an effect is surer than its explanation: less needs no word
 WIDE = 2.0  # times its lower end: where the upper end of an interval is more, the size is poorly known
 
 
-def slow_others(slow: list[str]) -> list[str]:
+def _is_slow(id_: str, content: Verdict) -> bool:
+    """Whether an effect goes on over a whole recording, as a temperature does that is calculated, not logged."""
+    covered = content["evidence"].get("covered")
+    calculated = covered is not None and "temperature_c" not in covered
+    return mechanisms()[id_].slow or (calculated and mechanisms()[id_].driver == TEMPERATURE)
+
+
+def slow_others(content: Verdict, slow: list[str]) -> list[str]:
     """The other slow effects of the library."""
-    return [id_ for id_, mechanism in mechanisms().items() if mechanism.slow and id_ not in slow]
+    return [id_ for id_ in mechanisms() if _is_slow(id_, content) and id_ not in slow]
 
 
 def is_likely(content: Verdict, id_: str) -> bool:
@@ -53,7 +61,7 @@ def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
     """The named effects that are slow, where a recording under one load cannot tell them from others that are."""
     if content["evidence"]["loaded"] or words.load is None:
         return []
-    return [entry["id"] for entry in content["mechanisms"] if mechanisms()[entry["id"]].slow]
+    return [entry["id"] for entry in content["mechanisms"] if _is_slow(entry["id"], content)]
 
 
 def asks(content: Verdict, words: Vocabulary, open_ones: Sequence[str] = ()) -> list[str]:

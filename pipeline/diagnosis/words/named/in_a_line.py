@@ -16,6 +16,7 @@ from .own_size import doubt_of, own_part
 
 MOST, EXACT_S = 3, 100.0  # events that are told, the largest; from when on a time is told to the second
 LARGEST = re.compile(r"up to \d.*?(?=, [a-z]| \(|\.$|\. )|\d[^,(]* in all")  # of an effect's sentence
+HALF = re.compile(r"half [^.]*? \d.*?\)")
 AT, WITHIN, EACH = "at_s", "within_s", "_per_stroke"  # of an event: when, how fast; of a size: at every stroke
 
 
@@ -37,9 +38,9 @@ def of_open(id_: str, content: Verdict, words: Vocabulary) -> str:
 
 
 def _largest(sentence: str) -> str:
-    """The largest size of an effect, with that under each load where loads differ, as its sentence says it."""
-    largest = LARGEST.search(sentence)
-    return largest[0] if largest else ""
+    """The largest size of an effect, with that under each load where loads differ, and half a play or a loop."""
+    sizes = (LARGEST.search(sentence), HALF.search(sentence))
+    return "; ".join(size_said[0] for size_said in sizes if size_said)
 
 
 @dataclass(frozen=True, order=True)

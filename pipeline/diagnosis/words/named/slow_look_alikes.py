@@ -88,7 +88,7 @@ def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
 
 def _all(content: Verdict, words: Vocabulary) -> list[str]:
     slow = certainty.slow_alike(content, words)
-    return certainty.slow_others(slow) if slow else []
+    return certainty.slow_others(content, slow) if slow else []
 
 
 def _why_open(content: Verdict, id_: str, words: Vocabulary) -> str:

@@ -9,6 +9,7 @@ from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
 from ..language.quantity import first_upper, listing, percent, size, times
 from ..language.vocabulary import Vocabulary
+from ..named import certainty
 from . import at_work
 
 WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml that errs by more
@@ -191,9 +192,16 @@ def lacks(content: Verdict) -> str:
 
 
 def how_sure(content: Verdict) -> str:
-    """How probable the one explanation is; nothing where no probability is known."""
+    """How probable the one explanation is; nothing where no probability is known.
+
+    Of a single effect it is how probable the effect is in any explanation, as the table below has it, where that is
+    about as much: two numbers for one thing make a reader stop.
+    """
     share = next((best.get("probability") for best in rivals.entries(content, "named")), None)
     if share is None:
         return ""
+    effects = [certainty.known(content).get(entry["id"], share) for entry in content["mechanisms"]]
+    if len(effects) == 1 and abs(effects[0] - share) < certainty.SURER:
+        share = effects[0]
     best = ", the likeliest that can be named" if left_out.likelier(content, share) else ""
     return f" ({percent(share)}{best})"

@@ -47,6 +47,11 @@ def test_of_a_named_effect_that_happens_suddenly_the_page_says_the_largest() -> 
     ("sentence", "size", "line"),
     [
         ("Friction opens a loop, by up to 0.57 mm, most near 18 turns (0.18 mm rms).", 0.18, "; here up to 0.57 mm."),
+        (
+            "Play, by up to 0.56 mm, most near 18 turns (0.18 mm rms): half the play is 0.316 turns (0.305 to 0.327).",
+            0.18,
+            "; here up to 0.56 mm; half the play is 0.316 turns (0.305 to 0.327).",
+        ),
         ("It stays longer, 0.40 mm in all (0.18 mm rms), and no rest.", 0.18, "; here 0.40 mm in all."),
         ("It is late, which is worth 0.18 mm rms at these speeds.", 0.18, ". "),
         ("Friction opens a loop, by up to 0.57 mm, most near 18 turns (0.18 mm rms).", 0.05, ". "),

@@ -56,3 +56,24 @@ def test_a_name_is_not_called_unsure_where_the_recording_excludes_every_look_ali
         f"changes while the motor stands, beyond chance: {out}. Each was tried by the library's formula, where it "
         "leaves least (Why it is none of the other effects says where)."
     )
+
+
+@pytest.mark.parametrize(
+    ("named", "covered", "said"),
+    [
+        ("thermal", {}, True),
+        ("thermal", {"temperature_c": [20.0, 25.0]}, False),
+        ("thermal", None, False),
+        ("creep", {}, True),
+    ],
+)
+def test_a_temperature_that_nobody_logged_is_one_slow_effect_among_others(named, covered, said):
+    """`thermal (71 %)` stood on a page without a doubt; the string lengthened, and nobody had a thermometer."""
+    evidence = {"loaded": False, "moved_sigma": {}, "explanations": []}
+    evidence |= {} if covered is None else {"covered": covered}
+    made = {"mechanisms": [{"id": named}], "evidence": evidence, "alternatives": [], "verdict": "explained"}
+    doubts = slow_look_alikes.doubts(made, Vocabulary.of(SYSTEMS["mm"]))
+    assert bool(doubts) is said
+    if said:
+        assert f"what is called {named} here can be {'creep, ' if named == 'thermal' else ''}plastic_elong" in doubts[0]
+        assert ("thermal or wear" in doubts[0]) is (named == "creep")

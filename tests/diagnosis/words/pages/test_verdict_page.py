@@ -1100,3 +1100,12 @@ def test_the_details_number_a_step_where_the_page_does():
     assert steps(made).startswith("1. If you need to") and full_steps(copy.deepcopy(made)).startswith(
         "1. If you need to"
     )
+
+
+@pytest.mark.parametrize(("confidence", "said"), [(0.53, 0.53), (0.60, 0.52)])
+def test_a_single_effect_has_one_number_in_the_head_and_in_the_table(confidence, said):
+    """`explained by backlash (84 %)` above `backlash probable, 85 %`: two numbers for one thing."""
+    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, verdict="explained", alternatives=[])
+    made["mechanisms"] = [made["mechanisms"][0] | {"confidence": confidence}]
+    made["evidence"]["explanations"][-1]["ids"] = [made["mechanisms"][0]["id"]]
+    assert f"explained by {made['mechanisms'][0]['id']} ({100 * said:.0f} %" in page(made)
