@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import programs
 import pytest
-from test_home import runs, simulated  # noqa: F401  the fixture
+from test_motor_zero import runs, simulated  # noqa: F401  the fixture
 
 from pipeline.diagnosis.prediction.simulation import state_of
 from pipeline.diagnosis.words.foretold.home import PARTS
