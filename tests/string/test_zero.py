@@ -172,8 +172,8 @@ def test_lifespan_takes_no_jump_for_wear(tmp_path: Path) -> None:
     for name in ("rest_mm", "stroke_mm", "model_error_mm"):
         assert np.abs(calm.strokes[name] - jumped.strokes[name]).max() < 0.03, name
     assert not calm.jumps and [jump.run for jump in jumped.jumps] == ["a-2"]
-    text = program("lifespan", *folders(tmp_path / "said", JUMP_MM), "--out", tmp_path / "life")
-    assert "write `tare: run` in run.yaml of a-2" in " ".join(text.split()) and "Here it is taken off: it is no wear." in " ".join(text.split())
+    text = " ".join(program("lifespan", *folders(tmp_path / "said", JUMP_MM), "--out", tmp_path / "life").split())
+    assert "write `tare: run` in run.yaml of a-2" in text and "Here it is taken off: it is no wear." in text
     (told,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["zero_jumps"]
     assert told["run"] == "a-2" and told["taken_off"] and told["jump_mm"] == pytest.approx(JUMP_MM, abs=0.02)
 
