@@ -6,7 +6,9 @@ from hypothesis import strategies as st
 from made_recording import motion, recording
 
 from pipeline.ground.errors import BadInput
-from pipeline.run.strokes import label, segment, turning_points
+from pipeline.ground.rows import rows_of
+from pipeline.run.clean_motion import Motion
+from pipeline.run.strokes import label, of_samples, segment, stretches, turning_points
 
 
 def sampled(corners, rate_hz=50.0, noise_turns=0.0, seed=0):
@@ -262,3 +264,24 @@ def test_a_rest_goes_on_to_the_end_of_the_recording_where_its_last_samples_jitte
     found, table = phases_of([(0, 0), (10, 20), (20, 0), (25, 0), (25.2, 0.15)])
     assert found[:3] == [(1, "winding"), (1, "unwinding"), (1, "rest")]
     assert table["end_s"][2] == pytest.approx(25.2, abs=0.05)
+
+
+def test_the_stretches_of_labelled_samples_are_those_that_they_were_cut_into():
+    samples = recording()
+    table = segment(samples, "motor_turns", "here")
+    again = stretches(*of_samples(table))
+    pd.testing.assert_frame_equal(again, table[list(again)], check_dtype=False)
+
+
+@pytest.mark.parametrize("cuts", [(1,), (2, 3), (5, 8, 9), (7, 20)])
+def test_turning_points_are_the_same_whatever_pieces_the_motion_comes_in(cuts):
+    walk = np.array([0, 1, 2, 2, 1, 0, 0, 3, 5, 4, 4, 4, 1, 2, 6, 6, 2, 1, 0, 7, 7, 5, 3, 1.0])
+    assert turning_points(iter(np.split(walk, cuts)), 1.0).tolist() == turning_points(walk, 1.0).tolist()
+
+
+def test_the_speed_of_the_first_and_of_the_last_sample_is_taken_up_to_the_ends():
+    time_s = np.arange(0.0, 2.0, 0.02)
+    found = Motion(rows_of(pd.DataFrame({"time_s": time_s, "motor_turns": time_s**2})), "motor_turns")
+    speed = found.speed(0, len(time_s))
+    assert speed[0] == pytest.approx(time_s[5], abs=0.01) and speed[50] == pytest.approx(2 * time_s[50], abs=1e-6)
+    assert speed[-1] == pytest.approx(time_s[-1] + time_s[-6], abs=0.05)

@@ -134,15 +134,17 @@ def test_the_shortest_step_that_rises_is_right():
 
 @pytest.mark.parametrize("end", ["first", "last"])
 @pytest.mark.parametrize("missing", [0, 30])
+@pytest.mark.parametrize("repeated", [0, 1])
 @pytest.mark.parametrize("back", [0, 1])
-def test_an_end_leaps_by_what_is_missing_there_not_by_its_length(end, missing, back):
+def test_an_end_leaps_by_what_is_missing_there_not_by_its_length(end, missing, back, repeated):
     """Of 40 usual steps at an end: a leap where no frame is missing, and what is to be expected where 39 are."""
     steps_us, apart = np.full(400, 1000.0), np.ones(400)
     place = 0 if end == "first" else 399
     steps_us[place], apart[place] = 40_000.0, missing + 1.0
     steps_us[30:32] += [-1500.0 * back, 1500.0 * back]
+    steps_us[60:62] += [-1000.0 * repeated, 1000.0 * repeated]
     mending = Mending.of(lambda: iter(cut((steps_us.copy(), apart), [150, 300])))
-    counted = {"backward_time_stamps": back, "leaping_time_stamps": int(not missing)}
+    counted = {"backward_time_stamps": back, "repeated_time_stamps": repeated, "leaping_time_stamps": int(not missing)}
     assert mending.counted == {rule: times for rule, times in counted.items() if times}
     found = np.concatenate(list(mending.stamps(cut((steps_us.copy(), apart), [150, 300]))))
     assert np.diff(found)[place] == (40_000.0 if missing else 1000.0)
