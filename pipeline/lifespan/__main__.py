@@ -1,7 +1,7 @@
 """Runs of strings → how many strokes each has left: lifespan.json, lifespan.png and sentences.
 
-A forecast needs 12 complete strokes under one load of a string, in one run or in several that are named together.
-With fewer the answer says how far the limits are now.
+A forecast needs 12 complete strokes of a string to about the same twist under one load, in one run or in several
+that are named together. With fewer the answer says how far the limits are now.
 """
 
 from pathlib import Path
@@ -31,7 +31,7 @@ def main() -> int:
     """Command line."""
     on_a_rig = f"On the synthetic rig: {command('rig')} paper --link /tmp/rig --strokes 24"
     parser = Parser(prog=command("lifespan"), description=__doc__, epilog=on_a_rig)
-    runs = f"raw/<run>, all of a string's: {LEAST_STROKES} complete strokes under one load, or more"
+    runs = f"raw/<run>, all of a string's: {LEAST_STROKES} equal strokes under one load, or more"
     parser.add_argument("run_dir", type=run_dir, nargs="+", help=runs)
     parser.add_argument("--loss", type=float, default=0.10, help="share of the stroke that may be lost")
     parser.add_argument("--drift-mm", type=float, default=1.0, help="error of the model that is borne, in mm")

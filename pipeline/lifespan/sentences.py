@@ -30,6 +30,7 @@ SYNTHETIC = (
     f"Only if you record the synthetic rig ({command('rig')}): start it with `--strokes 24`. Without `--standing` each "
     "of its recordings is of a new string."
 )
+MADE = ("example", "synthetic")  # materials of the synthetic rig begin so
 ZERO_OFF = (
     "Such a zero is known in part: on simulated strings it was off by 0.01 to 0.08 mm (median, by how a string "
     "creeps), at worst by 0.5 mm. The model's error may be off by as much."
@@ -51,7 +52,8 @@ def seen(health: Health, beside: bool = False) -> list[str]:
     strokes_seen = f"{strokes(len(table))} seen{health.loads.under}"
     if not few(len(table)):
         return [f"{health.string}: {strokes_seen}, the last one stroke {int(table['stroke'].iloc[-1])}."]
-    more = LEAST_STROKES - len(table)
+    more, out = LEAST_STROKES - len(table), len(health.left_out)
+    strokes_seen += f", {out} more left out" * bool(out)
     like = f"its run {table['run'].iloc[-1]}" if health.loads.others else "its first run"
     one_load = " under one load" * bool(health.loads.others)
     needed = f"at least {LEAST_STROKES}{one_load} are needed, {more} more than there are"
@@ -59,10 +61,19 @@ def seen(health: Health, beside: bool = False) -> list[str]:
         return [f"{health.string}: no forecast yet: {strokes_seen}; {needed}. Name the runs beside as well."]
     return [
         f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
+        *([f"  {_another_range(out)}"] if out else []),
         f"  Record {more} or more further strokes of this very string{health.loads.under} as a new run "
-        f"({program_name('new_run')} --like {like}), then name all runs of it in this command.",
-        f"  {SYNTHETIC}",
+        f"({program_name('new_run')} --like {like}), wound as far as its first {REFERENCE}. Then name all runs of it "
+        "in this command.",
+        *([f"  {SYNTHETIC}"] if health.material.startswith(MADE) else []),
     ]
+
+
+def _another_range(count: int) -> str:
+    """That strokes are left out, and why."""
+    if count == 1:
+        return "1 stroke winds over another range than most of the first three and is left out."
+    return f"{count} strokes wind over another range than most of the first three and are left out."
 
 
 def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
@@ -149,11 +160,8 @@ def sentences(
         lines.append(f"  {advice(answers)}")
         then = [*calibrate_by, AFTERWARDS] if due(answers) else []
         lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
-    if health.left_out:
-        count = len(health.left_out)
-        wind = "1 stroke winds over another range than most of the first three and is left out."
-        many = f"{count} strokes wind over another range than most of the first three and are left out."
-        lines.append(f"  {wind if count == 1 else many}")
+    if health.left_out and (enough or beside):  # else it is said first
+        lines.append(f"  {_another_range(len(health.left_out))}")
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {note}" for note in health.tares]

@@ -15,6 +15,7 @@ from .recorded_table import to_samples
 from .samples import LEAST_SAMPLES, check_clock, check_numbers
 
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
+ENDS = (1.0, 99.0)  # per cent of the samples of a load: what is beyond is the noise of its cell
 SPARSE_S, STEP_S = 0.2, 0.02  # between points: from which on they are corners of a motion; between points that are made
 SAME = 0.01  # of a step: a point that is so near to a corner is that corner, but for rounding
 RATE = " at your controller's rate: what is predicted needs the acceleration, so corners are not enough"
@@ -105,7 +106,7 @@ def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
     name = run.system.load or ""
     if recorded is None or name not in recorded:  # else its channel wins over rig.load_n, which fills in for none
         return run.rig.get(name, 0.0)
-    low, high = float(recorded[name].min()), float(recorded[name].max())
+    low, high = (float(end) for end in np.percentile(recorded[name], ENDS))
     if high - low > STILL * abs(low):
         problem = f"there is no such column, and the load of {run.run} was not always the same"
         raise BadInput(path, name, problem, f"add it: {low:.4g} to {high:.4g} were recorded")

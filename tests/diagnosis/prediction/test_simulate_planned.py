@@ -189,9 +189,13 @@ def test_a_load_that_varied_must_be_planned_whatever_run_yaml_says_of_the_load(m
         done = programs.run("pipeline.simulate", folder, *words)
         assert done.returncode == 2 and not out.exists(), name
         says = (
-            f"load_n: there is no such column, and the load of {name} was not always the same. Mend: add it: 10 to 30 "
+            f"load_n: there is no such column, and the load of {name} was not always the same. Mend: add it: 10.01 to"
         )
         assert says in done.stderr, done.stderr
+    cell = 20.0 + 0.2 * np.random.default_rng(0).standard_normal(len(varied))  # a cell's noise: 6 % from end to end
+    noisy = make_run("noisy", recording(4).assign(load_n=cell), rig=rig)
+    simulated(noisy, tmp_path / "diagnosis.json", out, "--motion", plan)
+    assert set(pd.read_csv(out)["load_n"].round(1)) == {20.0}
     other = make_run("still", recording(4).assign(load_n=20.0), rig=rig | {"load_n": 35})
     simulated(other, tmp_path / "diagnosis.json", out, "--motion", plan)
     assert set(pd.read_csv(out)["load_n"]) == {20.0}
