@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ..ground.command import command, program_name
+from ..ground.counts import are
 from ..string.zero import Jump
 from .advice import advice, due, no_ageing, rests_on
 from .at_rest import longer_at_rest
@@ -71,9 +72,8 @@ def seen(health: Health, beside: bool = False) -> list[str]:
 
 def _another_range(count: int) -> str:
     """That strokes are left out, and why."""
-    if count == 1:
-        return "1 stroke winds over another range than most of the first three and is left out."
-    return f"{count} strokes wind over another range than most of the first three and are left out."
+    wind = "strokes wind" if count > 1 else "stroke winds"
+    return f"{count} {wind} over another range than most of the first three and {are(count)} left out."
 
 
 def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
