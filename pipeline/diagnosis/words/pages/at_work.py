@@ -1,13 +1,14 @@
-"""What is at work by several explanations, in one sentence: first what all or most of them have, then what is open."""
+"""What is at work, in one sentence: first what all or most explanations have, then what is open; and how sure that is."""
 
+from ...choice.judged import UNKNOWN
 from ...document.content import Verdict
-from ..explanations import probability
+from ..explanations import left_out, probability, rivals
 from ..language.quantity import listing, percent
 from ..language.vocabulary import Vocabulary
 from ..named import certainty, effect_table
 
 NAMED = 3  # open effects by name; the others are counted
-UNKNOWN = "it is not known which"
+WHICH = "it is not known which"
 
 
 def sentence(content: Verdict, words: Vocabulary) -> str:
@@ -33,14 +34,36 @@ def sentence(content: Verdict, words: Vocabulary) -> str:
     single = all(len(each - set(lead)) == 1 for each in sets) and set(lead) <= set(common)
     beside = f" beside {'it' if len(lead) == 1 else 'them'}"
     if single and not lead:
-        return f"{_named(content, unsure, 'or')} is at work; {UNKNOWN}"
+        return f"{_named(content, unsure, 'or')} is at work; {WHICH}"
     if single:
-        then = f"{UNKNOWN} of {_named(content, unsure, 'and')} acts{beside}"
+        then = f"{WHICH} of {_named(content, unsure, 'and')} acts{beside}"
     elif lead and set(lead) <= set(common):
         then = _open(content, unsure, sets, f"acts{beside}", f"act{beside}")
     else:
         then = _open(content, unsure, sets, "is at work", "are at work")
     return f"{first}; {then}" if first else then
+
+
+def lacks(content: Verdict) -> str:
+    """How probable physics is that the library lacks, where that alone makes `unknown`; else nothing."""
+    none = content["evidence"].get("probability_of_none") or 0.0
+    return f"; physics that it lacks has a probability of {percent(none)}" if none >= UNKNOWN else ""
+
+
+def how_sure(content: Verdict) -> str:
+    """How probable the one explanation is; nothing where no probability is known.
+
+    Of a single effect it is how probable the effect is in any explanation, as the table below has it, where that is
+    about as much: two numbers for one thing make a reader stop.
+    """
+    share = next((best.get("probability") for best in rivals.entries(content, "named")), None)
+    if share is None:
+        return ""
+    effects = [certainty.known(content).get(entry["id"], share) for entry in content["mechanisms"]]
+    if len(effects) == 1 and abs(effects[0] - share) < certainty.SURER:
+        share = effects[0]
+    best = ", the likeliest that can be named" if left_out.likelier(content, share) else ""
+    return f" ({percent(share)}{best})"
 
 
 def _open(content: Verdict, unsure: list[str], sets: list[set[str]], acts: str, act: str) -> str:

@@ -1,15 +1,13 @@
 """The verdict in one line: what is at work comes first, and it says no more than what is left allows."""
 
-from ...choice.judged import UNKNOWN
 from ...document.bounds import at_bound
 from ...document.content import Verdict
 from ...document.made_keys import amount, amount_or_none
-from ..explanations import excursions, left_out, rivals
+from ..explanations import excursions
 from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
-from ..language.quantity import first_upper, listing, percent, size, times
+from ..language.quantity import first_upper, listing, size, times
 from ..language.vocabulary import Vocabulary
-from ..named import certainty
 from . import at_work
 
 WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml that errs by more
@@ -67,11 +65,11 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         "floor": size(amount(content["fit"], f"noise_floor_{words.ending}"), words.unit)
         + (f" rms in {unseen.kinds(content, words)[1]}" if unseen.averaged(content, words) else " rms"),
         "best": holdout.named(content),
-        "sure": how_sure(content),
+        "sure": at_work.how_sure(content),
         "at_work": at_work.sentence(content, words) if verdict == "ambiguous" else "",
         "word": "" if adopted else " (ambiguous)",
         "otherwise": otherwise,
-        "lacks": lacks(content),
+        "lacks": at_work.lacks(content),
         "adopted": named,
         "beside": f"{named}; with {_them(adopted)} " if adopted else "",
         "it": _them(adopted),
@@ -183,25 +181,3 @@ def errors_of_adopted(content: Verdict, words: Vocabulary) -> tuple[float, float
         amount_or_none(content["evidence"], f"{name}_{words.ending}") for name in ("nominal", "calibrated")
     )
     return (nominal, calibrated) if holdout.included(content) and nominal and calibrated else None
-
-
-def lacks(content: Verdict) -> str:
-    """How probable physics is that the library lacks, where that alone makes `unknown`; else nothing."""
-    none = content["evidence"].get("probability_of_none") or 0.0
-    return f"; physics that it lacks has a probability of {percent(none)}" if none >= UNKNOWN else ""
-
-
-def how_sure(content: Verdict) -> str:
-    """How probable the one explanation is; nothing where no probability is known.
-
-    Of a single effect it is how probable the effect is in any explanation, as the table below has it, where that is
-    about as much: two numbers for one thing make a reader stop.
-    """
-    share = next((best.get("probability") for best in rivals.entries(content, "named")), None)
-    if share is None:
-        return ""
-    effects = [certainty.known(content).get(entry["id"], share) for entry in content["mechanisms"]]
-    if len(effects) == 1 and abs(effects[0] - share) < certainty.SURER:
-        share = effects[0]
-    best = ", the likeliest that can be named" if left_out.likelier(content, share) else ""
-    return f" ({percent(share)}{best})"
