@@ -1,4 +1,4 @@
-"""What is at work, in one sentence: first what all or most explanations have, then what is open; and how sure that is."""
+"""What is at work, in one sentence: first what all or most explanations have, then what is open; and how sure it is."""
 
 from ...choice.judged import UNKNOWN
 from ...document.content import Verdict
