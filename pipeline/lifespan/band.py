@@ -1,6 +1,7 @@
 """What of a forecast is drawn: the values that shares of the futures have reached, by the rules that the strokes left
 follow. So the edges of the drawn band pass the limit where the interval of the strokes left begins and ends."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +21,18 @@ class Band:
     def below(self, share: float) -> Array:
         """The value that so large a share of the futures stays below. Shape (steps,), in the indicator's unit."""
         return np.asarray(self.values[int(np.argmin(np.abs(SHARES - share)))])
+
+
+def until(end: float, ahead: Array, edges: Sequence[Array]) -> tuple[Array, list[Array]]:
+    """Strokes ahead until `end`, and finite edges of a band until there; each of shape (steps,), in any unit.
+
+    Beyond the last stroke at which the limit may be passed the futures say nothing: how much later they pass it was
+    measured, not how they go on after it.
+    """
+    if not np.isfinite(end):
+        return ahead, list(edges)
+    kept = np.append(ahead[ahead < end], end)
+    return kept, [np.interp(kept, ahead, edge) for edge in edges]
 
 
 def band_of(paths: Array, off: Array, ends: Array, ahead: Array) -> Band:

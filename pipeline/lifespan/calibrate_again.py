@@ -10,7 +10,8 @@ from .indicators import REFERENCE
 
 AFTERWARDS = (
     "This program cannot know that a model was calibrated again: it compares with the first "
-    f"{REFERENCE} strokes of the runs that it is given. After a calibration name only the runs recorded since."
+    f"{REFERENCE} strokes of the runs that it is given. After a calibration name only the runs recorded since: "
+    "a forecast of them needs 12 strokes again."
 )
 
 

@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from ..ground.figure_file import write_figure
+from .band import until
 from .figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of
 from .health import Health
 from .indicators import REFERENCE
@@ -132,10 +133,9 @@ def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[floa
         axes.plot(past, fitted, color=FITTED, lw=2.0, zorder=3, label=f"law fitted, mostly: {name}")
         least = -np.inf if answer.unit == "1" else 0.0  # a root mean square is not below 0
         out = tail_of(span, level)
-        low, middle, high = (
-            np.clip(scale * left.band.below(share), least, 2.0 * top) for share in (out, 0.5, 1.0 - out)
-        )
-        n = seen + left.band.ahead
+        edges = [np.clip(scale * left.band.below(share), least, 2.0 * top) for share in (out, 0.5, 1.0 - out)]
+        ahead, (low, middle, high) = until(span.high, left.band.ahead, edges)
+        n = seen + ahead
         axes.plot(n, middle, color=LAW, lw=1.4, label="median of the futures")
         axes.fill_between(
             n, low, high, color=LAW, alpha=0.18, lw=0,

@@ -22,7 +22,7 @@ FUTURE = (
 )
 BAR = (
     "Black bar: where the limit is passed. {0} of the futures pass it before the bar begins (upper edge of the "
-    "shade), {0} after it ends (lower edge)."
+    "shade), {0} after it ends (lower edge). Futures are drawn until there."
 )
 ARROW = (
     "Black arrow: at most {0} of the futures pass the limit before it begins, so {2} stay below it until then. The "

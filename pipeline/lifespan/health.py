@@ -29,7 +29,8 @@ INDICATORS = ("stroke_mm", "rest_mm", "loop_mm", "stiffness_n_per_mm", "model_er
 class Health:
     """A string's `strokes`, one row each: run, stroke, each of INDICATORS with its `_error`, NaN where not measured.
 
-    `string` is its name, `left_out` the complete strokes that wind over another range than most of the first three,
+    `string` is its name, `left_out` the complete strokes that wind over another range than the first three in the
+    median, `range_turns`,
     `loads` under which load they are, and which strokes of other loads are left out. `jumps` is what the zero did from
     run to run: one between which no stroke went unrecorded is taken off, as it is no wear. `anew` are the runs that
     begin as the string began, and may be of another one. `tares` says what a person should know of `tare: run` where no
@@ -46,6 +47,7 @@ class Health:
     material: str = ""
     loads: Loads = field(default_factory=Loads)
     uncompared: list[str] = field(default_factory=list)
+    range_turns: tuple[float, float] = (0.0, 0.0)
 
 
 def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
@@ -113,5 +115,5 @@ def health(runs: list[Recorded]) -> Health:
     material = first.run.string.material if first.run.string else ""
     return Health(
         first.run.string_id, names, table, left_out, seen, runs_anew(table), tares, material, loads,
-        not_compared(rests),
+        not_compared(rests), (low, high),
     )  # fmt: skip

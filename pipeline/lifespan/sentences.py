@@ -13,7 +13,7 @@ from .advice import advice, due, no_ageing, rests_on
 from .at_rest import longer_at_rest
 from .calibrate_again import AFTERWARDS
 from .claims_held import measured
-from .health import Health
+from .health import SAME_RANGE, Health
 from .indicators import REFERENCE
 from .percent import of_100, percent, tail
 from .questions import Answer
@@ -62,18 +62,20 @@ def seen(health: Health, beside: bool = False) -> list[str]:
         return [f"{health.string}: no forecast yet: {strokes_seen}; {needed}. Name the runs beside as well."]
     return [
         f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
-        *([f"  {_another_range(out)}"] if out else []),
+        *([f"  {_another_range(health)}"] if out else []),
         f"  Record {more} or more further strokes of this very string{health.loads.under} as a new run "
-        f"({program_name('new_run')} --like {like}), wound as far as its first {REFERENCE}. Then name all runs of it "
-        "in this command.",
+        f"({program_name('new_run')} --like {like}), wound to {health.range_turns[1]:.3g} turns. Then name all runs of "
+        "it in this command.",
         *([f"  {SYNTHETIC}"] if health.material.startswith(MADE) else []),
     ]
 
 
-def _another_range(count: int) -> str:
-    """That strokes are left out, and why."""
+def _another_range(health: Health) -> str:
+    """That strokes are left out, and which range they would have to wind over."""
+    count, (low, high) = len(health.left_out), health.range_turns
     wind = "strokes wind" if count > 1 else "stroke winds"
-    return f"{count} {wind} over another range than most of the first three and {are(count)} left out."
+    range_ = f"{low:.3g} to {high:.3g} turns, the median of the first {REFERENCE}, within {SAME_RANGE:.0%} of it"
+    return f"{count} {wind} over another range than {range_}, and {are(count)} left out."
 
 
 def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
@@ -89,8 +91,12 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
     further = f"The forecast does not look further than {most}."
     if span.state == "censored":
         return [f"Until {limit}: more than {most} left in {percent(level)} of the futures.", further]
-    half = f"Half of the futures stay below the limit for longer than {strokes_at_least(span.median)}." if np.isfinite(
-        span.median) else f"At least half of the futures stay below the limit for all {most}."  # fmt: skip
+    if not np.isfinite(span.median):
+        half = f"At least half of the futures stay below the limit for all {most}."
+    elif span.median < 1.0:
+        half = "Half of the futures pass the limit within the next stroke."
+    else:
+        half = f"Half of the futures stay below the limit for longer than {strokes_at_least(span.median)}."
     if span.state == "interval":
         ends = tail((1.0 - level) / 2.0)
         between = f"{at_least(span.low)} to {strokes_at_most(span.high)} left in {percent(level)} of the futures"
@@ -161,7 +167,7 @@ def sentences(
         then = [*calibrate_by, AFTERWARDS] if due(answers) else []
         lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
     if health.left_out and (enough or beside):  # else it is said first
-        lines.append(f"  {_another_range(len(health.left_out))}")
+        lines.append(f"  {_another_range(health)}")
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {note}" for note in health.tares]

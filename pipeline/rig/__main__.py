@@ -2,7 +2,6 @@
 
 import math
 import os
-import secrets
 import signal
 import sys
 from pathlib import Path
@@ -14,7 +13,7 @@ from ..ground.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .kept_string import Standing
-from .options import again, base_of, command, free_name, number_of
+from .options import again, base_of, command, free_name, number_of, seed_of
 from .serial_line import line, serve
 from .setup import names, read_setup
 from .simulate import simulate
@@ -26,7 +25,6 @@ ANEW = "rig: every recording is of a new string: give each a run and a --string-
 STAYS = "rig: every recording is of the same string: give each a run of its own and the same --string-id"
 KEPT = "rig: its displacement sensor keeps its zero from recording to recording, so no run needs --tare run"
 ZEROED = "rig: its displacement sensor is set to zero at each start, so every run after the first has --tare run"
-SEEDS = 1_000_000  # one of so many is drawn for a rig that is given none
 PACE = 5.0  # the paper's nine strokes in a minute
 
 
@@ -51,9 +49,9 @@ def strokes_of(count: int) -> str:
     )
 
 
-def drawn(seed: int) -> str:
-    """How a person gets what a drawn seed made once more."""
-    return f"; seed {seed}: the same again with --seed {seed}"
+def others(seed: int) -> str:
+    """How a person gets other strings than those of a seed that he did not give."""
+    return f"; seed {seed}: another --seed gives other strings"
 
 
 @program
@@ -84,7 +82,7 @@ def main() -> int:
         setup = setup.model_copy(update={"motion": setup.motion.of_strokes(arguments.strokes)})
     if arguments.zeroed and not arguments.standing:
         parser.error("--zeroed is for --standing: without it every recording is of another string")
-    seed = secrets.randbelow(SEEDS) if arguments.seed is None else arguments.seed  # two rigs have two strings
+    seed = seed_of(arguments.link) if arguments.seed is None else arguments.seed
     load, zeroed = not arguments.fixed_load, arguments.zeroed and setup.sensors["displacement_mm"].zeroed
     standing = Standing(setup, seed, load, zeroed) if arguments.standing else None
 
@@ -102,7 +100,7 @@ def main() -> int:
         print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; {ends}")
         first = name = free_name(RAW, base_of(arguments.link))
         print(f"rig: before recording 1 describe its string by: {command(setup, first, arguments.setup)}")
-        print((STAYS if standing else ANEW) + drawn(seed) * (arguments.seed is None))
+        print((STAYS if standing else ANEW) + others(seed) * (arguments.seed is None))
         if standing:
             print(ZEROED if zeroed else KEPT)
         print(f"rig: {strokes_of(len(setup.motion.each()))}", flush=True)

@@ -2,6 +2,7 @@
 
 import os
 import re
+import zlib
 from itertools import count
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from .setup import SetUp
 
 MATERIAL = "example"  # its own, `synthetic`, is kept for the runs that the pipeline records itself
 USUAL = "paper"  # the set-up whose string has that name alone
+APART, MANY = 1000, 1000  # between the seeds of two ports, for each recording takes the next one; such seeds
 STRING = ("radius_mm", "length_mm", "stiffness_n_per_mm")
 RIG = ("torsion_zone_mm", "separator_mm", "load_n")
 
@@ -21,6 +23,15 @@ def base_of(link: Path) -> str:
     """
     own = re.sub(r"[^a-z0-9]+", "-", link.name.lower()).strip("-")
     return own if own.startswith("rig") and own != "rig" else MATERIAL
+
+
+def seed_of(link: Path) -> int:
+    """The seed of a rig that is given none: 0, or another one for each port that names its runs.
+
+    Two rigs at once have two strings, and a rig that is started again has those that it had.
+    """
+    base = base_of(link)
+    return 0 if base == MATERIAL else APART * (1 + zlib.crc32(base.encode()) % MANY)
 
 
 def free_name(raw: Path, base: str = MATERIAL, number: int = 1) -> str:

@@ -93,9 +93,10 @@ def test_strokes_of_another_range_are_left_out(tmp_path):
     short = table["motor_turns"].where(~table.index.isin(range(114 * 6, 114 * 7)), table["motor_turns"] * 0.8)
     found = strings([folder(tmp_path, "a-1", table.assign(motor_turns=short))])[0]
     assert found.left_out == [7] and len(found.strokes) == 11
-    assert "\n  1 stroke winds over another range than most of the first three and is left out." in sentences(
-        found, [], 0.9
-    )
+    low, high = found.range_turns
+    assert "\n  1 stroke winds over another range than" in sentences(found, [], 0.9)
+    assert f"{low:.3g} to {high:.3g} turns, the median of the first 3, within 5% of it" in sentences(found, [], 0.9)
+    assert f", wound to {high:.3g} turns. Then name all runs" in sentences(found, [], 0.9)
 
 
 def test_other_rigs_are_refused(tmp_path):

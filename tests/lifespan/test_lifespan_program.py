@@ -165,9 +165,9 @@ def test_the_shade_meets_the_limit_where_the_bar_begins_and_ends(tmp_path, loss,
     above = edge[(edge[:, 1] >= 10.0) & (edge[:, 0] > 24.0)][:, 0]
     assert above.min() - 24.0 == pytest.approx(span.low, rel=0.05)
     if state == "interval":
-        n = answer.left.band.ahead
-        lower = np.interp(24.0 + n, *edge[1 : len(n) + 1].T)
-        assert n[lower >= 10.0].min() == pytest.approx(span.high, rel=0.05)
+        end = edge[:, 0].max()
+        assert end - 24.0 == pytest.approx(span.high)
+        assert edge[edge[:, 0] == end][:, 1].min() == pytest.approx(10.0, rel=0.05)
     inside = "90 %" if state == "interval" else "80 %"
     legend = [text.get_text() for text in axes.get_legend().get_texts()]
     assert f"the middle {inside} of the futures" in legend and "limit, 10 %" in legend
@@ -270,8 +270,8 @@ def test_too_few_strokes_are_said_and_no_error(tmp_path):
         "a-1: no forecast yet: 5 strokes seen; at least 12 are needed, 7 more than there are."
     )
     text = joined(ran.stdout)
-    again = "as a new run (pipeline.new_run --like its first run), wound as far as its first 3. Then name all runs"
-    assert again in text
+    again = "as a new run (pipeline.new_run --like its first run), wound to "
+    assert again in text and " turns. Then name all runs" in text
     assert re.search(r"So far: [0-9.]+ % of the stroke is lost \(.*\)\.\n  Until .* lost: no forecast yet\.", text)
     model = "a model calibrated on the first 3 strokes is off by"
     assert re.search(rf"So far: {model} [0-9.]+ mm \(.* 2 strokes\)\.\n  Until {model} 1 mm: no forecast", text)
@@ -557,7 +557,7 @@ def test_the_advice_gives_the_command_and_says_why_it_stays_after_a_calibration(
     own = "\n      snakemake --cores 2 -- processed/UHMWPE/spline/within-0.model\n"
     assert f"{paste} fits the spline of UHMWPE to all of its runs in raw/):{own}" in said[1]
     for text in said:
-        assert "After a calibration name only the runs recorded since." in joined(text)
+        assert "After a calibration name only the runs recorded since: a forecast" in joined(text)
 
 
 def test_the_model_that_is_fitted_again_is_the_usual_one():
