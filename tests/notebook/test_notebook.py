@@ -3,6 +3,7 @@
 import json
 import pickle
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -236,6 +237,7 @@ def test_the_example_of_the_reference_runs(
 ) -> None:
     (example,) = re.findall(r"```python\n(.+?)```", (ROOT / "docs" / "api.md").read_text("utf-8"), re.S)
     nylon.save(tmp_path / "raw")
+    shutil.copy(ROOT / "docs" / "tutorial" / "nylon_log.csv", tmp_path)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(tb.Diagnosis, "of", lambda of: diagnosis)  # the slow part, which other tests run
     exec(example.replace("twistbench", "pipeline").replace("nylon-20261121-01", "recording"), {})
