@@ -75,6 +75,8 @@ def _unfitted(name: str, settings: dict[str, object]) -> Model:
 def points(recordings: Sequence[Recording] | Recording) -> pd.DataFrame:
     """The moving points of a recording of a string, or of several, tared and numbered by stroke: one row a point.
 
+    Tared: `Recording.tare_mm` is added, so that the zero is the model's, `x = L - d`, not the sensor's.
+
     Columns that tell where a point is from: `run`, `string`, `stroke` (from 1), `phase`, `direction` (1 winding, -1
     unwinding), `block` (which of the stretches that `within` holds out), `time_s` (s). What was measured:
     `motor_turns` (turns), `displacement_mm` (mm), `load_n` (N). What `run.yaml` says: `actuator`, `radius_mm`,

@@ -24,7 +24,7 @@ from ..run.run_yaml import RunYaml
 from ..run.samples import check
 from ..run.strokes import segment
 from ..string import from_raw
-from ..string.history import Recorded
+from ..string.history import Recorded, tare_mm
 
 NAME = "recording"  # of a run that its description gives none
 
@@ -87,6 +87,16 @@ class Recording:
         if self._strokes is not None:
             return self._strokes
         return segment(self.samples, self.run.system.driver, self.folder)
+
+    @property
+    def tare_mm(self) -> float:
+        """What `points` add to the displacement of this recording of a string, in mm.
+
+        The zero of points, models and answers is the string's by the model, `x = L - d`; that of `samples` and of
+        `simulate` is the sensor's. So a reading of the sensor is an answer less this. Of several runs of one string
+        the first one's holds.
+        """
+        return tare_mm(self.recorded())
 
     def simulate(
         self, diagnosis: Explained | None = None, motion: pd.DataFrame | None = None, after_recording: bool = False

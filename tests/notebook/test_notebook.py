@@ -260,6 +260,14 @@ def test_questions_are_answered_as_the_program_answers_them(nylon: tb.Recording,
     assert (tmp_path / "answers.csv").read_text() == made.to_csv(index=False, float_format="%.6g")
 
 
+def test_points_have_the_models_zero_and_the_recording_says_by_how_much_it_is_moved(nylon: tb.Recording) -> None:
+    """Answers and simulated readings stood 0.2 mm apart, and nothing said why."""
+    points = tb.points([nylon]).set_index("time_s")["displacement_mm"]
+    read = nylon.samples.set_index("time_s")["displacement_mm"].reindex(points.index)
+    np.testing.assert_allclose(points - read, nylon.tare_mm, atol=1e-9)
+    assert abs(nylon.tare_mm) > 0.01
+
+
 def test_questions_that_nobody_can_answer_are_refused(nylon: tb.Recording) -> None:
     points, question = tb.points([nylon]), pd.DataFrame({"stroke": [3], "direction": [1], "motor_turns": [5.0]})
     for wrong, match in (
