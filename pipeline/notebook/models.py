@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from pickle import UnpicklingError
 
 import pandas as pd
 
@@ -121,7 +122,7 @@ def load(name: str, path: Path | str, **settings: object) -> FittedModel:
     except OSError as error:
         problem = f"cannot be read ({error.strerror})"
         raise BadInput(path, "model", problem, "give the file that `save` wrote: load(name, path)") from None
-    except (ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, UnpicklingError) as error:
         problem = f"is no saved {name} ({type(error).__name__})"
         raise BadInput(path, "model", problem, "give the name and the settings that it was fitted with") from error
     return FittedModel(name, model)

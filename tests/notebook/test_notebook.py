@@ -203,6 +203,7 @@ def test_a_model_asked_without_a_column_or_by_a_wrong_name_is_refused_in_words(
         (lambda: tb.fit("spline", points, bins=np.array(3)), r"^settings: spline: .*ndarray"),
         (lambda: tb.answers(points, points, "splin"), r"^model: name: is 'splin'"),
         (lambda: tb.answers(points, points, level=2.0), r"^level: 2\.0: is no probability"),
+        (lambda: tb.load("mlp", tmp_path / "made.model"), r"made\.model: model: is no saved mlp"),
         (lambda: tb.load("spline", tmp_path / "none.model"), r"none\.model: model: cannot be read"),
     ):
         with pytest.raises(tb.BadInput, match=match) as caught:
