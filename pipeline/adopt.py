@@ -14,7 +14,7 @@ from .diagnosis.document.content import Verdict
 from .diagnosis.fit.adopt import acts_from, adoptions, checked
 from .diagnosis.prediction.simulation import of_run, read_diagnosis
 from .diagnosis.words.language.quantity import listing
-from .diagnosis.words.language.sections import section, wrapped
+from .diagnosis.words.language.sections import section
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.pages.adoption import adopted_predictions, hung, weighed_anew
 from .diagnosis.words.pages.advice import instead
@@ -26,6 +26,7 @@ from .ground.names import SYNTHETIC
 from .ground.parser import Parser
 from .ground.regular_file import read_regular
 from .ground.strict_yaml import LARGEST, parse_yaml
+from .ground.wrapped_lines import wrapped
 from .run.description import Adopted, Run
 from .run.folder import has_recording, read_run
 from .run.run_arguments import run_dir

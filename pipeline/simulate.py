@@ -23,7 +23,7 @@ from .diagnosis.words.foretold.planned_zero import of_zero
 from .diagnosis.words.foretold.prediction import AFTER_RECORDING, of_ties
 from .diagnosis.words.foretold.residual import RESIDUAL
 from .diagnosis.words.language.quantity import listing
-from .diagnosis.words.language.sections import numbered, wrapped
+from .diagnosis.words.language.sections import numbered
 from .diagnosis.words.language.vocabulary import Vocabulary
 from .ground import schemas
 from .ground.command import START
@@ -31,6 +31,7 @@ from .ground.counts import counted
 from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.outputs import file_to_write
+from .ground.wrapped_lines import wrapped
 from .run.description import Run
 from .run.folder import has_recording, read_run
 from .run.planned import read_plan

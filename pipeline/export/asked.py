@@ -16,6 +16,7 @@ from ..ground.kinematics import Array
 from ..models.interface import about
 from ..models.parts.beyond_range import also, beyond, held, with_unit
 from ..models.parts.box import MARGIN
+from ..models.parts.foreseen import MAPS
 from ..models.parts.reached_contraction import reached_mm, unreached
 from ..models.parts.recorded_pairs import Paired
 from ..models.parts.recorded_strokes import Under
@@ -26,7 +27,6 @@ from .interface import Source
 NEAR = 1e-6  # of the range: a twist that was brought to its end
 UNCHECKED = "the export answers, as it checks each number alone (in C tsa_recorded says of which pairs)"
 FURTHER = "the export answers, by the model's law of n"
-MAPS = {"motor_turns": "forward", "displacement_mm": "inverse"}  # by what is known
 
 
 def answers(
@@ -46,7 +46,7 @@ def answers(
     `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. Raises
     BadInput for a column that the model reads and the dataset of the `file` lacks.
     """
-    value = np.asarray(getattr(source.model, MAPS[known])(points), float)
+    value = np.asarray(getattr(source.model, MAPS[ANSWER[known]])(points), float)
     why = np.full(len(points), "", object)
     for field in source.inputs.columns(known):
         for row in np.flatnonzero(_outside(source, field, points, file)).tolist():

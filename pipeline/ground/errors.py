@@ -58,6 +58,13 @@ def _end_as_orphan(parent: int) -> None:
     os.kill(os.getpid(), signal.SIGKILL)
 
 
+def not_installed(error: ModuleNotFoundError) -> BadInput | None:
+    """What is said of a package that is left to choose and is not there; None of any other."""
+    if error.name not in EXTRAS:
+        return None
+    return BadInput("python", error.name, "is not installed", f"pip install 'twistbench[{EXTRAS[error.name]}]'")
+
+
 def _unusable(error: OSError) -> BadInput:
     """What the operating system refused, in words."""
     name = os.fsdecode(error.filename) if isinstance(error.filename, str | bytes) else "a file"
@@ -76,10 +83,9 @@ def _status(main: Callable[[], int | None]) -> int | None:
             raise
         print(f"error: {_unusable(error)}", file=sys.stderr)
     except ModuleNotFoundError as error:
-        if error.name not in EXTRAS:
+        if (lacking := not_installed(error)) is None:
             raise
-        mend = f"pip install 'twistbench[{EXTRAS[error.name]}]'"
-        print(f"error: {BadInput('python', error.name, 'is not installed', mend)}", file=sys.stderr)
+        print(f"error: {lacking}", file=sys.stderr)
     return 2
 
 

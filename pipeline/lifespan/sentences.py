@@ -8,6 +8,7 @@ import numpy as np
 
 from ..ground.command import command, program_name
 from ..ground.counts import are
+from ..ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from ..string.zero import Jump
 from .advice import advice, due, no_ageing, rests_on
 from .at_rest import longer_at_rest
@@ -31,7 +32,7 @@ SYNTHETIC = (
     f"Only if you record the synthetic rig ({command('rig')}): start it with `--strokes 24`. Without `--standing` each "
     "of its recordings is of a new string."
 )
-MADE = ("example", "synthetic")  # materials of the synthetic rig begin so
+MADE = ("example", SYNTHETIC_MATERIAL)  # materials of the synthetic rig begin so
 ZERO_OFF = (
     "Such a zero is known in part: on simulated strings it was off by 0.01 to 0.08 mm (median, by how a string "
     "creeps), at worst by 0.5 mm. The model's error may be off by as much."

@@ -11,7 +11,7 @@ from ..models.parts.configured import configured, fitting
 from ..models.parts.prediction_intervals import Intervals, TooFew
 from ..models.parts.question_points import Questions, questions_of
 from ..models.parts.thinned import thinned
-from .as_arguments import as_arguments, settings_of
+from .as_arguments import as_arguments, settings_in_json
 
 LEVEL = 0.9  # the probability that an interval holds the truth, unless told otherwise
 
@@ -33,7 +33,7 @@ def answers(
     BadInput for columns that are missing or unknown, and where no row can be answered.
     """
     name = model or usual()
-    settings = settings_of(name, more)
+    settings = settings_in_json(name, more)
     with as_arguments():
         refuse(name, settings, level)
         return answered_anew(points, questions_of(questions, points), name, settings, seed, level, Path("points"))

@@ -15,7 +15,7 @@ from ..models.interface import Model, names
 from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS
 from ..stages.dataset import make_dataset
-from .as_arguments import as_arguments, settings_of
+from .as_arguments import as_arguments, settings_in_json
 from .recording import Recording
 
 
@@ -70,7 +70,7 @@ def _all_columns() -> Iterator[None]:
 def _unfitted(name: str, settings: dict[str, object]) -> Model:
     """The unfitted model of a name; raises BadInput in the words of a notebook."""
     with as_arguments():
-        return configured(name, settings_of(name, settings))
+        return configured(name, settings_in_json(name, settings))
 
 
 def points(recordings: Sequence[Recording] | Recording) -> pd.DataFrame:

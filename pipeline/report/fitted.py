@@ -6,9 +6,9 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.model_names import WHOLE_MOTION
-from . import inverse_beside
 from .comparison import line
-from .usual_model import chosen_of, errors_in, errors_of, uses, why
+from .model_advice import advice_on
+from .usual_model import chosen_of, errors_of, uses
 
 FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 SPLITS = {"within": "within strokes", "later": "later strokes"}
@@ -46,20 +46,14 @@ def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[
     """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there."""
     files = [path for path in made if path.suffix == ".model" and path.parent.parent.name == material]
     saved = [path.parent.name for path in files if path.name == "within-0.model"]
-    errors_mm = errors_in(models_csv)
-    chosen = chosen_of(saved, errors_mm)
-    if not chosen:
+    advice = advice_on(saved, models_csv)
+    if not advice.model:
         return []
-    export, ask = uses(material, chosen)
-    others = ", ".join(sorted({path.parent.name for path in files} - {chosen, WHOLE_MOTION}))
+    others = ", ".join(sorted({path.parent.name for path in files} - {advice.model, WHOLE_MOTION}))
     more = [f"fitted too: {others}"] if others else []
-    reason = why(chosen, saved, errors_mm)
-    errors_turns = errors_in(models_csv, "inverse")
-    at_inverse = inverse_beside.sentences(chosen, {model: model for model in saved}, errors_turns, errors_mm)
-    lines = [*filter(None, (reason, at_inverse)), f"to a controller: {export}"]
-    if by_position := inverse_beside.better(chosen, saved, errors_turns):
-        lines.append(f"to a position controller: {uses(material, by_position)[0]}")
-    return [*lines, f"to ask it: {ask}", QUESTIONS, *more]
+    to = [f"to {where}: {uses(material, model)[0]}" for where, model in advice.controllers.items()]
+    ask = f"to ask it: {uses(material, advice.model)[1]}"
+    return [*filter(None, (advice.reason, advice.at_inverse)), *to, ask, QUESTIONS, *more]
 
 
 def times_floor(ratio: float) -> str:

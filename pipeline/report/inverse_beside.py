@@ -8,9 +8,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..ground.model_names import WHOLE_MOTION
-from .usual_model import LESS
+from .usual_model import LESS, WHERE
 
-WHERE = {"later": "on later strokes", "within": "on held-out points inside strokes"}
 CALL = "A position controller asks the inverse (tsa_inverse of an export)"
 Errors = Mapping[tuple[str, str], float]
 

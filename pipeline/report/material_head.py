@@ -6,9 +6,9 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from . import inverse_beside
 from .fitted import FLOORS
-from .usual_model import chosen_of, errors_in, uses, why
+from .model_advice import advice_on
+from .usual_model import errors_in, uses
 from .web.page import paragraph, together
 
 NAMED = 4  # runs that a command names
@@ -16,22 +16,16 @@ NAMED = 4  # runs that a command names
 
 def model_to_take(folder: Path) -> Markup:
     """Which model to take of `reports/<material>/`, why, and how to export it; empty where no errors are known."""
-    errors_mm = errors_in(folder / "models.csv")
-    models = sorted({model for model, _ in errors_mm} - set(FLOORS))
-    chosen = chosen_of(models, errors_mm)
-    reason = why(chosen, models, errors_mm)
-    if not reason:
+    models_csv = folder / "models.csv"
+    advice = advice_on(sorted({model for model, _ in errors_in(models_csv)} - set(FLOORS)), models_csv)
+    if not advice.reason:
         return Markup("")
-    errors_turns = errors_in(folder / "models.csv", "inverse")
-    at_inverse = inverse_beside.sentences(chosen, {model: model for model in models}, errors_turns, errors_mm)
-    commands = {"a controller": chosen, "a position controller": inverse_beside.better(chosen, models, errors_turns)}
     ways = [
         Markup("To {}: <code>{}</code>").format(where, uses(folder.name, model)[0])
-        for where, model in commands.items()
-        if model
+        for where, model in advice.controllers.items()
     ]
-    name, _, because = reason.partition(". ")
-    first = paragraph(Markup("<b>{}{}.</b> {} {}").format(name[:1].upper(), name[1:], because, at_inverse))
+    name, _, because = advice.reason.partition(". ")
+    first = paragraph(Markup("<b>{}{}.</b> {} {}").format(name[:1].upper(), name[1:], because, advice.at_inverse))
     return together([first, paragraph(Markup("<br>").join(ways))])
 
 

@@ -12,6 +12,7 @@ import pandas as pd
 from ..ground.model_names import USUAL, WHOLE_MOTION
 
 LESS = 1.1  # times as large: from there on an error is told to be larger
+WHERE = {"later": "on later strokes", "within": "on held-out points inside strokes"}  # errors of a split
 RULE = "The model to take is found so:"
 RULES = (
     "Only models that can be exported are compared.",
@@ -75,12 +76,11 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
     split = next((split for split in ("later", "within") if (chosen, split) in errors_mm), "")
     if not split:
         return ""
-    where = {"later": "on later strokes", "within": "on held-out points inside strokes"}
     least_mm = min(errors_mm[model, split] for model in known if (model, split) in errors_mm)
     own_mm = errors_mm[chosen, split]
     rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
     line = (
-        f"model to take: {chosen}. Its forward error {where[split]} is {rank} of those that can be exported: "
+        f"model to take: {chosen}. Its forward error {WHERE[split]} is {rank} of those that can be exported: "
         f"{own_mm:.3f} mm."
     )
     inside = [model for model in known if (model, "within") in errors_mm]

@@ -98,7 +98,8 @@ def main() -> int:
         pace = paced(arguments.pace, setup.rate_hz)
         ends = f"Ctrl-C ends it, in the background kill {os.getpid()}"
         print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; {ends}")
-        first = name = free_name(RAW, base_of(arguments.link))
+        base = base_of(arguments.link)
+        first = name = free_name(RAW, base)
         print(f"rig: before recording 1 describe its string by: {command(setup, first, arguments.setup)}")
         print((STAYS if standing else ANEW) + others(seed) * (arguments.seed is None))
         if standing:
@@ -112,7 +113,7 @@ def main() -> int:
                 return 0 if served else 1
             number += 1
             if standing is None:
-                name = free_name(RAW, base_of(arguments.link), number_of(name) + 1)
+                name = free_name(RAW, base, number_of(name) + 1)
                 described = command(setup, name, arguments.setup)
                 print(f"rig: before recording {number} describe its string, another one, by: {described}", flush=True)
             else:

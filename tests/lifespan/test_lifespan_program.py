@@ -13,7 +13,7 @@ import pytest
 from made_life import folder, samples
 from made_recording import content
 
-from pipeline.diagnosis.words.language import sections
+from pipeline.ground import wrapped_lines
 from pipeline.ground.errors import BadInput
 from pipeline.lifespan import calibrate_again, page_lines
 from pipeline.lifespan.__main__ import main
@@ -420,7 +420,8 @@ def test_a_string_that_does_not_age_is_first_said_not_to_and_its_bound_to_be_cau
 
 def test_no_printed_line_is_wider_than_those_of_a_diagnosis_and_a_command_stays_whole(done):
     for line in done[0].stdout.splitlines():
-        assert len(line) <= page_lines.WIDE == sections.WIDE or line.lstrip().startswith(page_lines.COMMANDS), line
+        fits = len(line) <= wrapped_lines.WIDE
+        assert fits or line.lstrip().startswith(wrapped_lines.COMMANDS), line
     command = f"      snakemake --cores 2 -- {'long/' * 40}"
     assert page_lines.page(f"a\n{command}") == f"a\n{command}"
 

@@ -217,7 +217,7 @@ def test_a_model_whose_library_is_not_installed_says_which(
     monkeypatch.setitem(sys.modules, "torch", None)
     monkeypatch.delitem(sys.modules, "pipeline.models.cinn", raising=False)
     with pytest.raises(
-        tb.BadInput, match=r"needs torch, which is not installed. Mend: install twistbench with \[models\]"
+        tb.BadInput, match=r"^python: torch: is not installed\. Mend: pip install 'twistbench\[models\]'\.$"
     ):
         tb.fit("cinn", tb.points([nylon]))
 

@@ -23,9 +23,6 @@ def configured(name: str, settings: str) -> Model:
             return make_model(name, **given)
         except (TypeError, ValidationError) as error:
             raise refusal(error, settings_of(name), given) from error
-        except ModuleNotFoundError as error:
-            problem = f"needs {error.name}, which is not installed"
-            raise BadInput("--model", name, problem, "install twistbench with [models] behind it") from error
     except Refused as error:
         raise BadInput("--settings", f"{name}.{error.field}", error.problem, error.mend) from error
 

@@ -2,11 +2,11 @@
 
 import re
 
+from ....ground.wrapped_lines import WIDE
 from ...document.content import Verdict
 from ...document.expected import Expected, ExpectedExplanation
 from ...document.made_keys import amount, extent
 from ..language.quantity import at, duration, listing, plus_minus, quantity, size
-from ..language.sections import WIDE
 from ..language.table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from . import columns_of, recorded_evidence, slow_sign

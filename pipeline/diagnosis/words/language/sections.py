@@ -1,11 +1,9 @@
 """Lines → a section of a text that a person reads: a heading, and lines no wider than a page."""
 
 import re
-import textwrap
 
-from ....ground.command import START
+from ....ground.wrapped_lines import wrapped
 
-WIDE = 112
 FEW = 2  # sentences that need no numbers
 Sections = list[tuple[str, list[str]]]  # each a heading and its lines
 
@@ -29,20 +27,7 @@ def shortened(line: str, most: int) -> str:
 
 def section(head: str, lines: list[str]) -> str:
     """A heading with its lines, wrapped."""
-    return "\n".join([*wrapped(head, ""), *(row for line in lines for row in wrapped(line, "  "))])
-
-
-def wrapped(line: str, indent: str) -> list[str]:
-    """A line within the width of a page, indented; a command stays whole."""
-    bare = line.lstrip()
-    if bare.startswith(START) and bare != line:
-        return [f"{indent}{line}"]
-    own = indent + " " * (len(line) - len(bare))
-    hang = re.match(r"\d+\. ", bare)
-    return textwrap.wrap(
-        bare, WIDE, initial_indent=own, subsequent_indent=own + " " * (len(hang[0]) if hang else 2),
-        break_long_words=False, break_on_hyphens=False,
-    )  # fmt: skip
+    return "\n".join([*wrapped(head), *(row for line in lines for row in wrapped(line, "  "))])
 
 
 def numbered(sentences: list[str]) -> list[str]:

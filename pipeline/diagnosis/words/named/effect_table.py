@@ -1,12 +1,12 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
+from ....ground.wrapped_lines import WIDE
 from ...document.content import Verdict, mismatch_of
 from ...document.effects_named import MechanismEntry
 from ...document.made_keys import Interval, amount, by_name, interval
 from ..explanations import probability
 from ..held_out import holdout
 from ..language.quantity import listing, percent, size
-from ..language.sections import WIDE
 from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of

@@ -8,10 +8,10 @@ import pytest
 from made_content import SYSTEMS, confident, content, full, page, spoken, told, weighed
 
 from pipeline.diagnosis.drawing import figures
-from pipeline.diagnosis.words.language.sections import WIDE, wrapped
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.pages import advice
 from pipeline.diagnosis.words.pages.details import details_text
+from pipeline.ground.wrapped_lines import WIDE, wrapped
 
 STEPS = "What to do, in this order"
 NEAR = {"radius_mm": 0.4}

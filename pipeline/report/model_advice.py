@@ -1,0 +1,33 @@
+"""What is said of the model to take, for the end of the main job and for a material's page: which, why, for what."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from . import inverse_beside
+from .usual_model import chosen_of, errors_in, why
+
+
+class Advice(NamedTuple):
+    """The `model` to take, why, and how it errs at the inverse; each is empty where it is not known.
+
+    `controllers` are the models to export, by the kind of controller.
+    """
+
+    model: str
+    reason: str
+    at_inverse: str
+    controllers: dict[str, str]
+
+
+def advice_on(models: Sequence[str], models_csv: Path) -> Advice:
+    """Which of some models to take by the errors of a models.csv, which need not be there."""
+    errors_mm, errors_turns = errors_in(models_csv), errors_in(models_csv, "inverse")
+    chosen = chosen_of(models, errors_mm)
+    at_inverse = inverse_beside.sentences(chosen, {model: model for model in models}, errors_turns, errors_mm)
+    wanted = {
+        "a controller": chosen,
+        "a position controller": inverse_beside.better(chosen, list(models), errors_turns),
+    }
+    controllers = {where: model for where, model in wanted.items() if model}
+    return Advice(chosen, why(chosen, models, errors_mm), at_inverse, controllers)
