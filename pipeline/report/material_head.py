@@ -1,7 +1,7 @@
 """The first lines of a material's page: the model to take, and how to ask what the simulator leaves out of its runs."""
 
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from markupsafe import Markup
@@ -12,6 +12,10 @@ from .usual_model import errors_in, uses
 from .web.page import paragraph, together
 
 NAMED = 4  # runs that a command names
+TOGETHER = (
+    " The runs of one string in one diagnosis tell more than each alone, above all under several loads;"
+    " of {}: <code>{}</code>."
+)
 
 
 def model_to_take(folder: Path) -> Markup:
@@ -29,18 +33,25 @@ def model_to_take(folder: Path) -> Markup:
     return together([first, paragraph(Markup("<br>").join(ways))])
 
 
-def left_out_of(runs: Sequence[str]) -> Markup:
-    """The command that says what the simulator leaves out of some runs; empty of none.
+def left_out_of(runs_of: Mapping[str, Sequence[str]]) -> Markup:
+    """The commands that say what the simulator leaves out of the runs of each string; empty of no run.
 
     The verdict itself would make another page wherever a diagnosis lies beside it.
     """
+    runs = [run for own in runs_of.values() for run in own]
     if not runs:
         return Markup("")
-    folders = " ".join(shlex.quote(f"raw/{run}") for run in runs[:NAMED])
     more = f" (and {len(runs) - NAMED} more runs)" if len(runs) > NAMED else ""
-    command = f"python -m pipeline.diagnose {folders} --out reports/mine"
     shape = Markup(
         "What the simulator leaves out of {}{}: <code>{}</code> writes it into reports/mine/&lt;run&gt;/verdict.txt."
-        " The main job shows it on the page of all reports."
+        " The main job shows it on the page of all reports.{}"
     )
-    return paragraph(shape.format("this run" if len(runs) == 1 else "these runs", more, command))
+    together_too = next((Markup(TOGETHER).format(string, _diagnose(own, f" --together --out reports/mine/{string}"))
+                         for string, own in runs_of.items() if 1 < len(own) <= NAMED), "")  # fmt: skip
+    each = _diagnose(runs[:NAMED], " --out reports/mine")
+    return paragraph(shape.format("this run" if len(runs) == 1 else "these runs", more, each, together_too))
+
+
+def _diagnose(runs: Sequence[str], more: str) -> str:
+    """The command that diagnoses runs, with `more` options."""
+    return f"python -m pipeline.diagnose {' '.join(shlex.quote(f'raw/{run}') for run in runs)}{more}"

@@ -10,7 +10,7 @@ from . import jumps
 from .marks import add_mark, mark_from
 from .material_head import left_out_of, model_to_take
 from .materials import part
-from .recorded_strings import by_stroke, recorded_strings
+from .recorded_strings import by_stroke, recorded_strings, runs_of_strings
 from .run_strokes import tared_runs
 from .web.glossary import glossary
 from .web.markdown import INDEX
@@ -32,8 +32,7 @@ def main() -> None:
     if arguments.dataset:
         strokes = by_stroke(arguments.dataset)
         tared = tared_runs(arguments.runs) if arguments.runs else None
-        runs = list(dict.fromkeys(map(str, strokes.index.get_level_values("run"))))
-        parts += [recorded_strings(strokes, folder.name, tared), left_out_of(runs)]
+        parts += [recorded_strings(strokes, folder.name, tared), left_out_of(runs_of_strings(strokes))]
     parts += [part(folder.parent, folder.name, up="../"), glossary()]
     text = document(folder.name, together(filter(None, parts)), mark_from(arguments.made_by), above=INDEX)
     write_text(folder / "index.html", text)

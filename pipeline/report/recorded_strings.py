@@ -62,14 +62,24 @@ def _stiffness(own: pd.DataFrame) -> str:
     return _span(given["min"].min(), given["max"].max()) if is_given.any() else NOT_MEASURED
 
 
+def runs_of_strings(strokes: pd.DataFrame) -> dict[str, list[str]]:
+    """The runs of each string, of `by_stroke`, in order of recording."""
+    groups = strokes.groupby(level="string", sort=False)
+    return {str(string): _runs(own) for string, own in groups}
+
+
+def _runs(own: pd.DataFrame) -> list[str]:
+    """The runs of one string, in order of recording."""
+    return [str(run) for run in dict.fromkeys(own.index.get_level_values("run"))]
+
+
 def rows(strokes: pd.DataFrame) -> Iterable[list[str]]:
     """A row of words a string, of `by_stroke`."""
     for string, own in strokes.groupby(level="string", sort=False):
-        runs = list(dict.fromkeys(own.index.get_level_values("run")))
         words = {name: _span(own[name, "min"].min(), own[name, "max"].max()) for name in SIZES}
         words["stiffness_n_per_mm"] = _stiffness(own)
         numbers = sorted({int(number) for number in own.index.get_level_values("stroke")})
-        yield [str(string), ", ".join(runs), *words.values(), ranges(numbers)]
+        yield [str(string), ", ".join(_runs(own)), *words.values(), ranges(numbers)]
 
 
 def sentence(row: list[str]) -> str:

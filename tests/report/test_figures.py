@@ -315,3 +315,6 @@ def test_figure_4_says_where_an_untwisted_string_stands(dataset):
     assert f"Without twist that is {untwisted_mm:.2f} mm, not 0, since the separator spreads the string." in said
     pair = dataset.assign(actuator="twisted_pair", separator_mm=np.nan, torsion_zone_mm=np.nan)
     assert zero_of_x(pair).endswith("to the traditional model's value at that twist.") and zero_of_x(pair[:0]) == ""
+    again = pd.concat([pair, pair.assign(run="second")])
+    last = "; a further run with `tare: run` in its run.yaml goes on where the run before ended."
+    assert zero_of_x(again).endswith(last)

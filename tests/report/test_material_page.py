@@ -9,6 +9,7 @@ from stages.nine_strokes import NINE
 from test_models_page import TITLES, made_metrics
 
 from pipeline.ground import schemas
+from pipeline.report.material_head import left_out_of
 
 JUMP = "The zero jumps between two runs: write `tare: run` in run.yaml of a-02 <b>."
 UNTIL = "Until then every model of that string learns the jump as if it were the string's own"
@@ -75,4 +76,8 @@ def test_a_page_says_which_strokes_are_of_which_run_and_which_was_tared_anew(pag
 
 def test_a_page_has_the_command_that_says_what_the_simulator_leaves_out(pages):
     command = "<code>python -m pipeline.diagnose raw/a-01 raw/a-02 --out reports/mine</code>"
-    assert f"What the simulator leaves out of these runs: {command}" in pages["calm"]["index.html"]
+    text = pages["calm"]["index.html"]
+    assert f"What the simulator leaves out of these runs: {command}" in text
+    both = f"{command.removesuffix('</code>')}".replace(" --out reports/mine", " --together --out reports/mine/")
+    assert both in text and "tell more than each alone" in text, "two runs of one string"
+    assert "--together" not in left_out_of({"a": ["a-01"], "b": ["b-01"]}), "two strings"
