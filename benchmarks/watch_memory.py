@@ -14,7 +14,7 @@ import psutil
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from pipeline.watch.recording import Followed
+from pipeline.watch.followed_recording import Followed
 from pipeline.watch.snapshot import snapshot
 from pipeline.wire import Channel, Event, Hello, Kind, encode
 from pipeline.wire.frames import EVENT

@@ -10,7 +10,7 @@ from ..ground.strict_yaml import write_yaml
 from ..ground.units import unit_of
 from ..run.column_places import NoColumn
 from ..run.description import Channel, Run
-from .recognised import Recognised, layout_yaml, recognise
+from .recognised_columns import Recognised, layout_yaml, recognise
 from .roles import Role
 
 GAP = "…"

@@ -17,7 +17,7 @@ from ..ground.units import conversion
 from ..run.description import String
 from ..systems import System, systems
 from .damaged import damaged_rows
-from .recognised import layout_yaml, recognise
+from .recognised_columns import layout_yaml, recognise
 from .roles import Role
 
 USUAL = "separator"  # the kind of rig where nobody tells it

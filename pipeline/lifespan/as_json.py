@@ -5,7 +5,7 @@ from typing import Any, TypedDict
 import numpy as np
 import pandas as pd
 
-from .advice import ask_again_after, recalibrate_after
+from .calibration_advice import ask_again_after, recalibrate_after
 from .health import INDICATORS, Health
 from .law_choice import Choice
 from .questions import Answer, first

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ground.kinematics import Array
-from .calibrated import LATER
+from .futures_margin import LATER
 from .health import Health
 from .indicators import REFERENCE
 from .strokes_left import Left, strokes_left

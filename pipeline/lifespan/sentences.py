@@ -10,9 +10,9 @@ from ..ground.command import command, program_name
 from ..ground.counts import are
 from ..ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from ..string.zero import Jump
-from .advice import advice, due, no_ageing, rests_on
 from .at_rest import longer_at_rest
 from .calibrate_again import AFTERWARDS
+from .calibration_advice import advice, due, no_ageing, rests_on
 from .claims_held import measured
 from .health import SAME_RANGE, Health
 from .indicators import REFERENCE

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..ground.kinematics import Array
 from .band import Band, band_of
-from .calibrated import later, middle_of, put_later
+from .futures_margin import later, middle_of, put_later
 from .law_choice import Choice, choose
 
 LEAST_STROKES = 12  # 3 set the reference, 6 are fitted at least, 3 are left out at least

@@ -29,7 +29,7 @@ from .diagnoses import (
 from .to_take import materials_table
 from .web.glossary import word
 from .web.page import Text, folded, paragraph, together
-from .web.table import table
+from .web.sortable_table import table
 
 LONGEST = 180  # characters of a next run in a table; the whole of it stands beside the verdict
 WHAT = (

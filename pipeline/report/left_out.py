@@ -13,7 +13,7 @@ from ..ground.left_out import LeftOut, from_json, read_left_out, to_json
 from ..ground.words_by_file import SIGN
 from .plain_markdown import plain
 from .web.page import paragraph, together
-from .web.table import table
+from .web.sortable_table import table
 
 HEAD = ("Run", "Material", "Why, and how to mend it")
 

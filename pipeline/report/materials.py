@@ -11,7 +11,7 @@ from .strings_together import TOGETHER
 from .stroke_conditions import OTHERWISE
 from .table_forms import OF_WHAT, from_markdown
 from .web.page import Text, link, paragraph, picture, together
-from .web.table import table
+from .web.sortable_table import table
 
 FIGURES = {
     "figure_4": "Figure 4: strokes against the traditional model, and its errors. Where x falls below 0 that model's"

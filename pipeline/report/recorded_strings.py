@@ -12,7 +12,7 @@ from ..ground.kinematics import usual_stiffness
 from .run_strokes import strokes_of_runs
 from .shown_strokes import ranges
 from .web.page import paragraph, together
-from .web.table import table
+from .web.sortable_table import table
 
 HEAD = {  # by column of a dataset, a head of the table
     "load_n": "load (N)", "radius_mm": "radius (mm)", "length_mm": "length (mm)",

@@ -13,7 +13,7 @@ from .fitted import FLOORS, times_floor
 from .stroke_conditions import APART
 from .usual_model import RULE, RULES, chosen_of, uses, weighed
 from .web.page import Text, paragraph, together
-from .web.table import table
+from .web.sortable_table import table
 
 LATER = (
     "Later strokes are the last quarter of a string's strokes, which the fit of a model leaves out: of five the fifth."

@@ -11,8 +11,8 @@ from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.parser import Parser
 from ..run.run_arguments import run_dir
+from .followed_recording import Followed
 from .jobs import Jobs
-from .recording import Followed
 from .server import LOCAL, Page, Server
 from .settling import Settling
 from .snapshot import snapshot

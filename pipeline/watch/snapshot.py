@@ -9,8 +9,8 @@ from typing import Any
 from ..ground.kinematics import Array
 from .came_of_run import beyond
 from .envelope import Envelope
+from .followed_recording import Followed
 from .left_of_string import strokes_left
-from .recording import Followed
 from .reports_of_run import verdicts
 from .verdict_of_run import newest_verdict
 

@@ -7,7 +7,7 @@ from made_content import full, page, told, weighed
 
 from pipeline.diagnosis.choice import kept
 from pipeline.diagnosis.choice.judged import Judged, LeftOut
-from pipeline.diagnosis.words.explanations.left_out import BECAUSE
+from pipeline.diagnosis.words.explanations.not_named import BECAUSE
 
 OUT = {
     "ids": ["friction_hysteresis", "sensor_drift"],

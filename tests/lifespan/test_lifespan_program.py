@@ -17,8 +17,8 @@ from pipeline.ground import wrapped_lines
 from pipeline.ground.errors import BadInput
 from pipeline.lifespan import calibrate_again, page_lines
 from pipeline.lifespan.__main__ import main
-from pipeline.lifespan.advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.at_rest import longer_at_rest
+from pipeline.lifespan.calibration_advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.claims_held import HELD, measured
 from pipeline.lifespan.figure import page, question
 from pipeline.lifespan.figure_words import WIDE, footnote

@@ -9,7 +9,7 @@ import pytest
 from test_watch import HELLO, folder, samples
 
 from pipeline.watch.envelope import Envelope
-from pipeline.watch.recording import Followed
+from pipeline.watch.followed_recording import Followed
 from pipeline.watch.snapshot import snapshot
 from pipeline.wire import Kind, encode
 

@@ -10,7 +10,7 @@ import pytest
 
 from pipeline.watch.came_of_run import Means
 from pipeline.watch.jobs import Jobs
-from pipeline.watch.noise import Noise
+from pipeline.watch.reading_noise import Noise
 
 SNAKEFILE = """
 rule all:

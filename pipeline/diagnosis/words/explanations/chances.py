@@ -9,7 +9,7 @@ from ..language.table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured import to_measure, tolerances
 from ..measured.dimensions import name_of
-from . import closest, left_out, probability, rivals
+from . import closest, not_named, probability, rivals
 
 HEADING = "How probable each explanation is"
 KNOWS_BETTER = "Know one better, or less well? Write that into run.yaml (`tolerance`), and diagnose again."
@@ -28,7 +28,7 @@ def lines(content: Verdict) -> list[str]:
     """
     if content["verdict"] not in ("explained", "ambiguous") or not probability.known(content):
         return []
-    kept, out = kept_shares(content), left_out.entries(content)
+    kept, out = kept_shares(content), not_named.entries(content)
     if len(kept) < 2 and not out:
         return []
     rows = [[name, percent(share), "the best one" if place == 0 else ""] for place, (name, share) in enumerate(kept)]
@@ -46,7 +46,7 @@ def lines(content: Verdict) -> list[str]:
         rows.append([following[0], percent(following[1]), "less likely"])
         left = max(left - following[1], 0.0)
     rows += [[OTHERS, percent(left), ""], [f"{NONE}{probability.stand_ins(sets)}", percent(none), ""]]
-    return [*aligned(rows), *closest.stand_ins(sets), *left_out.lines(content)]
+    return [*aligned(rows), *closest.stand_ins(sets), *not_named.lines(content)]
 
 
 def bare(content: Verdict, words: Vocabulary) -> list[str]:
@@ -95,7 +95,7 @@ def kept_shares(content: Verdict) -> list[tuple[str, float]]:
 
 def next_best(content: Verdict) -> tuple[str, float] | None:
     """The likeliest explanation that is not kept, with its probability, if it is worth a word."""
-    out = [entry["ids"] for entry in left_out.entries(content)]
+    out = [entry["ids"] for entry in not_named.entries(content)]
     others = [other for other in rivals.entries(content, "beaten", "not needed") if other["ids"] not in out]
     likeliest = max(others, key=share_of, default=None)
     share = share_of(likeliest) if likeliest else 0.0

@@ -13,7 +13,7 @@ from ..language.quantity import listing, percent, size, times
 from ..language.table import UNKNOWN as NOT_KNOWN
 from ..language.table import within
 from ..language.vocabulary import Vocabulary
-from . import left_out, probability, though_it_fits
+from . import not_named, probability, though_it_fits
 from .rivals import called, entries
 
 CLOSEST = 4  # explanations that are shown
@@ -41,7 +41,7 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
         cells = [f"{100.0 * taken:.0f} %", f"{size(left, words.unit)} ({times(left / floor)})"]
         likely = NOT_KNOWN if share is None else percent(share)
         rows.append([called(explanation["ids"]), *cells, likely, _why_not(explanation, taken)])
-        reason = left_out.reason_of(content, explanation["ids"])
+        reason = not_named.reason_of(content, explanation["ids"])
         reasons += [reason.replace("It is", f"{called(explanation['ids'])} is")] if reason else []
     rows.append([called([]), "0 %", f"{size(alone, words.unit)} ({times(alone / floor)})", NOT_KNOWN, ""])
     if all(row[3] == NOT_KNOWN for row in rows[1:]):

@@ -7,7 +7,7 @@ from ...mechanisms.interface import physics
 from ..language.quantity import of_column, percent, size, times
 from ..language.table import UNKNOWN, within
 from ..language.vocabulary import Vocabulary
-from . import chances, closest, left_out, less_likely, probability, rivals
+from . import chances, closest, less_likely, not_named, probability, rivals
 
 SHOWN = 8  # of those that are not kept
 LEAST = 1e-6  # what a probability of nothing is said as: less than 1 %
@@ -38,7 +38,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *closest.stand_ins([each["ids"] for each in rows.values()]),
         *probability.rule(content),
         *less_likely.remarks(content, rows, len(kept), words),
-        *left_out.lines(content),
+        *not_named.lines(content),
     ]
 
 
@@ -74,7 +74,7 @@ def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> li
     """The table's cells, the heads first; with probabilities the last rows are of all that no other row has."""
     known, floor = probability.known(content), amount(content["evidence"], f"floor_{words.ending}")
     cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "differs from 1 by"]]
-    out = [entry["ids"] for entry in left_out.entries(content)]
+    out = [entry["ids"] for entry in not_named.entries(content)]
     none_acts = rivals.entries(content, "nothing")
     most = max(rivals.left_of(each, content, words.ending) for each in [*rows.values(), *none_acts])
     farthest = max(amount_or_none(each, f"gap_{words.ending}") or 0.0 for each in rows.values())

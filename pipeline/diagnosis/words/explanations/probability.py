@@ -6,7 +6,7 @@ from ...document.explanations import ExplanationEntry, share_of
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..language.quantity import percent
-from . import left_out
+from . import not_named
 
 HELD_STANDINGS = ("named", "tied")
 LARGER_LEAVES_LESS = "the same effects with one more leave less of the recording"  # of a probability of 0
@@ -74,7 +74,7 @@ def _left_out(content: Verdict) -> str:
     """How much of what was reached together is left out; nothing where nothing is."""
     out = content["evidence"].get("left_out", [])
     which = "One likely explanation is" if len(out) == 1 else f"{len(out)} likely explanations are"
-    share = left_out.together(content)
+    share = not_named.together(content)
     return f"{which} left out ({percent(share)}), so less than {percent(HELD)} is kept. " if share else ""
 
 

@@ -2,7 +2,7 @@
 
 from ...choice.judged import UNKNOWN
 from ...document.content import Verdict
-from ..explanations import left_out, probability, rivals
+from ..explanations import not_named, probability, rivals
 from ..language.quantity import listing, percent
 from ..language.vocabulary import Vocabulary
 from ..named import certainty, effect_table
@@ -62,7 +62,7 @@ def how_sure(content: Verdict) -> str:
     effects = [certainty.known(content).get(entry["id"], share) for entry in content["mechanisms"]]
     if len(effects) == 1 and abs(effects[0] - share) < certainty.SURER:
         share = effects[0]
-    best = ", the likeliest that can be named" if left_out.likelier(content, share) else ""
+    best = ", the likeliest that can be named" if not_named.likelier(content, share) else ""
     return f" ({percent(share)}{best})"
 
 

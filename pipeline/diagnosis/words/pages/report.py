@@ -3,7 +3,7 @@
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
 from ...document.made_keys import amount
-from ..explanations import chances, left_out, probability, rivals
+from ..explanations import chances, not_named, probability, rivals
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED
 from ..language.places import lying
@@ -153,7 +153,7 @@ def _best(content: Verdict, words: Vocabulary) -> list[str]:
     if not kept or none is None or not probability.known(content):
         return []
     name, share = kept[0]
-    best = "of what it can tell from moved dimensions the" if left_out.likelier(content, share) else "the"
+    best = "of what it can tell from moved dimensions the" if not_named.likelier(content, share) else "the"
     rest = "every other explanation is less likely, but none is impossible"
     rest += ", save those with an effect that is wrong while the motor stands" * bool(
         slow_look_alikes.excluded(content, words)

@@ -20,8 +20,8 @@ from .arrival_rate import Coming
 from .came_of_run import Means
 from .column_names import stored_columns
 from .envelope import Envelope
-from .noise import Noise
 from .nominal import Nominal
+from .reading_noise import Noise
 
 PIECE = 1 << 20  # bytes that are read at once
 BUDGET_S = 0.4  # a long recording is caught up with in steps of this
