@@ -39,14 +39,14 @@ def author(wildcards):
 
 
 # What is hidden goes two ways: the recordings to whoever diagnoses, the answers to the score alone.
-rule conceal:
+rule conceal_batch:
     output:
-        runs=directory(f"{PROOF}/recordings/{{batch}}"),
+        runs=directory(f"{PROOF}/concealed/{{batch}}"),
         answers=f"{PROOF}/sealed/{{batch}}.json",
     log:
-        f"{PROOF}/logs/conceal-{{batch}}.log",
+        f"{PROOF}/logs/conceal_batch-{{batch}}.log",
     resources:
-        **NEEDS["conceal"],
+        **NEEDS["conceal_batch"],
     params:
         cases=cases_of,
         code=code_of_concealed,
@@ -57,15 +57,15 @@ rule conceal:
         " --runs {output.runs:q} --answers {output.answers:q} > {log:q} 2>&1"
 
 
-rule verdict:
+rule verdicts:
     input:
-        f"{PROOF}/recordings/{{batch}}",
+        f"{PROOF}/concealed/{{batch}}",
     output:
         directory(f"{PROOF}/verdicts/{{batch}}"),
     log:
-        f"{PROOF}/logs/verdict-{{batch}}.log",
+        f"{PROOF}/logs/verdicts-{{batch}}.log",
     resources:
-        **NEEDS["verdict"],
+        **NEEDS["verdicts"],
     params:
         without=without,
         author=author,
@@ -81,7 +81,7 @@ rule carry_on:
     input:
         f"{PROOF}/verdicts/{{batch}}",
     output:
-        directory(f"{PROOF}/more/{{batch}}"),
+        directory(f"{PROOF}/carried_on/{{batch}}"),
     log:
         f"{PROOF}/logs/carry_on-{{batch}}.log",
     resources:
@@ -97,8 +97,8 @@ rule carry_on:
 
 rule settle:
     input:
-        runs=f"{PROOF}/recordings/{{batch}}",
-        more=f"{PROOF}/more/{{batch}}",
+        runs=f"{PROOF}/concealed/{{batch}}",
+        carried_on=f"{PROOF}/carried_on/{{batch}}",
     output:
         directory(f"{PROOF}/settled/{{batch}}"),
     log:
@@ -111,7 +111,7 @@ rule settle:
     message:
         "diagnose the ties of {wildcards.batch} again"
     shell:
-        "exec python -m pipeline.proof.settle --runs {input.runs:q} --more {input.more:q} --out {output:q}"
+        "exec python -m pipeline.proof.settle --runs {input.runs:q} --more {input.carried_on:q} --out {output:q}"
         " --without={params.without:q} > {log:q} 2>&1"
 
 
@@ -134,15 +134,15 @@ rule lookalikes:
         " > {log:q} 2>&1"
 
 
-rule baselines:
+rule ask_baselines:
     input:
-        f"{PROOF}/recordings/{{batch}}",
+        f"{PROOF}/concealed/{{batch}}",
     output:
         directory(f"{PROOF}/baselines/{{batch}}"),
     log:
-        f"{PROOF}/logs/baselines-{{batch}}.log",
+        f"{PROOF}/logs/ask_baselines-{{batch}}.log",
     resources:
-        **NEEDS["baselines"],
+        **NEEDS["ask_baselines"],
     params:
         runs=compared_of,
         code=fingerprint("pipeline.proof.ask_baselines", "pipeline.proof.baselines.*"),
@@ -171,7 +171,7 @@ rule twins:
 # The only rule that opens the answers, and it runs when the last verdict is written.
 rule score:
     input:
-        expand(PROOF + "/recordings/{batch}", batch=BATCHES),
+        expand(PROOF + "/concealed/{batch}", batch=BATCHES),
         expand(PROOF + "/verdicts/{batch}", batch=BATCHES),
         expand(PROOF + "/settled/{batch}", batch=BATCHES),
         expand(PROOF + "/lookalikes/{batch}.json", batch=BATCHES),

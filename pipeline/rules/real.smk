@@ -21,7 +21,7 @@ def real_group_verdicts(wildcards):
     return [f"reports/real/{wildcards.rig}/{run}" for run in REAL.groups(wildcards.rig)[wildcards.group]]
 
 
-def real_verdicts(wildcards):
+def verdicts_of_rig(wildcards):
     return [f"reports/real/{wildcards.rig}/{run}" for run in REAL.runs(wildcards.rig)]
 
 
@@ -30,7 +30,7 @@ def real_together(wildcards):
 
 
 def real_black_boxes(wildcards):
-    return [f"processed/real/blackbox/{run}.json" for run in REAL.runs(wildcards.rig)]
+    return [f"processed/real/black_box/{run}.json" for run in REAL.runs(wildcards.rig)]
 
 
 def real_transfer(wildcards):
@@ -50,7 +50,7 @@ rule bring:
     output:
         directory("processed/real/raw/{run}"),
     log:
-        "processed/logs/real-bring-{run}.log",
+        "processed/logs/bring-{run}.log",
     resources:
         **NEEDS["bring"],
     params:
@@ -61,15 +61,15 @@ rule bring:
         "exec python -m pipeline.real.bring {input.file:q} --map {input.mapping:q} --out {output:q} > {log:q} 2>&1"
 
 
-rule real_verdict:
+rule real_verdicts:
     input:
         "processed/real/raw/{run}",
     output:
         directory("reports/real/{rig}/{run}"),
     log:
-        "processed/logs/real-verdict-{rig}-{run}.log",
+        "processed/logs/real_verdicts-{rig}-{run}.log",
     resources:
-        **NEEDS["real_verdict"],
+        **NEEDS["real_verdicts"],
     params:
         code=fingerprint("pipeline.real.verdicts", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
@@ -78,15 +78,15 @@ rule real_verdict:
         "exec python -m pipeline.real.verdicts {input:q} --out {output:q} > {log:q} 2>&1"
 
 
-rule real_verdict_together:
+rule real_verdicts_together:
     input:
         real_group,
     output:
         directory("reports/real/{rig}/together/{group}"),
     log:
-        "processed/logs/real-together-{rig}-{group}.log",
+        "processed/logs/real_verdicts_together-{rig}-{group}.log",
     resources:
-        **NEEDS["real_verdict_together"],
+        **NEEDS["real_verdicts_together"],
     params:
         code=fingerprint("pipeline.real.verdicts", "pipeline.diagnosis.*", "pipeline.systems.*"),
     message:
@@ -95,15 +95,15 @@ rule real_verdict_together:
         "exec python -m pipeline.real.verdicts {input:q} --out {output:q} > {log:q} 2>&1"
 
 
-rule black_boxes:
+rule black_box:
     input:
         "processed/real/raw/{run}",
     output:
-        "processed/real/blackbox/{run}.json",
+        "processed/real/black_box/{run}.json",
     log:
-        "processed/logs/real-blackbox-{run}.log",
+        "processed/logs/black_box-{run}.log",
     resources:
-        **NEEDS["black_boxes"],
+        **NEEDS["black_box"],
     params:
         code=fingerprint("pipeline.real.black_box"),
     message:
@@ -120,7 +120,7 @@ rule transfer:
         table="processed/real/transfer/{rig}/{group}.csv",
         others=directory("processed/real/others/{rig}/{group}"),
     log:
-        "processed/logs/real-transfer-{rig}-{group}.log",
+        "processed/logs/transfer-{rig}-{group}.log",
     resources:
         **NEEDS["transfer"],
     params:
@@ -134,7 +134,7 @@ rule transfer:
 
 rule real_page:
     input:
-        verdicts=real_verdicts,
+        verdicts=verdicts_of_rig,
         together=real_together,
         black_boxes=real_black_boxes,
         transfer=real_transfer,
@@ -144,7 +144,7 @@ rule real_page:
         figure="reports/real/{rig}.png",
         table="processed/real/table/{rig}.csv",
     log:
-        "processed/logs/real-page-{rig}.log",
+        "processed/logs/real_page-{rig}.log",
     resources:
         **NEEDS["real_page"],
     params:

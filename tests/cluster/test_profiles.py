@@ -11,7 +11,7 @@ from pipeline.workflow.needs import Needs
 ROOT = Path(__file__).parents[2]
 PROFILES = [ROOT / "env" / name / "profile.yaml" for name in ("slurm", "slurm-unshared")]
 # jobs that are sent alone: they take long, or there is one of each in all, or one that fails must take no other with it
-ALONE = {"baselines", "left_out", "twins", "campaign", "coverage", "real_verdict_together", "transfer"}
+ALONE = {"ask_baselines", "left_out", "twins", "campaign", "coverage", "real_verdicts_together", "transfer"}
 
 
 def read(path):

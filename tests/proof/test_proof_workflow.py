@@ -53,20 +53,20 @@ def ancestors(rules, files):
     return found
 
 
-ASKING = ("verdict", "settle")
+ASKING = ("verdicts", "settle")
 
 
 def test_nothing_before_a_verdict_opens_an_answer(rules):
     before = ancestors(rules, {name for rule in ASKING for name in rules[rule].outputs})
-    assert before == {"conceal", "verdict", "carry_on", "settle"}
+    assert before == {"conceal_batch", "verdicts", "carry_on", "settle"}
     for rule in before:
         assert not [name for name in rules[rule].inputs if "sealed" in name], rule
-        assert rule == "conceal" or not [name for name in rules[rule].outputs if "sealed" in name], rule
+        assert rule == "conceal_batch" or not [name for name in rules[rule].outputs if "sealed" in name], rule
 
 
 def test_answers_are_opened_by_the_score_alone_and_after_all_verdicts(rules):
     sealed = "processed/proof/sealed/{batch}.json"
-    assert sealed in rules["conceal"].outputs
+    assert sealed in rules["conceal_batch"].outputs
     assert [rule for rule, has in rules.items() if sealed in has.inputs] == ["score"]
     assert {name for rule in ASKING for name in rules[rule].outputs} <= rules["score"].inputs
 
@@ -102,7 +102,7 @@ def test_the_small_proof(tmp_path):
     assert set(beside["effects"]) == {"creep", "backlash"}
     page = (reports / "proof.md").read_text()
     assert "leaves no 3 noise floors" in page and "| creep | 8.9 %" in page and "Goals and what was reached" in page
-    recordings = tmp_path / "processed" / "proof" / "recordings"
+    recordings = tmp_path / "processed" / "proof" / "concealed"
     words = ("backlash", "creep", "stratum", "kappa", "floor_sway")
     for path in recordings.rglob("run.yaml"):
         assert not [word for word in words if word in path.read_text()]

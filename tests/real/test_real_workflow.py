@@ -25,7 +25,7 @@ def test_every_file_gets_its_jobs_and_every_group_its_own(tmp_path):
     assert "passed over 1 file whose names no pattern" in said and "'notes (1).md'" in said
     jobs = {name: int(count) for name, count in re.findall(r"^(\w+) +(\d+)$", said, re.M)}
     assert status == 0 and jobs == {
-        "bring": 4, "real_verdict": 4, "black_boxes": 4, "real_verdict_together": 1, "transfer": 1, "real_page": 2,
+        "bring": 4, "real_verdicts": 4, "black_box": 4, "real_verdicts_together": 1, "transfer": 1, "real_page": 2,
         "real": 1, "total": 17,
     }  # fmt: skip
 

@@ -104,7 +104,7 @@ def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
             row |= {"seconds": question["seconds"][run]}
             row |= _judged(answer, verdict, left.get(run, {}))
             if verdict is not None:
-                row |= _measured(answer, verdict, place / "recordings" / batch / run)
+                row |= _measured(answer, verdict, place / "concealed" / batch / run)
                 row |= _settled(answer, place / "settled" / batch / run)
             if verdict is not None and row["outcome"] == "exact":
                 sizes = list(_sizes(answer, verdict))
