@@ -12,7 +12,7 @@ sys.path.insert(0, workflow.basedir)
 
 from pipeline.workflow.dag import SYNTHETIC_FILES, fits, recorded_files, stored
 from pipeline.ground.fingerprint import fingerprint
-from pipeline.report.summary import summary
+from pipeline.report.end_of_job.summary import summary
 
 
 configfile: str(Path(workflow.basedir) / "pipeline/config/default.yaml")

@@ -11,14 +11,15 @@ from ..ground.errors import program
 from ..ground.jump_notes import read_jumps
 from ..ground.model_names import PAPER
 from ..ground.names import SYNTHETIC
-from . import jumps, paper
 from .agreement import agreement
-from .made_by import MadeBy
-from .marks import add_mark, mark_from, write_page
-from .plain_markdown import plain
-from .shown_strokes import shown_of, tabled, there_of
-from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
-from .titles import titles_of
+from .parts import jumps
+from .shown.shown_strokes import shown_of, tabled, there_of
+from .shown.stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
+from .text import paper
+from .text.made_by import MadeBy
+from .text.plain_markdown import line, plain
+from .text.titles import titles_of
+from .web.marks import add_mark, mark_from, write_page
 
 UNKNOWN = MadeBy()
 FAR = 1.5  # times the floor: an INN that errs so much is not what these data allow
@@ -40,11 +41,6 @@ def shown(values: pd.Series) -> str:
         return ""
     low, middle, high = (f"{value:.3f}" for value in (values.min(), values.median(), values.max()))
     return middle if low == high else f"{middle} ({low}–{high})"
-
-
-def line(cells: list[str]) -> str:
-    """One row of a Markdown table."""
-    return f"| {' | '.join(cells)} |"
 
 
 def why_apart(whole: pd.DataFrame, material: str) -> str:

@@ -16,8 +16,8 @@ from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import sha256, write_text
 from ..ground.units import unit_of
-from .made_by import MadeBy, sentence
-from .marks import add_mark, mark_from
+from .text.made_by import MadeBy, sentence
+from .web.marks import add_mark, mark_from
 
 CONTEXT = {  # as the specification gives it
     "@language": "en", "@vocab": "https://schema.org/", "citeAs": "cr:citeAs", "column": "cr:column",

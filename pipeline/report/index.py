@@ -17,13 +17,14 @@ from ..ground.files import write_text
 from ..ground.left_out import LeftOut
 from ..ground.names import SYNTHETIC
 from ..ground.words_by_file import SIGN
-from . import diagnoses, jumps, left_out
-from .index_head import glance
-from .made_by import MadeBy
-from .marks import add_mark, mark_from
-from .page_parts import FOLDER, Parts, of_materials, of_runs
-from .rig_mark import Marks, add_rig_mark, marks_of_runs
+from . import left_out
+from .parts import diagnoses, jumps
+from .parts.index_head import glance
+from .parts.page_parts import FOLDER, Parts, of_materials, of_runs
+from .parts.rig_mark import Marks, add_rig_mark, marks_of_runs
+from .text.made_by import MadeBy
 from .web.glossary import glossary
+from .web.marks import add_mark, mark_from
 from .web.page import Text, anchor, document, folded, paragraph, together
 
 OTHERS = {
@@ -46,7 +47,7 @@ def others(reports: Path) -> Markup:
 
 def verdict_tag(reports: Path, run: str) -> Markup:
     """A run's verdict in its colour."""
-    return diagnoses.tag(diagnoses.badge_of(diagnoses.content_of(reports / "diagnosis" / run)))
+    return diagnoses.tag_of(reports / "diagnosis" / run)
 
 
 def page(

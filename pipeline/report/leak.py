@@ -12,8 +12,8 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from ..ground import schemas
 from ..ground.errors import program
-from .drawing import COLOURS, READING_SIZE, STYLE, save, wrapped
-from .marks import add_mark, mark_from
+from .drawn.drawing import COLOURS, READING_SIZE, STYLE, save, wrapped
+from .web.marks import add_mark, mark_from
 
 GROUPS = {  # of trainings, from above to below
     "random_forward": "A  trained on the\nforward error alone",

@@ -11,7 +11,7 @@ from ..ground.errors import BadInput, program
 from ..ground.files import write_text
 from ..ground.left_out import LeftOut, from_json, read_left_out, to_json
 from ..ground.words_by_file import SIGN
-from .plain_markdown import plain
+from .text.plain_markdown import plain
 from .web.page import paragraph, together
 from .web.sortable_table import table
 

@@ -6,14 +6,14 @@ from pathlib import Path
 from ..ground.errors import program
 from ..ground.files import write_text
 from ..ground.jump_notes import read_jumps
-from . import jumps
-from .marks import add_mark, mark_from
-from .material_head import left_out_of, model_to_take
-from .materials import part
-from .recorded_strings import by_stroke, recorded_strings, runs_of_strings
-from .run_strokes import tared_runs
+from .parts import jumps
+from .parts.material_head import left_out_of, model_to_take
+from .parts.materials import part
+from .parts.recorded_strings import by_stroke, recorded_strings, runs_of_strings
+from .shown.run_strokes import tared_runs
 from .web.glossary import glossary
 from .web.markdown import INDEX
+from .web.marks import add_mark, mark_from
 from .web.page import document, together
 
 

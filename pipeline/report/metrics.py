@@ -9,8 +9,8 @@ from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
 from ..ground.words_by_file import SIGN
-from .marks import add_mark, mark_from
-from .sidecar import Column, describe
+from .text.sidecar import Column, describe
+from .web.marks import add_mark, mark_from
 
 COLUMNS: list[Column] = [
     ("material", "string", "the string's material"),

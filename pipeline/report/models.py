@@ -11,17 +11,18 @@ from ..ground.errors import program
 from ..ground.files import write_text
 from ..ground.jump_notes import read_jumps
 from ..ground.model_names import WHOLE_MOTION
-from . import inverse_beside, jumps, paper
-from .comparison import line
-from .fitted import FLOORS, SPLITS, lines_on_files, times_floor
-from .least_errors import sentences
-from .marks import add_mark, mark_from, write_page
-from .plain_markdown import plain
-from .sidecar import Column, describe
-from .strings_together import together
-from .stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
-from .titles import titles_of
-from .usual_model import RULE, RULES, chosen_of, weighed
+from .model_to_take import inverse_beside
+from .model_to_take.fitted import FLOORS, SPLITS, lines_on_files, times_floor
+from .model_to_take.least_errors import sentences
+from .model_to_take.usual_model import RULE, RULES, chosen_of, weighed
+from .parts import jumps
+from .shown.strings_together import together
+from .shown.stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
+from .text import paper
+from .text.plain_markdown import line, plain
+from .text.sidecar import Column, describe
+from .text.titles import titles_of
+from .web.marks import add_mark, mark_from, write_page
 
 WHERE = ["stroke", "phase", "angle_band"]
 FAR = 10.0  # times the floor, from which the error of a diagnosed simulator needs a reason
@@ -188,8 +189,7 @@ def main() -> None:
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    dataset = dataset_from(arguments.dataset)
-    first = page(table_numbers, material, dataset, read_jumps(arguments.jumps))
+    first = page(table_numbers, material, dataset_from(arguments.dataset), read_jumps(arguments.jumps))
     text = "\n".join([first, *lines_on_files(metrics, material)])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
-from .marks import add_mark, mark_from
-from .plain_markdown import note
-from .sidecar import Column, describe
+from .text.plain_markdown import note
+from .text.sidecar import Column, describe
 from .web.markdown import web_page
+from .web.marks import add_mark, mark_from
 
 TABLES = {
     "authors": "Scores by who made the recordings",

@@ -11,17 +11,19 @@ from ..ground.errors import program
 from ..ground.files import write_text
 from ..ground.jump_notes import read_jumps
 from ..ground.left_out import LeftOut
-from . import jumps, left_out, paper
+from . import left_out
 from .left_out import quoted
-from .made_by import MadeBy, sentence, warning
-from .marks import add_mark, mark_from
-from .plain_markdown import note, plain
-from .shown_strokes import rows_of, shown_of, tabled, there_of
-from .sidecar import Column, describe
-from .strings_together import together
-from .stroke_conditions import add_dataset, dataset_from, otherwise
-from .table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
-from .titles import titles_of
+from .parts import jumps
+from .shown.shown_strokes import rows_of, shown_of, tabled, there_of
+from .shown.strings_together import together
+from .shown.stroke_conditions import add_dataset, dataset_from, otherwise
+from .text import paper
+from .text.made_by import MadeBy, sentence, warning
+from .text.plain_markdown import note, plain
+from .text.sidecar import Column, describe
+from .text.table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
+from .text.titles import titles_of
+from .web.marks import add_mark, mark_from
 
 MOST = 3  # runs that a table names
 

@@ -1,5 +1,5 @@
 from pipeline.ground.words_by_file import by_file
-from pipeline.report.stale_reports import WORDS
+from pipeline.report.end_of_job.stale_reports import WORDS
 from pipeline.ground.left_out import to_json
 
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]

@@ -2,8 +2,8 @@ import snakemake.exceptions
 from snakemake.exceptions import WorkflowError
 
 from pipeline.ground.errors import BadInput
-from pipeline.report.stale_reports import remove_stale, rewrite, unmade
-from pipeline.report.failures import told, without
+from pipeline.report.end_of_job.stale_reports import remove_stale, rewrite, unmade
+from pipeline.report.end_of_job.failures import told, without
 from pipeline.report.left_out import noted_in
 
 

@@ -153,6 +153,19 @@ ROOMS_OF_WORDS = {
     "next_run": "language held_out measured explanations named foretold",
     "pages": "language held_out measured explanations named foretold next_run",
 }
+# the same of the reports; at their top are the programs, one a rule
+REPORT = "pipeline.report"
+ROOMS_OF_REPORT = {
+    "text": "",
+    "web": "text",
+    "shown": "",
+    "model_to_take": "text web shown",
+    "drawn": "text shown",
+    "parts": "text web shown model_to_take",
+    "end_of_job": "text model_to_take parts",
+    "campaign": "text web drawn",
+    "real": "web",
+}
 LARGER = {"mechanisms", "words"}  # a file for each mechanism; rooms of its own
 
 
@@ -167,9 +180,10 @@ def in_rooms(house):
 
 
 @pytest.mark.parametrize(
-    ("house", "below", "listed"), [(DIAGNOSIS, ROOMS_OF_DIAGNOSIS, ""), (WORDS, ROOMS_OF_WORDS, "words/")]
+    ("house", "below", "listed"),
+    [(DIAGNOSIS, ROOMS_OF_DIAGNOSIS, ""), (WORDS, ROOMS_OF_WORDS, "words/"), (REPORT, ROOMS_OF_REPORT, "report/")],
 )
-def test_a_room_of_the_diagnosis_stands_on_rooms_below_it_and_is_no_heap(house, below, listed):
+def test_a_room_of_a_large_room_stands_on_rooms_below_it_and_is_no_heap(house, below, listed):
     rooms = in_rooms(house)
     assert set(rooms) == {*below, ""}
     room_of = {module: room for room, modules in rooms.items() for module in modules}

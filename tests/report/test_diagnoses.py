@@ -6,7 +6,8 @@ import re
 from made_verdict import made_verdict
 
 from pipeline.ground.glossary import MEANING
-from pipeline.report.diagnoses import (
+from pipeline.report.end_of_job.summary import summary
+from pipeline.report.parts.diagnoses import (  # fmt: skip
     content_of,
     explanations,
     named_of,
@@ -16,9 +17,8 @@ from pipeline.report.diagnoses import (
     verdict_of,
     verdicts,
     why_nothing,
-)  # fmt: skip
-from pipeline.report.index_head import advice, counted, runs_table
-from pipeline.report.summary import summary
+)
+from pipeline.report.parts.index_head import advice, counted, runs_table
 
 
 def made(reports, run, words, **content):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.report.failures import ALL_ELSE, ELSE, FAILS, told, without
+from pipeline.report.end_of_job.failures import ALL_ELSE, ELSE, FAILS, told, without
 
 ROOT = Path(__file__).parents[2]
 

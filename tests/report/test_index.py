@@ -21,15 +21,15 @@ from pipeline.diagnosis.study.heldout import LAST
 from pipeline.ground import schemas
 from pipeline.ground.kinematics import usual_stiffness
 from pipeline.ground.left_out import LeftOut, to_json
+from pipeline.report.end_of_job.summary import summary
 from pipeline.report.index import page
-from pipeline.report.index_head import glance, next_run, runs_table, shortened
-from pipeline.report.made_by import MadeBy
+from pipeline.report.model_to_take.to_take import LATER, Models, materials_table
+from pipeline.report.model_to_take.usual_model import RULE, RULES, uses
 from pipeline.report.models import NOTES
-from pipeline.report.page_parts import of_materials, of_runs
-from pipeline.report.recorded_strings import by_stroke, recorded_strings, rows, sentence
-from pipeline.report.summary import summary
-from pipeline.report.to_take import LATER, Models, materials_table
-from pipeline.report.usual_model import RULE, RULES, uses
+from pipeline.report.parts.index_head import glance, next_run, runs_table, shortened
+from pipeline.report.parts.page_parts import of_materials, of_runs
+from pipeline.report.parts.recorded_strings import by_stroke, recorded_strings, rows, sentence
+from pipeline.report.text.made_by import MadeBy
 from pipeline.report.web.markdown import web_page
 from pipeline.report.web.page import anchor, together
 

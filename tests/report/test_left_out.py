@@ -15,7 +15,8 @@ from pipeline.ground import jump_notes, schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.left_out import LeftOut, from_json, noted, to_json
 from pipeline.ground.words_by_file import by_file
-from pipeline.report import left_out, stale_reports
+from pipeline.report import left_out
+from pipeline.report.end_of_job import stale_reports
 from pipeline.workflow.dag import Plan, stored
 from pipeline.workflow.known_files import KnownFiles
 

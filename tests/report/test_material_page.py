@@ -9,7 +9,7 @@ from stages.nine_strokes import NINE
 from test_models_page import TITLES, made_metrics
 
 from pipeline.ground import schemas
-from pipeline.report.material_head import left_out_of
+from pipeline.report.parts.material_head import left_out_of
 
 JUMP = "The zero jumps between two runs: write `tare: run` in run.yaml of a-02 <b>."
 UNTIL = "Until then every model of that string learns the jump as if it were the string's own"

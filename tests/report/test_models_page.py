@@ -15,14 +15,14 @@ from in_a_browser import clicked, needs_browser
 
 from pipeline.ground import schemas
 from pipeline.ground.glossary import MEANING
-from pipeline.report.drawing import STYLE
-from pipeline.report.fitted import lines_at_end, lines_on_files, times_floor
+from pipeline.report.drawn.drawing import STYLE
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
-from pipeline.report.least_errors import sentences
+from pipeline.report.model_to_take.fitted import lines_at_end, lines_on_files, times_floor
+from pipeline.report.model_to_take.least_errors import sentences
+from pipeline.report.model_to_take.to_take import materials_table
+from pipeline.report.model_to_take.usual_model import RULE, RULES
 from pipeline.report.models import columns, main, numbers, on_simulator, page
-from pipeline.report.to_take import materials_table
-from pipeline.report.usual_model import RULE, RULES
 from pipeline.report.web.markdown import web_page
 from pipeline.report.web.page import together
 

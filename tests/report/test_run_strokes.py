@@ -1,6 +1,6 @@
 import pandas as pd
 
-from pipeline.report.run_strokes import strokes_of_runs, tared_runs
+from pipeline.report.shown.run_strokes import strokes_of_runs, tared_runs
 
 
 def made(**strokes):

@@ -1,6 +1,6 @@
 import pytest
 
-from pipeline.report.shown_strokes import drawn, ranges, shown_of, tabled, tabled_and_last, there_of
+from pipeline.report.shown.shown_strokes import drawn, ranges, shown_of, tabled, tabled_and_last, there_of
 
 
 @pytest.mark.parametrize(

@@ -4,10 +4,10 @@ import pandas as pd
 import pytest
 from stages.nine_strokes import NINE
 
-from pipeline.report.figure_4 import figure_4
-from pipeline.report.figure_5 import figure_5
-from pipeline.report.strings_together import together
-from pipeline.report.winding import with_nominal
+from pipeline.report.drawn.figure_4 import figure_4
+from pipeline.report.drawn.figure_5 import figure_5
+from pipeline.report.drawn.winding import with_nominal
+from pipeline.report.shown.strings_together import together
 
 TWO = pd.concat([NINE.assign(string="a"), NINE[NINE["stroke"] <= 5].assign(string="b")], ignore_index=True)
 OWN = ", as every string counts its own."

@@ -7,12 +7,12 @@ from stages.nine_strokes import NINE
 from test_models_page import made_metrics
 
 from pipeline.ground import schemas
-from pipeline.report.figure_4 import figure_4
-from pipeline.report.figure_5 import figure_5
-from pipeline.report.stroke_conditions import APART, OTHERWISE, labels, later_apart, otherwise
-from pipeline.report.to_take import materials_table
+from pipeline.report.drawn.figure_4 import figure_4
+from pipeline.report.drawn.figure_5 import figure_5
+from pipeline.report.drawn.winding import with_nominal
+from pipeline.report.model_to_take.to_take import materials_table
+from pipeline.report.shown.stroke_conditions import APART, OTHERWISE, labels, later_apart, otherwise
 from pipeline.report.web.page import together
-from pipeline.report.winding import with_nominal
 
 LAST = 9
 

@@ -11,11 +11,11 @@ from ...ground.errors import program
 from ...ground.files import write_text
 from ...stages.campaign.points import SCHEMA
 from ...stages.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
-from ..drawing import STYLE, save
-from ..marks import add_mark, mark_from, write_page
-from ..plain_markdown import plain
-from ..sidecar import Column, describe
-from ..titles import titles_of
+from ..drawn.drawing import STYLE, save
+from ..text.plain_markdown import plain
+from ..text.sidecar import Column, describe
+from ..text.titles import titles_of
+from ..web.marks import add_mark, mark_from, write_page
 from . import figures
 from .coverage import intervals
 from .results import MAPS

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from ..comparison import line
+from ..text.plain_markdown import line
 from .results import (
     ALONE,
     MAPS,

@@ -1,0 +1,200 @@
+"""Figure 5 of the paper: models against the measurement, stroke by stroke, and how large the errors are, beneath."""
+
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.legend_handler import HandlerTuple
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+
+from ...ground.kinematics import Array
+from ..shown.shown_strokes import drawn, in_figure
+from ..shown.strings_together import together
+from ..shown.stroke_conditions import labels
+from ..text import paper
+from .clipped import clipped
+from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
+from .winding import strokes_of, winding
+
+Ends = tuple[float, float]
+MEASURED: dict[str, Any] = {"color": "0.72", "lw": 4.0, "solid_capstyle": "butt"}
+TRADITIONAL: dict[str, Any] = {"color": "#0072b2", "ls": "--", "lw": 1.2}
+LEARNED: tuple[dict[str, Any], ...] = (
+    {"color": "#d55e00", "ls": "", "marker": ".", "ms": 4.0, "mew": 0, "zorder": 3},
+    {"color": "#00684c", "ls": "", "marker": "x", "ms": 3.0, "mew": 0.7},
+    {"color": "#8a3f78", "ls": "", "marker": "+", "ms": 3.5, "mew": 0.7},
+)
+BAR: dict[str, Any] = {"ls": "-", "lw": 2.2, "marker": "", "solid_capstyle": "butt"}
+FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an axis may begin within its decade
+CLEAR = 0.8  # of the least error: where an axis begins that has none below its foot
+BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
+BARS = f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out."
+FOOTED = "An error that stands on the lower axis is {} or less."
+BEST = "{}: the least forward error on this material's held-out points of all other than INN and traditional."
+TAKEN = "{}: the model to take, by the rule on the page of the models."
+WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
+
+
+def by_range(given: Array, error: Array, low: float, high: float) -> tuple[Array, Array]:
+    """Middles of equal ranges from `low` to `high`, and the root mean square of the errors there.
+
+    NaN where a range holds few points, so that a line breaks between blocks that were held out.
+    From shape (points,) to shape (ranges,), each in its own unit.
+    """
+    known = np.isfinite(error) & np.isfinite(given)
+    edges = np.linspace(low, high, BINS + 1)
+    place = np.clip(np.digitize(given[known], edges) - 1, 0, BINS - 1)
+    count = np.bincount(place, minlength=BINS)
+    squares = np.bincount(place, weights=np.square(error[known]), minlength=BINS)
+    is_enough = count >= LEAST
+    return 0.5 * (edges[1:] + edges[:-1]), np.sqrt(np.where(is_enough, squares, np.nan) / np.maximum(count, 1))
+
+
+def _logarithmic(axes: Axes) -> None:
+    """Plain numbers on a logarithmic axis: 0.02, 0.05, 0.1."""
+    axes.set_yscale("log")
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+
+
+def as_bars(middle: Array, size: Array, width: float) -> tuple[Array, Array]:
+    """Each size over the whole of its range, and a gap behind it: nothing joins ranges to a line.
+
+    `middle` and `width` in the unit of what is given, `size` in that of the error; from shape (ranges,) to shape
+    (3 · ranges,).
+    """
+    gap = np.full_like(middle, np.nan)
+    ends = np.column_stack([middle - 0.5 * width, middle + 0.5 * width, gap])
+    return ends.ravel(), np.column_stack([size, size, gap]).ravel()
+
+
+def foot_of(sizes: list[Array]) -> float:
+    """The lowest size that an axis shows: below a quarter of what the best model usually has lie lucky ranges alone.
+
+    Errors in the unit of the axis, each of shape (ranges,).
+    """
+    usual = [float(np.nanmedian(size)) for size in sizes if np.isfinite(size).any()]
+    least = FOOT * min((size for size in usual if size > 0.0), default=1.0)
+    decade = 10.0 ** np.floor(np.log10(least))
+    return float(max(step * decade for step in STEPS if step * decade <= least * (1.0 + 1e-9)))
+
+
+def _footed(row: list[Axes], unit: str) -> str:
+    """Smaller errors of a row of axes stand on its foot; that foot with its unit where there are such, else empty."""
+    lines = [line for axes in row for line in axes.get_lines()]
+    by_model: dict[str, list[Array]] = {}
+    for line in lines:
+        by_model.setdefault(str(line.get_label()), []).append(np.asarray(line.get_ydata(), float))
+    foot = foot_of([np.concatenate(sizes) for sizes in by_model.values()])
+    is_below = False
+    for line in lines:
+        size = np.asarray(line.get_ydata(), float)
+        is_below = is_below or bool((size < foot).any())
+        line.set_ydata(np.where(size < foot, foot, size))
+        line.set_clip_on(False)
+    least = min(
+        (float(np.nanmin(size)) for sizes in by_model.values() for size in sizes if np.isfinite(size).any()),
+        default=foot,
+    )
+    for axes in row:
+        axes.set_ylim(bottom=max(foot, CLEAR * least))
+    row[0].set_ylabel(f"rms error ({unit})")
+    return f"{foot:g} {unit}" if is_below else ""
+
+
+def _drawn(
+    curve: Axes, below: Axes, shown: pd.DataFrame, way: tuple[str, str, str], style: dict[str, Any], ends: Ends
+) -> None:
+    """A model's curve, and beneath it the size of the curve minus the measurement along the stroke."""
+    given, answer, label = way
+    ordered = shown.dropna().sort_values(given) if style.get("ls") == "--" else shown
+    curve.plot(ordered[given], ordered[label], **style)
+    middle, size = by_range(shown[given].to_numpy(float), (shown[label] - shown[answer]).to_numpy(float), *ends)
+    if style.get("ls"):
+        below.plot(middle, size, **{**style, "lw": 1.1})
+    else:
+        below.plot(*as_bars(middle, size, (ends[1] - ends[0]) / BINS), **{**style, **BAR})
+
+
+def _legend(figure: Figure, styles: dict[str, dict[str, Any]], columns: int, reading: str) -> None:
+    """How to read the figure, and what is drawn: of a model that learned its points, and beneath them its bars."""
+    handles: list[Any] = [Line2D([], [], **MEASURED), Line2D([], [], **TRADITIONAL)]
+    words = ["measured", "traditional model, and its error"]
+    for title, style in styles.items():
+        handles.append((Line2D([], [], **style), Line2D([], [], **{**style, **BAR})))
+        words.append(f"{title}: held-out points, and their error")
+    several = {tuple: HandlerTuple(ndivide=None, pad=0.6)}
+    figure.legend(
+        handles,
+        words,
+        loc="outside lower center",
+        ncols=min(columns, 2),
+        handlelength=3.0,
+        handler_map=several,
+        title=reading,
+        title_fontsize=READING_SIZE,
+        alignment="center",
+    )
+
+
+def figure_5(
+    recorded: pd.DataFrame, learned: dict[str, pd.DataFrame], material: str, best: str = "", taken: str = ""
+) -> Figure:
+    """Curves of the models with an error row beneath, forward above and inverse below, a column for each stroke.
+
+    `recorded` holds every moving point with the traditional model's `forward_mm` and `inverse_turns`; `learned` maps
+    titles, the INN's first, to held-out points with what that model predicts. `best` is the title of the model that
+    is shown for its least error, `taken` of the one that is shown as the model to take.
+    """
+    every = strokes_of(recorded)
+    strokes = drawn(every, paper.STROKES)
+    named = labels(recorded, strokes)
+    columns = max(len(strokes), 1)
+    figure, grid = plt.subplots(
+        4, columns, figsize=(1.4 + 2.75 * columns, 10.2), sharey="row", squeeze=False,
+        gridspec_kw={"height_ratios": [1.5, 1.0, 1.5, 1.0]},
+    )  # fmt: skip
+    styles = dict(zip(learned, LEARNED, strict=False))
+    shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
+    windings_measured, feet = [winding(recorded, stroke) for stroke in strokes], list[str]()
+    for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
+        given, answer, _ = way
+        curve_label, unit = ((MILLIMETRES, "mm"), (TURNS, "turns"))[row]
+        for column, stroke in enumerate(strokes):
+            curve, below = grid[2 * row, column], grid[2 * row + 1, column]
+            below.sharex(curve)
+            curve.tick_params(labelbottom=False)
+            measured = windings_measured[column]
+            curve.plot(measured[given], measured[answer], label="measured", **MEASURED)
+            known = measured[given].dropna()
+            ends = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+            _drawn(curve, below, measured, way, {**TRADITIONAL, "label": "traditional model"}, ends)
+            for title, windings in shown.items():
+                style = {**styles[title], "label": f"{title}, held-out points"}
+                _drawn(curve, below, windings[column], way, style, ends)
+            _logarithmic(below)
+            first = column == 0
+            letter = "abcdef"[columns * row + column]
+            name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", curve_label if first else "")
+            name(below, f"error of ({letter}) along the stroke", label[1], "")
+        feet.append(_footed(list(grid[2 * row + 1]), unit))
+    if strokes:
+        why = [BEST.format(best) if best else "", TAKEN.format(taken) if taken else ""]
+        which = in_figure(every, strokes, paper.STROKES)
+        reading = wrapped(
+            figure,
+            which,
+            together(recorded, strokes),
+            BARS if shown else "",
+            FOOTED.format(" or ".join(filter(None, feet))) if any(feet) else "",
+            *why,
+            clipped(windings_measured, "Inverse"),
+        )
+        _legend(figure, {title: styles[title] for title in shown}, columns, reading)
+    figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")
+    return figure

@@ -1,0 +1,30 @@
+"""Where an untwisted string stands on the axis of the displacement, in words beneath a figure."""
+
+import pandas as pd
+
+from ...ground.kinematics import point_contraction_mm
+
+MODEL = "traditional model"
+LEAST_MM = 0.005  # less is 0 in two decimals
+ANEW = "; a further run with `tare: run` in its run.yaml goes on where the run before ended"
+
+
+def zero_of_x(points: pd.DataFrame) -> str:
+    """A sentence on what the displacement is tared to, and where that puts a string without twist; empty of no point.
+
+    `points` are those of a dataset.
+    """
+    if points.empty:
+        return ""
+    of_strings = points.groupby("string", sort=False).head(1).assign(motor_turns=0.0)
+    untwisted_mm = point_contraction_mm(of_strings)
+    low, high = float(untwisted_mm.min()), float(untwisted_mm.max())
+    several = (points.groupby("string", sort=False)["run"].nunique() > 1).any()
+    words = (
+        f"x is tared once a string, on the rest before its first stroke, to the {MODEL}'s value at that twist"
+        f"{ANEW if several else ''}."
+    )
+    if high < LEAST_MM:
+        return words
+    between = " to ".join(dict.fromkeys(f"{value:.2f}" for value in (low, high)))
+    return f"{words} Without twist that is {between} mm, not 0, since the separator spreads the string."

@@ -1,0 +1,63 @@
+"""Where the fitted models of a material lie, and how they are used: for whoever wants to ask or export one."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import pandas as pd
+
+from ...ground.model_names import WHOLE_MOTION
+from ..text.plain_markdown import line
+from .model_advice import advice_on
+from .usual_model import chosen_of, errors_of, uses
+
+FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
+SPLITS = {"within": "within strokes", "later": "later strokes"}
+QUESTIONS = "questions.csv has a row for each question: docs/use_a_model.md shows one"
+
+
+def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
+    """Lines of Markdown: the commands, and the file of every fit that metrics are of."""
+    fits = metrics.loc[~metrics["model"].isin(FLOORS), ["model", "split", "seed"]].drop_duplicates()
+    chosen = chosen_of(fits["model"], errors_of(metrics))
+    if not chosen:
+        return []
+    heads = ["folder", *(f"files of the split `{split}`" for split in SPLITS)]
+    lines = [line(heads), line(["---"] * len(heads))]
+    for model, mine in fits.groupby("model", sort=True):
+        seeds = {split: sorted(set(mine.loc[mine["split"] == split, "seed"])) for split in SPLITS}
+        cells = [", ".join(f"`{split}-{seed}.model`" for seed in seeds[split]) for split in SPLITS]
+        lines.append(line([f"`processed/{material}/{model}/`", *cells]))
+    export, ask = uses(material, chosen)
+    text = [
+        "## Where the fitted models lie",
+        "",
+        "`within-0` was fitted to three of four blocks of every stroke, `later-0` without the last quarter of the",
+        f"strokes; a larger number is another seed. To use a model take `within-0`. `{WHOLE_MOTION}` needs the whole",
+        "motion: it is neither exported nor asked.",
+        "",
+        f"- On a controller (or `--format onnx`): `{export}`",
+        f"- Questions in a table: `{ask}`. Without `--saved` a model is fitted anew, and its answers have intervals.",
+        "",
+    ]
+    return [*text, *lines, ""]
+
+
+def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[str]:
+    """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there."""
+    files = [path for path in made if path.suffix == ".model" and path.parent.parent.name == material]
+    saved = [path.parent.name for path in files if path.name == "within-0.model"]
+    advice = advice_on(saved, models_csv)
+    if not advice.model:
+        return []
+    others = ", ".join(sorted({path.parent.name for path in files} - {advice.model, WHOLE_MOTION}))
+    more = [f"fitted too: {others}"] if others else []
+    to = [f"to {where}: {uses(material, model)[0]}" for where, model in advice.controllers.items()]
+    ask = f"to ask it: {uses(material, advice.model)[1]}"
+    return [*filter(None, (advice.reason, advice.at_inverse)), *to, ask, QUESTIONS, *more]
+
+
+def times_floor(ratio: float) -> str:
+    """How many times its floor an error is, with three significant digits at most."""
+    if ratio >= 10.0:
+        return f"{float(f'{ratio:.3g}'):g}"
+    return f"{ratio:.2f}"

@@ -1,0 +1,89 @@
+"""What a table of every model says in words: who errs least where, whom the INN beats, and to whom it loses."""
+
+from collections.abc import Iterable
+
+import pandas as pd
+
+from ...ground.model_names import PAPER
+from ..text.plain_markdown import plain
+from .fitted import FLOORS, SPLITS
+
+NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
+
+
+def _shown(row: pd.Series) -> str:
+    return f"{row['median']:.3f}"
+
+
+def _named(rows: pd.DataFrame, words: Iterable[str]) -> str:
+    """Titles, each with a few words in brackets."""
+    return ", ".join(f"{plain(title)} ({word})" for title, word in zip(rows["title"], words, strict=True))
+
+
+def _least(models: pd.DataFrame) -> pd.DataFrame:
+    """The models that show the least error: several where a table cannot tell them apart."""
+    shown = models.apply(_shown, axis=1)
+    return models[shown == _shown(models.loc[models["median"].idxmin()])]
+
+
+def on_all_points(models: pd.DataFrame, where: str, unit: str) -> str:
+    """Who errs least of all models, and of those that are not told the direction where these are others."""
+    text = ""
+    for rows, of in ((models, ""), (models[~models["direction"]], "; of the models that are not told the direction: ")):
+        if rows.empty or (of and not _least(models)["direction"].any()):
+            continue
+        least = _least(rows)
+        text += f"{of}{', '.join(map(plain, least['title']))} ({_shown(least.iloc[0])} {unit})"
+    return f"Least error {where}: {text}."
+
+
+def by_column(chosen: pd.DataFrame) -> str:
+    """Who errs least in which column, in the order of the table; empty where it has the column of all alone."""
+    parts = chosen[chosen["column"] != "all"]
+    least = [_least(models) for _, models in parts.groupby("column", sort=False)]
+    if not least:
+        return ""
+    of, count = pd.concat(least), len(least)
+    named = []
+    for title in dict.fromkeys(chosen["title"]):
+        own = list(of.loc[of["title"] == title, "column"])
+        named += [f"{plain(title)} ({'every column' if len(own) == count > 1 else ', '.join(own)})"] if own else []
+    return f"Least error by column: {'; '.join(named)}."
+
+
+def against_others(inn: pd.Series, models: pd.DataFrame, unit: str) -> str:
+    """Than whom the INN errs less, and than whom more."""
+    others = models[models["model"] != PAPER]
+    sides = {"less": others[others["median"] > inn["median"]], "more": others[others["median"] <= inn["median"]]}
+    words = []
+    for side, rows in sides.items():
+        alike = (rows["high"] >= inn["low"]) & (rows["low"] <= inn["high"])
+        sizes = [_shown(row) + ", within the spread of the seeds" * bool(alike[at]) for at, row in rows.iterrows()]
+        words += [f"{side} than {_named(rows, sizes)}"] if sizes else []
+        if len(rows) == len(others) > 1:
+            words[-1] = f"{side} than all others: {_named(rows, sizes)}"
+    return f"The {plain(inn['title'])} ({_shown(inn)} {unit}) errs {'; '.join(words)}." if words else ""
+
+
+def cost_of_direction(chosen: pd.DataFrame, inn: pd.Series, unit: str) -> str:
+    """What it costs the INN that it is not told the direction, by the floors; empty where it is, or floors lack."""
+    floors = chosen[chosen["column"] == "all"].set_index("model")["median"]
+    if inn["direction"] or not set(FLOORS) <= set(floors.index):
+        return ""
+    blind, known = (f"{floors[name]:.3f}" for name in ("floor_blind", "floor"))
+    if blind == known:
+        return " It is not told the direction, which costs nothing here."
+    return f" It is not told the direction, without which the floor is {blind} {unit} instead of {known} {unit}."
+
+
+def sentences(chosen: pd.DataFrame) -> list[str]:
+    """Lines of a Markdown list on one split and map: who is best where, how the INN stands, who is near the floor."""
+    whole = chosen[(chosen["column"] == "all") & ~chosen["model"].isin(FLOORS)].sort_values("median", kind="stable")
+    way, unit, split = chosen["map"].iloc[0], chosen["unit"].iloc[0], SPLITS[chosen["split"].iloc[0]]
+    text = [on_all_points(whole, f"{way}, {split}", unit), by_column(chosen[~chosen["model"].isin(FLOORS)])]
+    for _, inn in whole[whole["model"] == PAPER].iterrows():
+        text.append(against_others(inn, whole, unit) + cost_of_direction(chosen, inn, unit))
+    near = whole[whole["direction"] & (whole["ratio"] <= NEAR[way])]
+    names = _named(near, [f"{ratio:.2f} ×" for ratio in near["ratio"]]) or "none"
+    text.append(f"Models that know the direction and err by at most {NEAR[way]:.2f} × their floor: {names}.")
+    return [f"- {words}" for words in text if words]

@@ -1,0 +1,100 @@
+"""The model to take of a material where nobody says which: the one that the commands export and ask, and by which rule.
+
+Errors here are forward RMSEs on all points of a split, `within` or `later`, by model and split, in mm.
+"""
+
+import csv
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+import pandas as pd
+
+from ...ground.model_names import USUAL, WHOLE_MOTION
+
+LESS = 1.1  # times as large: from there on an error is told to be larger
+WHERE = {"later": "on later strokes", "within": "on held-out points inside strokes"}  # errors of a split
+RULE = "The model to take is found so:"
+RULES = (
+    "Only models that can be exported are compared.",
+    "Of these the one of the least forward error on later strokes is taken. Where no later stroke is left out, it is "
+    "the one of the least forward error on held-out points.",
+    f"If the error of the spline is at most {LESS:g} times that least error, the spline is taken instead: it rises "
+    "with the twist and is its own inverse.",
+)
+Errors = Mapping[tuple[str, str], float]
+
+
+def errors_of(metrics: pd.DataFrame) -> dict[tuple[str, str], float]:
+    """Errors by model and split, medians over the seeds, in mm."""
+    whole = (metrics[["stroke", "phase", "angle_band"]] == "all").all(axis=1)
+    mine = metrics[whole & (metrics["metric"] == "rmse") & (metrics["map"] == "forward")]
+    middle = mine.groupby(["model", "split"])["value"].median()
+    return {(str(model), str(split)): float(value) for (model, split), value in middle.items()}
+
+
+def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
+    """Errors that a models.csv holds, forward in mm, inverse in turns; none where it is not there."""
+    if not path.is_file():
+        return {}
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["column"] == "all" and row["map"] == way]
+    return {(row["model"], row["split"]): float(row["median"]) for row in rows}
+
+
+def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
+    """Which of some models to take by `RULES`; empty where there is none. Without errors it is the spline, if there."""
+    known = sorted(set(models) - {WHOLE_MOTION})
+    for split in ("later", "within"):
+        errors = {model: errors_mm[model, split] for model in known if (model, split) in errors_mm}
+        if errors:
+            least = min(errors, key=lambda model: errors[model])
+            return USUAL if USUAL in errors and errors[USUAL] <= LESS * errors[least] else least
+    return USUAL if USUAL in known else known[0] if known else ""
+
+
+def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
+    """Which model of those to take away errs less than the chosen one on held-out points; empty where none does."""
+    chosen, split = chosen_of(titles, errors_mm), "within"
+    others = [model for model in titles if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_mm]
+    best = min(others, key=lambda model: errors_mm[model, split], default="")
+    if not best or (chosen, split) not in errors_mm or errors_mm[best, split] * LESS > errors_mm[chosen, split]:
+        return ""
+    errs = f"{errors_mm[best, split]:.3f} mm against {errors_mm[chosen, split]:.3f} mm"
+    sentence = f"On strokes like the recorded ones the {titles[best]} errs less forward: {errs}."
+    if {(best, "later"), (chosen, "later")} <= set(errors_mm):
+        later = f"{errors_mm[best, 'later']:.3f} mm against {errors_mm[chosen, 'later']:.3f} mm"
+        sentence += f" On later strokes it errs by {later}."
+    return f"{sentence} Take the {titles[best]} if only strokes like the recorded ones will come."
+
+
+def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
+    """Why a model is the one to take, in a line for a terminal; empty where no errors are known.
+
+    Where another model errs less on the points that the tables show, the line says so.
+    """
+    known = sorted(set(models) - {WHOLE_MOTION})
+    split = next((split for split in ("later", "within") if (chosen, split) in errors_mm), "")
+    if not split:
+        return ""
+    least_mm = min(errors_mm[model, split] for model in known if (model, split) in errors_mm)
+    own_mm = errors_mm[chosen, split]
+    rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
+    line = (
+        f"model to take: {chosen}. Its forward error {WHERE[split]} is {rank} of those that can be exported: "
+        f"{own_mm:.3f} mm."
+    )
+    inside = [model for model in known if (model, "within") in errors_mm]
+    best = min(inside, key=lambda model: errors_mm[model, "within"], default=chosen)
+    if split == "within" or best == chosen or (chosen, "within") not in errors_mm:
+        return line
+    less = f"{errors_mm[best, 'within']:.3f} mm against {errors_mm[chosen, 'within']:.3f} mm"
+    take = f"If your strokes stay as recorded, take {best}."
+    clearly = errors_mm[best, "within"] * LESS <= errors_mm[chosen, "within"]
+    return f"{line} Inside strokes, which the tables show, {best} errs less: {less}.{f' {take}' if clearly else ''}"
+
+
+def uses(material: str, model: str) -> tuple[str, str]:
+    """The commands that export a model and that ask it, of the split `within`."""
+    file = f"processed/{material}/{model}/within-0.model"
+    ask = f"python -m pipeline.predict processed/{material}/dataset.parquet questions.csv --saved {file}"
+    return f"python -m pipeline.export {file} --format c", f"{ask} --out reports/mine/answers.csv"

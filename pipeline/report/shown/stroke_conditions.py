@@ -1,0 +1,149 @@
+"""Under which load and to which twist strokes were recorded: which later ones differ in it, and words for a legend."""
+
+import argparse
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from ...ground import schemas
+from .shown_strokes import ranges
+
+APART = "Later strokes under other conditions"
+OTHERWISE = "Recorded under other conditions"
+Kind = tuple[str, str, str, str]  # column, and in words: what stands before a size, its unit, what it is
+KINDS: tuple[Kind, ...] = (("load_n", "at ", "N", "load"), ("top_turns", "to ", "turns", "twist"))
+MOST = 4  # conditions that a sentence tells one by one
+NEAR = 0.05  # of a load or a twist: what differs by less is the same
+
+
+def add_dataset(parser: argparse.ArgumentParser) -> None:
+    """Let a program be told the points that its metrics are of."""
+    parser.add_argument("--dataset", type=Path, help="the material's dataset.parquet: what its strokes were like")
+
+
+def dataset_from(path: Path | None) -> pd.DataFrame | None:
+    """The points of a command line, where they are given."""
+    return schemas.read(path, schemas.DATASET) if path else None
+
+
+def conditions(points: pd.DataFrame) -> pd.DataFrame:
+    """The median load in N and the largest twist in turns, `load_n` and `top_turns`, by string and stroke."""
+    strokes = points.groupby(["string", "stroke"], sort=False)
+    return pd.DataFrame({"load_n": strokes["load_n"].median(), "top_turns": strokes["motor_turns"].max()})
+
+
+def _between(values: Iterable[float], unit: str) -> str:
+    """Some sizes in words: 20 N, 16 to 20 turns."""
+    low, high = (f"{size(values):.3g}" for size in (min, max))
+    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
+
+
+def _in_words(by_stroke: pd.DataFrame, kinds: Iterable[Kind]) -> str:
+    """Under which load and to which twist: at 20 N and to 16 turns."""
+    return " and ".join(f"{word}{_between(by_stroke[column], unit)}" for column, word, unit, _ in kinds)
+
+
+def _is_other_load(load_n: float, known: Iterable[float]) -> bool:
+    return all(abs(load_n - other) > NEAR * max(abs(load_n), abs(other)) for other in known)
+
+
+def _is_other_twist(top_turns: float, known: Iterable[float]) -> bool:
+    return not (1.0 - NEAR) * min(known) <= top_turns <= (1.0 + NEAR) * max(known)
+
+
+def later_apart(dataset: pd.DataFrame | None) -> str:
+    """A sentence on held-out later strokes of another load or twist than all that a model saw; empty where none is."""
+    if dataset is None:
+        return ""
+    by_stroke = conditions(dataset)
+    split = dataset.groupby(["string", "stroke"], sort=False)["later"].first()
+    seen, later = by_stroke[split == "train"], by_stroke[split == "test"]
+    if seen.empty or later.empty:
+        return ""
+    loads = later["load_n"].map(lambda load_n: _is_other_load(load_n, set(seen["load_n"])))
+    twists = later["top_turns"].map(lambda top_turns: _is_other_twist(top_turns, seen["top_turns"]))
+    others = later[loads | twists]
+    if others.empty:
+        return ""
+    strokes = sorted({int(stroke) for _, stroke in others.index})
+    kinds = [kind for kind, are_others in zip(KINDS, (loads.any(), twists.any()), strict=True) if are_others]
+    theirs, usual = _in_words(others, kinds), _in_words(seen, kinds)
+    what = " and ".join(f"another {kind}" for *_, kind in kinds)
+    return (
+        f"{APART}: n={ranges(strokes)} {'was' if len(strokes) == 1 else 'were'} recorded {theirs}, the others "
+        f"{usual}. So the errors on later strokes are errors at {what} too."
+    )
+
+
+def _usual(sizes: pd.Series) -> float:
+    """The size that most strokes have, or nearly."""
+    return float(max(sizes, key=lambda size: (abs(sizes - size) <= NEAR * abs(size)).sum()))
+
+
+def otherwise(dataset: pd.DataFrame | None, strokes: Sequence[int] | None = None) -> str:
+    """A sentence on strokes of another load or twist than most have, of the named ones alone; empty where none is."""
+    if dataset is None:
+        return ""
+    by_stroke = conditions(dataset)
+    usual_n, usual_turns = _usual(by_stroke["load_n"]), _usual(by_stroke["top_turns"])
+    loads = by_stroke["load_n"].map(lambda load_n: _is_other_load(load_n, [usual_n]))
+    twists = by_stroke["top_turns"].map(lambda top_turns: _is_other_twist(top_turns, [usual_turns]))
+    number = by_stroke.index.get_level_values("stroke")
+    is_shown = number.isin(list(number if strokes is None else strokes))
+    is_other = loads | twists
+    others, rest = by_stroke[is_other & is_shown], by_stroke[~is_other]
+    if others.empty or rest.empty:
+        return ""
+    kinds = [kind for kind, are in zip(KINDS, (loads, twists), strict=True) if are[is_shown].any()]
+    is_of_some = bool({stroke for _, stroke in others.index} & {stroke for _, stroke in rest.index})
+    if is_of_some:
+        return f"{OTHERWISE}: {_by_string(by_stroke[is_other], others, rest, kinds)}."
+    if strokes is not None:
+        rest = rest[rest.index.get_level_values("stroke").isin(list(strokes))]
+    the_others = "the others" if strokes is None else "the others of those shown"
+    if rest.empty:
+        return f"{OTHERWISE}: {'; '.join(_by_condition(others, kinds))}."
+    named = _by_condition(others, kinds)
+    if len(named) > MOST:
+        named = [f"n={ranges(sorted({int(at) for _, at in others.index}))} {_in_words(others, kinds)}"]
+    return f"{OTHERWISE}: {'; '.join(named)}; {the_others} {_in_words(rest, kinds)}."
+
+
+def _by_condition(others: pd.DataFrame, kinds: Iterable[Kind]) -> list[str]:
+    """Strokes and their condition in words, those of one condition together."""
+    strokes: dict[str, list[int]] = {}
+    for at, condition in others.groupby(level="stroke"):
+        strokes.setdefault(_in_words(condition, kinds), []).append(int(at))
+    return [f"n={ranges(numbers)} {words}" for words, numbers in strokes.items()]
+
+
+def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kinds: Sequence[Kind]) -> str:
+    """The same where strings differ: `every` are all strokes of another condition, `shown` those that a table has."""
+    named = []
+    for string in dict.fromkeys(shown.index.get_level_values("string")):
+        own = every.xs(string, level="string", drop_level=False)
+        if string not in rest.index.get_level_values("string"):
+            named.append(f"all strokes of string {string} {_in_words(own, kinds)}")
+        else:
+            strokes = _by_condition(shown.xs(string, level="string", drop_level=False), kinds)
+            named.append(f"of string {string} {' and '.join(strokes)}")
+    if len(named) > MOST:
+        named = [f"strokes of {len(named)} strings {_in_words(shown, kinds)}"]
+    return f"{'; '.join(named)}; all others {_in_words(rest, kinds)}"
+
+
+def labels(points: pd.DataFrame, strokes: list[int]) -> dict[int, str]:
+    """`n=5` for each stroke, with its load where the loads of the strokes differ, and its twist where it is smaller."""
+    by_stroke = conditions(points)
+    shown = {stroke: by_stroke.xs(stroke, level="stroke").iloc[0] for stroke in strokes}
+    loads = by_stroke["load_n"]
+    has_loads = any(_is_other_load(load_n, [loads.median()]) for load_n in loads)
+    most_turns = by_stroke["top_turns"].max()
+    words = {}
+    for stroke, condition in shown.items():
+        more = [f"{condition['load_n']:.3g} N"] * has_loads
+        if condition["top_turns"] < (1.0 - NEAR) * most_turns:
+            more.append(f"to {condition['top_turns']:.3g} turns")
+        words[stroke] = f"n={stroke}" + (f" ({', '.join(more)})" if more else "")
+    return words
