@@ -34,7 +34,7 @@ from pipeline.proof.size import OutOfReach as NotOnRig
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked, Leg, OutOfReach
 from pipeline.run.description import Run, parse_run
-from pipeline.run.recorded_table import to_samples
+from pipeline.run.table.recorded_table import to_samples
 from pipeline.settle.choose import Budget, chosen, firm
 from pipeline.settle.proposed import ProposedRun
 from pipeline.settle.step import Step

@@ -13,11 +13,11 @@ from .ground.parser import Parser
 from .ground.strict_yaml import parse_yaml
 from .run.copied_run import as_in, with_given
 from .run.description import STRING_ACTUATORS, parse_run
+from .run.doubts.tolerances_given import read_back
 from .run.folder import has_recording
 from .run.needed_options import lacking, load_taken
 from .run.next_command import following
 from .run.run_arguments import run_dir
-from .run.tolerances_given import read_back
 from .string.jumps_beside import advice_on
 from .string.known_strings import string_id
 from .string.same_string import others_recorded, tares

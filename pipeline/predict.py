@@ -1,8 +1,8 @@
 """Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material.
 
 The model is fitted to the points of the material's dataset, held out or not, and to parts of them to learn how it errs
-(`models/parts/prediction_intervals.py`). A question outside the range of what was recorded, at a twist or in a stroke
-that was not recorded around its load, or further ahead than errors could be learnt, is answered, flagged
+(`models/parts/questions/prediction_intervals.py`). A question outside the range of what was recorded, at a twist or in
+a stroke that was not recorded around its load, or further ahead than errors could be learnt, is answered, flagged
 (`inside` false, its reason in `why`) and has no bounds: their cells are empty. Between recorded loads the interval is
 wider: by the errors at recorded loads that were left out whole, or, of two loads, over the answers at both. A row that
 is no question has no answer, and its reason in `why`; the others are answered, and the exit status is 2. With `--saved`
@@ -27,14 +27,14 @@ from .ground.jump_notes import NAME, read_jumps
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
 from .models.interface import usual
-from .models.parts.bad_rows import refusal
-from .models.parts.beside_questions import beside_questions
-from .models.parts.question_points import read_questions
-from .models.parts.recorded_pairs import pairs_of
-from .models.parts.recorded_strokes import Under
+from .models.parts.questions.bad_rows import refusal
+from .models.parts.questions.beside_questions import beside_questions
+from .models.parts.questions.question_points import read_questions
+from .models.parts.questions.recorded_pairs import pairs_of
+from .models.parts.questions.recorded_strokes import Under
+from .models.parts.questions.unanswered import first_of
 from .models.parts.rolling_origin import last_strokes
 from .models.parts.saved_files import check_own, datasets, listed
-from .models.parts.unanswered import first_of
 from .notebook.asked_model import LEVEL, answered_anew, refuse
 from .stages.train import seed
 

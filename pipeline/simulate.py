@@ -34,7 +34,7 @@ from .ground.outputs import file_to_write
 from .ground.wrapped_lines import wrapped
 from .run.description import Run
 from .run.folder import has_recording, read_run
-from .run.planned import read_plan
+from .run.planned_motion.planned import read_plan
 from .run.samples import read_strokes
 
 

@@ -16,7 +16,7 @@ from pipeline.export.source import Beside, opened
 from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.models.interface import make_model
-from pipeline.models.parts.question_points import read_questions
+from pipeline.models.parts.questions.question_points import read_questions
 
 ROOT = Path(__file__).parent.parent
 

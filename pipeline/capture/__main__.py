@@ -11,18 +11,18 @@ from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
 from ..run.folder import read_run
 from ..run.run_arguments import run_dir
-from .clock_words import tell_clock
 from .commit import recover
-from .fields import names
-from .fitting_columns import check_channels, unusable_columns
-from .lines_to_csv import recover_lines
-from .lines_words import clock_question, tell_lines
 from .log import LINES
 from .motion_program import read_legs
-from .naming import GAP
-from .near_names import doubt
-from .printed_lines import WAIT_S
 from .session import capture, capture_lines
+from .text.clock_words import tell_clock
+from .text.fields import names
+from .text.fitting_columns import check_channels, unusable_columns
+from .text.lines_to_csv import recover_lines
+from .text.lines_words import clock_question, tell_lines
+from .text.naming import GAP
+from .text.near_names import doubt
+from .text.printed_lines import WAIT_S
 from .undescribed_string import warn_undescribed
 
 GAPS_TOLD = 5

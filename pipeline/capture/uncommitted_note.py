@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.unfinished import NAMES, NOTE
-from .fields import names
 from .stream import Outcome
+from .text.fields import names
 
 NAME = NOTE
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..run.description import Run
-from ..run.planned import planned
+from ..run.planned_motion.planned import planned
 from .prediction.later_run import before_of
 from .prediction.planned_motion import Plan, recorded_beside, tied_with
 from .recording.recorded_run import RecordedRun

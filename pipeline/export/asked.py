@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..models.interface import about
-from ..models.parts.beyond_range import also, beyond, held, with_unit
 from ..models.parts.box import MARGIN
-from ..models.parts.foreseen import MAPS
-from ..models.parts.reached_contraction import reached_mm, unreached
-from ..models.parts.recorded_pairs import Paired
-from ..models.parts.recorded_strokes import Under
+from ..models.parts.questions.beyond_range import also, beyond, held, with_unit
+from ..models.parts.questions.foreseen import MAPS
+from ..models.parts.questions.reached_contraction import reached_mm, unreached
+from ..models.parts.questions.recorded_pairs import Paired
+from ..models.parts.questions.recorded_strokes import Under
 from ..models.parts.rolling_origin import too_far
 from .inputs import ANSWER, SAME, WIDE, Field
 from .interface import Source

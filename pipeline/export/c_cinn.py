@@ -1,6 +1,6 @@
 """The conditional INN in C: from root to root of contractions over eq. 4, and back by steps of the secant."""
 
-from ..models.parts import secant
+from ..models.parts.networks import secant
 from .c_coupling import chain_of, four_others, restored, scaled
 from .c_physics import physics, standardised
 from .c_text import Body, function, real

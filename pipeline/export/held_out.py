@@ -12,7 +12,7 @@ import pyarrow.parquet as pq
 
 from ..ground.command import program_name
 from ..models.interface import Model, make_model
-from ..models.parts.foreseen import MAPS
+from ..models.parts.questions.foreseen import MAPS
 from ..models.parts.thinned import thinned
 
 LEFT_OUT = {

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ..ground.modules import holding
-from ..models.parts.recorded_pairs import Paired
-from ..models.parts.recorded_strokes import Under
+from ..models.parts.questions.recorded_pairs import Paired
+from ..models.parts.questions.recorded_strokes import Under
 from .c_text import Body
 from .inputs import Inputs
 

@@ -1,6 +1,6 @@
 """The networks as ONNX nodes: chains of coupling blocks, and the pair of MLPs."""
 
-from ..models.parts.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
+from ..models.parts.networks.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
 from .graph import Graph
 from .interface import Source
 from .onnx_query import Query

@@ -8,8 +8,8 @@ from ..ground.command import quoted
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import write_yaml
 from ..ground.units import unit_of
-from ..run.column_places import NoColumn
 from ..run.description import Channel, Run
+from ..run.table.column_places import NoColumn
 from .recognised_columns import Recognised, layout_yaml, recognise
 from .roles import Role
 

@@ -9,8 +9,8 @@ from ..ground.complaint import key_name
 from ..ground.counts import counted
 from ..ground.kinematics import Array
 from ..ground.text_file import TextFile
-from ..run.file_lines import line_or_row, named
-from ..run.no_number import are_few
+from ..run.table.file_lines import line_or_row, named
+from ..run.table.no_number import are_few
 
 
 def damaged_rows(path: Path, layout: TextFile, by_column: Mapping[str | int, Array]) -> list[str]:

@@ -14,14 +14,14 @@ from ..ground.errors import BadInput
 from ..ground.folders import whole_folder
 from ..ground.names import checked, own_material, run_name
 from ..ground.strict_yaml import read_yaml, write_yaml
-from ..run.columns_read import read_as
 from ..run.description import parse_run
-from ..run.named_units import in_its_unit
-from ..run.plausible_dimensions import dimension_questions
-from ..run.read_log import read_log
-from ..run.recorded_table import asked_columns
+from ..run.doubts.plausible_dimensions import dimension_questions
+from ..run.doubts.tolerances_given import read_back
 from ..run.samples import check, check_finite, questions
-from ..run.tolerances_given import read_back
+from ..run.table.columns_read import read_as
+from ..run.table.named_units import in_its_unit
+from ..run.table.read_log import read_log
+from ..run.table.recorded_table import asked_columns
 from .axes import each_axis
 from .empty_fields import refuse_empty
 from .mended_clock import check_mended, mend_time

@@ -12,15 +12,15 @@ from ..ground.files import write_text
 from ..ground.folders import whole_folder
 from ..ground.names import checked, own_material, run_name
 from ..ground.strict_yaml import write_yaml
-from ..run.columns_read import read_as
 from ..run.description import Run, parse_run
-from ..run.file_lines import FileLines, Where
+from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import has_recording, recording_path, unfinished
 from ..run.option_mend import by_option
-from ..run.plausible_dimensions import dimension_questions
-from ..run.read_log import copy_log, read_log, recording_name, rows_left
-from ..run.recorded_table import read_recording
 from ..run.samples import check, questions
+from ..run.table.columns_read import read_as
+from ..run.table.file_lines import FileLines, Where
+from ..run.table.read_log import copy_log, read_log, recording_name, rows_left
+from ..run.table.recorded_table import read_recording
 from .as_options import by_look
 
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
-from ..run.file_lines import Where
-from ..run.mended_time import far_moved
+from ..run.table.file_lines import Where
+from ..run.table.mended_time import far_moved
 
 LEAP = 10.0  # usual steps: a single stamp at either end that stands apart by more was not sampled there
 

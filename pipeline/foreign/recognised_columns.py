@@ -16,9 +16,9 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.strict_yaml import write_yaml
 from ..ground.text_file import TextFile
-from ..run.file_lines import line_or_row, named
-from ..run.no_number import are_few
-from ..run.read_log import too_long
+from ..run.table.file_lines import line_or_row, named
+from ..run.table.no_number import are_few
+from ..run.table.read_log import too_long
 from ..systems import System
 from .layout_guess import BY_HAND, guess_layout
 from .roles import Role, find_roles, numbers

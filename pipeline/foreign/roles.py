@@ -12,7 +12,7 @@ from ..ground.complaint import key_name
 from ..ground.header_units import header_unit, unit_word
 from ..ground.kinematics import Array
 from ..ground.units import conversion, is_load_in_kg
-from ..run.wrapping import unit_of_turn, unwrapping, wraps
+from ..run.doubts.wrapping import unit_of_turn, unwrapping, wraps
 from ..systems import System
 
 WORDS = {  # by the first word of a channel: what people call it

@@ -12,13 +12,14 @@ from ..ground.outputs import folder_to_write
 from ..ground.parser import Parser
 from ..ground.progress import clear, steps
 from ..run.run_arguments import run_dir
-from . import sentences, written
-from .calibrate_again import calibrate_by
+from . import written
+from .forecast.questions import Answer, model_error, stroke_loss
+from .forecast.strokes_left import LEAST_STROKES
 from .from_folders import others_beside, strings
-from .health import Health
-from .page_lines import page
-from .questions import Answer, model_error, stroke_loss
-from .strokes_left import LEAST_STROKES
+from .stroke_health.health import Health
+from .words import sentences
+from .words.calibrate_again import calibrate_by
+from .words.page_lines import page
 
 
 def ask(string_health: Health, loss: float, drift_mm: float) -> list[Answer]:

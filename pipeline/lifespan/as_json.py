@@ -5,11 +5,11 @@ from typing import Any, TypedDict
 import numpy as np
 import pandas as pd
 
-from .calibration_advice import ask_again_after, recalibrate_after
-from .health import INDICATORS, Health
-from .law_choice import Choice
-from .questions import Answer, first
-from .sentences import UNFORESEEN
+from .forecast.law_choice import Choice
+from .forecast.questions import Answer, first
+from .stroke_health.health import INDICATORS, Health
+from .words.calibration_advice import ask_again_after, recalibrate_after
+from .words.sentences import UNFORESEEN
 
 STIFFNESS_ABSENT = "the load varies too little within a stroke, or the length does not follow it"
 SHOWN_WEIGHT = 0.005

@@ -12,14 +12,14 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from ..ground.figure_file import write_figure
-from .band import until
-from .figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of
-from .health import Health
-from .indicators import REFERENCE
-from .percent import percent, tail
-from .questions import Answer
-from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
-from .strokes_left import LEAST_STROKES
+from .forecast.band import until
+from .forecast.questions import Answer
+from .forecast.strokes_left import LEAST_STROKES
+from .stroke_health.health import Health
+from .stroke_health.indicators import REFERENCE
+from .words.figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of
+from .words.percent import percent, tail
+from .words.stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 ABOVE_LEGEND = 30.0  # points over a panel: its head, over the two rows of its legend

@@ -9,7 +9,7 @@ from ..run.run_arguments import refuse_twice
 from ..string.from_raw import read_long
 from ..string.history import Recorded
 from ..string.jumps_beside import runs_naming
-from .health import Health, health
+from .stroke_health.health import Health, health
 
 
 def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:

@@ -7,8 +7,8 @@ from ..ground.errors import BadInput
 from ..ground.files import write_text
 from ..ground.regular_file import read_regular
 from . import as_json, figure
-from .health import Health
-from .questions import Answer
+from .forecast.questions import Answer
+from .stroke_health.health import Health
 
 LARGEST = 10_000_000  # bytes of a lifespan.json
 SHOWN = 6  # runs that are named

@@ -25,11 +25,11 @@ from .about import About
 from .parts.box import Box
 from .parts.condition_columns import conditions
 from .parts.conditions import Conditions
-from .parts.coupling import InvertibleNet
+from .parts.networks.coupling import InvertibleNet
+from .parts.networks.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
+from .parts.networks.training import minimise, read_weights, repeatable, tensor, write_weights
 from .parts.scaling import Scaling
-from .parts.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
 from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
-from .parts.training import minimise, read_weights, repeatable, tensor, write_weights
 
 SIZE = 5
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are among the five

@@ -29,8 +29,8 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from ..run.description import Run
 from .about import About
-from .parts.diagnosed_problem import SAMPLES, holed, plain
-from .parts.diagnosed_run import Simulator
+from .parts.diagnosed.diagnosed_problem import SAMPLES, holed, plain
+from .parts.diagnosed.diagnosed_run import Simulator
 from .parts.saved import read_json, write_json
 from .parts.settings import checked
 

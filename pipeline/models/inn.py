@@ -30,10 +30,10 @@ from torch.nn.functional import mse_loss
 from ..ground.kinematics import Array
 from .about import About
 from .parts.condition_columns import contraction_and_conditions, twist_and_conditions
-from .parts.coupling import InvertibleNet
+from .parts.networks.coupling import InvertibleNet
+from .parts.networks.training import minimise, read_weights, repeatable, tensor, write_weights
 from .parts.scaling import Scaling
 from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
-from .parts.training import minimise, read_weights, repeatable, tensor, write_weights
 
 SIZE = 5
 

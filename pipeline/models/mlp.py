@@ -20,9 +20,9 @@ from ..ground.kinematics import Array
 from .about import About
 from .parts.condition_columns import contraction_and_conditions, twist_and_conditions
 from .parts.conditions import Conditions
+from .parts.networks.training import minimise, read_weights, repeatable, tensor, write_weights
 from .parts.scaling import Scaling
 from .parts.settings import Batch, Epochs, Layers, Rate, Width, checked, values
-from .parts.training import minimise, read_weights, repeatable, tensor, write_weights
 
 BESIDE = ("torsion_zone_mm", "load_n", "stiffness_n_per_mm")  # b, l, r and n are inputs in any case
 

@@ -22,11 +22,11 @@ from pydantic import Field
 
 from ..ground.kinematics import Array, point_contraction_mm, point_motor_turns
 from .about import About
-from .parts import rational
 from .parts.box import Box
 from .parts.conditions import Conditions
 from .parts.growth import Law, chosen
 from .parts.marquardt import least_squares
+from .parts.networks import rational
 from .parts.saved import read_json, write_json
 from .parts.settings import checked, values
 

@@ -6,10 +6,10 @@ import pandas as pd
 
 from ..ground.errors import BadInput
 from ..models.interface import about, usual
-from ..models.parts.beside_questions import beside_questions, with_intervals
 from ..models.parts.configured import configured, fitting
-from ..models.parts.prediction_intervals import Intervals, TooFew
-from ..models.parts.question_points import Questions, questions_of
+from ..models.parts.questions.beside_questions import beside_questions, with_intervals
+from ..models.parts.questions.prediction_intervals import Intervals, TooFew
+from ..models.parts.questions.question_points import Questions, questions_of
 from ..models.parts.thinned import thinned
 from .as_arguments import as_arguments, settings_in_json
 

@@ -19,10 +19,10 @@ from ..ground import schemas
 from ..ground.folders import whole_folder
 from ..ground.strict_yaml import write_yaml
 from ..run.description import Run, parse_run
-from ..run.recorded_table import to_samples
 from ..run.run_yaml import RunYaml
 from ..run.samples import check
 from ..run.strokes import segment
+from ..run.table.recorded_table import to_samples
 from ..string import from_raw
 from ..string.history import Recorded, tare_mm
 

@@ -2,8 +2,8 @@
 
 import argparse
 
-from .columns_read import has_no_load
 from .description import STRING_ACTUATORS, Run
+from .table.columns_read import has_no_load
 
 NEEDED = ("material", "radius-mm", "length-mm")  # where no other run tells them
 OF_SEPARATOR = ("torsion-zone-mm", "separator-mm")

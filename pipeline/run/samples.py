@@ -15,15 +15,15 @@ from ..ground.errors import BadInput
 from ..ground.files import whole
 from ..ground.kinematics import Geometry, Places
 from ..ground.rows import Rows, Stored, rows_of
-from .clock import Clock
 from .description import STRING_ACTUATORS, Run
-from .file_lines import FileLines, Where, by_row
+from .doubts.plausible import check_string, doubts
+from .doubts.wild_samples import wild_samples
+from .doubts.wrapping import wrapped
 from .folder import checked_info, read_run, recording_path
-from .plausible import check_string, doubts
-from .recorded_table import read_recording, recording_pieces
 from .strokes import segment
-from .wild_samples import wild_samples
-from .wrapping import wrapped
+from .table.clock import Clock
+from .table.file_lines import FileLines, Where, by_row
+from .table.recorded_table import read_recording, recording_pieces
 
 STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
 ROUNDED = 1e-4  # of a step: what stamps that are written with few digits make of it

@@ -12,8 +12,8 @@ from ..ground.errors import program
 from ..ground.files import whole
 from ..ground.left_out import noted
 from ..ground.outputs import file_to_write
+from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import recording_path
-from ..run.plausible_dimensions import dimension_questions
 from ..run.read_ahead import forget, taken_over
 from ..run.samples import questions, stored_strokes
 

@@ -18,7 +18,7 @@ from ..ground.kinematics import Array
 from ..ground.outputs import file_to_write
 from ..models.inn import Inn
 from ..models.parts.condition_columns import contraction_and_conditions, twist_and_conditions
-from ..models.parts.training import repeatable, tensor
+from ..models.parts.networks.training import repeatable, tensor
 from .train import divided
 
 SPLIT = "within"

@@ -7,12 +7,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..capture.lines import Lines, Splitter
+from ..capture.text.lines import Lines, Splitter
 from ..ground.command import recover_command
 from ..ground.kinematics import Array
 from ..ground.units import conversion
 from ..run.description import Run
-from ..run.named_units import TIMES
+from ..run.table.named_units import TIMES
 from ..wire import Event, Ledger
 from ..wire.counters import Whole, steps_of
 from .column_names import channel_of

@@ -7,7 +7,7 @@ from ..ground.errors import BadInput
 from ..ground.units import conversion
 from ..run.description import Channel, Run
 from ..run.folder import capture_info
-from ..run.named_units import in_its_unit
+from ..run.table.named_units import in_its_unit
 
 Scaled = tuple[str, float, float]  # a channel's name, and what makes a printed number one in its unit: factor, shift
 

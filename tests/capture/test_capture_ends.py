@@ -13,8 +13,8 @@ from pipeline.rig.device import Device
 from pipeline.rig.record import describe
 from pipeline.rig.setup import read_setup
 from pipeline.rig.simulate import simulate
-from pipeline.run.captured import read_frames
 from pipeline.run.samples import read_samples
+from pipeline.run.table.captured import read_frames
 from pipeline.wire import Decoder, Kind, encode
 
 

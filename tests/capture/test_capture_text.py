@@ -19,14 +19,14 @@ import ready
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.capture.fields import MAX_LINE, fields, names
-from pipeline.capture.holes import Steps, find
-from pipeline.capture.lines import Lines, Splitter
-from pipeline.capture.lines_to_csv import recover_lines
-from pipeline.capture.read_channels import ReadChannels
+from pipeline.capture.text.fields import MAX_LINE, fields, names
+from pipeline.capture.text.holes import Steps, find
+from pipeline.capture.text.lines import Lines, Splitter
+from pipeline.capture.text.lines_to_csv import recover_lines
+from pipeline.capture.text.read_channels import ReadChannels
 from pipeline.ground.errors import BadInput
 from pipeline.run.description import parse_run
-from pipeline.run.recorded_table import check_lines, read_recording
+from pipeline.run.table.recorded_table import check_lines, read_recording
 
 HEADER = b"time_ms,motor_turns,displacement_mm\r\n"
 

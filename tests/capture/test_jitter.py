@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pipeline.capture import holes as judged
-from pipeline.capture.holes import PIECE, Steps, find
+from pipeline.capture.text import holes as judged
+from pipeline.capture.text.holes import PIECE, Steps, find
 
 STEP_MS, COUNT = 20.0, 6000
 

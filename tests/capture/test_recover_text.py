@@ -11,11 +11,11 @@ import ready
 import yaml
 from made_recording import content
 
-from pipeline.capture.holes import MOST
-from pipeline.capture.likely_names import likely
-from pipeline.capture.lines_to_csv import recover_lines
-from pipeline.capture.naming import USUAL
-from pipeline.capture.near_names import doubt
+from pipeline.capture.text.holes import MOST
+from pipeline.capture.text.likely_names import likely
+from pipeline.capture.text.lines_to_csv import recover_lines
+from pipeline.capture.text.naming import USUAL
+from pipeline.capture.text.near_names import doubt
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 
@@ -229,7 +229,7 @@ def test_a_long_recording_is_mended_as_a_short_one(folder, monkeypatch, capsys):
     capsys.readouterr()
     _, kept, _ = read_strokes(folder)
     said = capsys.readouterr().err
-    monkeypatch.setattr("pipeline.run.mended_time.KEPT", 10)
+    monkeypatch.setattr("pipeline.run.table.mended_time.KEPT", 10)
     _, anew, _ = read_strokes(folder)
     assert kept.equals(anew) and capsys.readouterr().err == said
     assert "recording.csv: mended 14 repeated time stamps" in said and said.count("is read from its column") == 1

@@ -9,7 +9,7 @@ import yaml
 from capture.test_capture_text import rig
 from made_recording import content
 
-from pipeline.capture.read_channels import ReadChannels
+from pipeline.capture.text.read_channels import ReadChannels
 
 __all__ = ["rig"]
 ROW = b"%d,%.4f,20.0,%.3f\r\n"

@@ -9,7 +9,7 @@ import numpy as np
 from bench import Bench, Row, check, complete, row
 from scripted_device import CHANNELS, RATE_HZ, SAMPLES, STEP_US, Rig, frames, hello
 
-from pipeline.run.captured import read_frames
+from pipeline.run.table.captured import read_frames
 from pipeline.wire import Channel, Kind, Reason, encode
 from pipeline.wire.frames import END
 

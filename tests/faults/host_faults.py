@@ -12,7 +12,7 @@ from bench import Bench, Row, check, complete, refused, row
 from scripted_device import MARKS, frames, link
 
 from pipeline.ground.errors import BadInput
-from pipeline.run.recorded_table import read_frames
+from pipeline.run.table.recorded_table import read_frames
 from pipeline.wire import Kind
 
 DAY_S = 86_400

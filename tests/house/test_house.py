@@ -166,6 +166,14 @@ ROOMS_OF_REPORT = {
     "campaign": "text web drawn",
     "real": "web",
 }
+# the same of a string's life
+LIFESPAN = "pipeline.lifespan"
+ROOMS_OF_LIFESPAN = {
+    "stroke_health": "",
+    "forecast": "stroke_health",
+    "words": "stroke_health forecast",
+    "score": "stroke_health forecast",
+}
 LARGER = {"mechanisms", "words"}  # a file for each mechanism; rooms of its own
 
 
@@ -181,7 +189,12 @@ def in_rooms(house):
 
 @pytest.mark.parametrize(
     ("house", "below", "listed"),
-    [(DIAGNOSIS, ROOMS_OF_DIAGNOSIS, ""), (WORDS, ROOMS_OF_WORDS, "words/"), (REPORT, ROOMS_OF_REPORT, "report/")],
+    [
+        (DIAGNOSIS, ROOMS_OF_DIAGNOSIS, ""),
+        (WORDS, ROOMS_OF_WORDS, "words/"),
+        (REPORT, ROOMS_OF_REPORT, "report/"),
+        (LIFESPAN, ROOMS_OF_LIFESPAN, "lifespan/"),
+    ],
 )
 def test_a_room_of_a_large_room_stands_on_rooms_below_it_and_is_no_heap(house, below, listed):
     rooms = in_rooms(house)

@@ -30,9 +30,10 @@ METHODS = [
     ),
     *named("diagnosis/choice", "compare", "cross_validation", "search"),
     *named("diagnosis/proposal", "design", "next_runs"),
-    *named("lifespan", "fit", "law_choice", "laws", "strokes_left"),
-    *named("models/parts", "growth", "prediction_intervals", "marquardt", "rational", "training"),
-    *named("models/parts", "coupling"),
+    *named("lifespan/forecast", "fit", "law_choice", "laws", "strokes_left"),
+    *named("models/parts", "growth", "marquardt"),
+    *named("models/parts/questions", "prediction_intervals"),
+    *named("models/parts/networks", "coupling", "rational", "training"),
     *named("stages/campaign", "adapt"),
 ]
 

@@ -15,9 +15,9 @@ DOCUMENTS = {
         f"diagnosis.document.made_keys.{name}": "any typed part, read by a key that ends in the reading's unit"
         for name in ("amount", "amount_or_none", "by_name", "extent", "interval", "put")
     },
-    "models.parts.diagnosed_run.Simulator": "what its `saved` writes, its `from_saved` alone reads",
-    "models.parts.training.read_weights": "weights and settings, of each network's own kinds",
-    "models.parts.training.write_weights": "weights and settings, of each network's own kinds",
+    "models.parts.diagnosed.diagnosed_run.Simulator": "what its `saved` writes, its `from_saved` alone reads",
+    "models.parts.networks.training.read_weights": "weights and settings, of each network's own kinds",
+    "models.parts.networks.training.write_weights": "weights and settings, of each network's own kinds",
     "rig.authors.interface.HiddenEffect": "parameters of a law by another hand, never installed",
     "rig.campaign.specimen.Specimen": "effects' parameters, of their own kinds, and run.yaml",
     "rig.concealed.Concealed": "an effect's parameters, of its own kinds",

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.lifespan.band import until
+from pipeline.lifespan.forecast.band import until
 
 
 def test_a_band_ends_where_the_limit_is_surely_passed():

@@ -6,11 +6,11 @@ import pytest
 from made_life import folder, samples
 
 from pipeline.ground.errors import BadInput
+from pipeline.lifespan.forecast.questions import model_error, stroke_loss
 from pipeline.lifespan.from_folders import strings
-from pipeline.lifespan.health import INDICATORS, health
-from pipeline.lifespan.questions import model_error, stroke_loss
-from pipeline.lifespan.sentences import sentences
-from pipeline.lifespan.stiffness import stiffness
+from pipeline.lifespan.stroke_health.health import INDICATORS, health
+from pipeline.lifespan.stroke_health.stiffness import stiffness
+from pipeline.lifespan.words.sentences import sentences
 from pipeline.run.strokes import segment
 from pipeline.string.from_raw import read
 

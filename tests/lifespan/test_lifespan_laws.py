@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from pipeline.lifespan.fit import fit
-from pipeline.lifespan.law_choice import choose, outliers
-from pipeline.lifespan.laws import LAWS
+from pipeline.lifespan.forecast.fit import fit
+from pipeline.lifespan.forecast.law_choice import choose, outliers
+from pipeline.lifespan.forecast.laws import LAWS
 
 N = np.arange(1.0, 121.0)
 LAW = {law.name: law for law in LAWS}

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from made_life import worn
 
-from pipeline.lifespan.futures_margin import later
-from pipeline.lifespan.strokes_left import LEAST_STROKES, Left, first_passed, passages, strokes_left
+from pipeline.lifespan.forecast.futures_margin import later
+from pipeline.lifespan.forecast.strokes_left import LEAST_STROKES, Left, first_passed, passages, strokes_left
 
 N = np.arange(1.0, 61.0)
 

@@ -15,21 +15,21 @@ from made_recording import content
 
 from pipeline.ground import wrapped_lines
 from pipeline.ground.errors import BadInput
-from pipeline.lifespan import calibrate_again, page_lines
 from pipeline.lifespan.__main__ import main
-from pipeline.lifespan.at_rest import longer_at_rest
-from pipeline.lifespan.calibration_advice import advice, recalibrate_after, rests_on
-from pipeline.lifespan.claims_held import HELD, measured
 from pipeline.lifespan.figure import page, question
-from pipeline.lifespan.figure_words import WIDE, footnote
+from pipeline.lifespan.forecast.laws import LAWS
+from pipeline.lifespan.forecast.questions import Answer, first, model_error, stroke_loss
+from pipeline.lifespan.forecast.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
 from pipeline.lifespan.from_folders import strings
-from pipeline.lifespan.laws import LAWS
-from pipeline.lifespan.questions import Answer, first, model_error, stroke_loss
-from pipeline.lifespan.score import held, loses, score
-from pipeline.lifespan.scoretable import words
-from pipeline.lifespan.sentences import UNFORESEEN, sentence
-from pipeline.lifespan.so_far import beside_limit, so_far
-from pipeline.lifespan.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
+from pipeline.lifespan.score.__main__ import held, loses, score
+from pipeline.lifespan.score.scoretable import words
+from pipeline.lifespan.stroke_health.at_rest import longer_at_rest
+from pipeline.lifespan.words import calibrate_again, page_lines
+from pipeline.lifespan.words.calibration_advice import advice, recalibrate_after, rests_on
+from pipeline.lifespan.words.claims_held import HELD, measured
+from pipeline.lifespan.words.figure_words import WIDE, footnote
+from pipeline.lifespan.words.sentences import UNFORESEEN, sentence
+from pipeline.lifespan.words.so_far import beside_limit, so_far
 from pipeline.models.interface import usual
 from pipeline.rig import __main__ as rig
 

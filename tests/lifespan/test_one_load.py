@@ -13,7 +13,7 @@ from made_recording import BASE
 from stages.nine_strokes import string
 
 from pipeline.lifespan.from_folders import strings
-from pipeline.lifespan.health import Health
+from pipeline.lifespan.stroke_health.health import Health
 
 STIFFNESS = BASE.stiffness_n_per_mm
 

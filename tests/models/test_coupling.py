@@ -5,8 +5,8 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.models.parts.coupling import Coupling, InvertibleNet, mixing_layers, product
-from pipeline.models.parts.training import repeatable
+from pipeline.models.parts.networks.coupling import Coupling, InvertibleNet, mixing_layers, product
+from pipeline.models.parts.networks.training import repeatable
 
 
 def shaken(module: torch.nn.Module) -> torch.nn.Module:

@@ -11,8 +11,8 @@ from pipeline.diagnosis.recording.working_samples import PHASES
 from pipeline.ground.kinematics import Geometry
 from pipeline.models.diagnosed import SAMPLES, Diagnosed, run_of
 from pipeline.models.interface import make_model
-from pipeline.models.parts.diagnosed_problem import along, holed, plain
-from pipeline.models.parts.filled_motion import Motion, one_way
+from pipeline.models.parts.diagnosed.diagnosed_problem import along, holed, plain
+from pipeline.models.parts.diagnosed.filled_motion import Motion, one_way
 from pipeline.models.parts.saved import read_json
 from pipeline.models.traditional import Traditional
 from pipeline.run import strokes

@@ -6,8 +6,8 @@ import pytest
 import torch
 from FrEIA import modules as freia
 
-from pipeline.models.parts.coupling import Coupling, InvertibleNet, relu_net
-from pipeline.models.parts.training import repeatable
+from pipeline.models.parts.networks.coupling import Coupling, InvertibleNet, relu_net
+from pipeline.models.parts.networks.training import repeatable
 
 # FrEIA bounds s by clamp · 0.636 · atan, we by clamp · (2/π) · atan, of which 0.636 is the rounded value.
 ROUNDED = 0.636 * math.pi / 2.0

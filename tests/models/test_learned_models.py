@@ -14,9 +14,9 @@ from pipeline.ground import progress
 from pipeline.models.inn import Inn
 from pipeline.models.mlp import Mlp
 from pipeline.models.parts.condition_columns import contraction_and_conditions, twist_and_conditions
-from pipeline.models.parts.coupling import mixing_layers, product
+from pipeline.models.parts.networks.coupling import mixing_layers, product
+from pipeline.models.parts.networks.training import Adam, minimise, repeatable, tensor
 from pipeline.models.parts.scaling import Scaling
-from pipeline.models.parts.training import Adam, minimise, repeatable, tensor
 
 SMALL = {"width": 32, "layers": 2, "epochs": 24, "batch": 60, "rates": (4e-3, 2e-3, 5e-4, 2e-4)}
 
@@ -115,7 +115,7 @@ def test_the_optimiser_steps_as_torchs_own_to_the_last_bit() -> None:
 FITS = """
 import sys
 import torch
-from pipeline.models.parts.training import minimise, repeatable
+from pipeline.models.parts.networks.training import minimise, repeatable
 with repeatable(0):
     net = torch.nn.Linear(1, 1)
     minimise(net, lambda rows: net(rows[:, None].float()).square().mean(), 4, 2, (0.1,))

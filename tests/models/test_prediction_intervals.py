@@ -6,9 +6,9 @@ import pytest
 from made_strings import NOISE_MM, made_string
 
 from pipeline.models.interface import make_model
-from pipeline.models.parts.prediction_intervals import Intervals, TooFew
+from pipeline.models.parts.questions.prediction_intervals import Intervals, TooFew
+from pipeline.models.parts.questions.unanswered import reasons
 from pipeline.models.parts.rolling_origin import AHEAD, parts_of
-from pipeline.models.parts.unanswered import reasons
 
 STRINGS, KNOWN, LEVEL = 48, 7, 0.9
 MAPS = {"forward": "displacement_mm", "inverse": "motor_turns"}

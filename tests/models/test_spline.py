@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from scipy import optimize
 
 from pipeline.models.interface import make_model
-from pipeline.models.parts import rational
 from pipeline.models.parts.growth import CANDIDATES, early_and_late
 from pipeline.models.parts.marquardt import least_squares
+from pipeline.models.parts.networks import rational
 from pipeline.models.spline import Spline
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.proof.plan import Planned, written
 from pipeline.run.folder import read_run
-from pipeline.run.recorded_table import read_recording
+from pipeline.run.table.recorded_table import read_recording
 
 
 def conceal(place, *arguments):

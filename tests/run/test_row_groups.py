@@ -19,7 +19,7 @@ from pipeline.capture.commit import recover
 from pipeline.ground import quantiles, schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.rows import Held, Stored
-from pipeline.run import wild_samples
+from pipeline.run.doubts import wild_samples
 from pipeline.run.samples import read_samples, stored_strokes
 from pipeline.run.strokes import label, segment
 from pipeline.string.from_raw import read, read_long

@@ -12,8 +12,8 @@ from made_recording import recording
 from pipeline.ground import schemas
 from pipeline.ground.rows import Held
 from pipeline.import_run import import_run
+from pipeline.run.doubts.wild_samples import wild_samples
 from pipeline.run.samples import read_samples
-from pipeline.run.wild_samples import wild_samples
 
 ROOT = Path(__file__).parents[2]
 BLIND = sorted((ROOT / "tests" / "data" / "blind").rglob("recording.parquet"))

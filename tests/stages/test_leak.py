@@ -10,7 +10,7 @@ from models.made_dataset import made_dataset
 from pipeline.ground import schemas
 from pipeline.models.inn import Inn
 from pipeline.models.parts.condition_columns import contraction_and_conditions
-from pipeline.models.parts.coupling import product
+from pipeline.models.parts.networks.coupling import product
 from pipeline.stages.leak import decomposed, leak, main
 
 TINY = {"blocks": 4, "width": 16, "layers": 1, "epochs": 4, "batch": 60}

@@ -7,7 +7,7 @@ import pytest
 from made_recording import content
 from stages.nine_strokes import string
 
-from pipeline.lifespan.strokes_left import LEAST_STROKES
+from pipeline.lifespan.forecast.strokes_left import LEAST_STROKES
 from pipeline.run.folder import read_run
 from pipeline.string.next_steps import DIAGNOSIS, LIFE, next_steps
 from pipeline.string.same_string import next_name, others_recorded, tares

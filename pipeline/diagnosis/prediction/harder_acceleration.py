@@ -9,8 +9,8 @@ from scipy.ndimage import uniform_filter1d
 
 from ...ground.kinematics import Array
 from ...ground.units import unit_of
-from ...run.outside import Outside
-from ...run.planned_limits import ROOM, up_to
+from ...run.planned_motion.outside import Outside
+from ...run.planned_motion.planned_limits import ROOM, up_to
 from ...systems import System
 from ..recording.working_samples import averaged, derivatives
 

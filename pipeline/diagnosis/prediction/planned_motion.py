@@ -11,10 +11,10 @@ import pandas as pd
 
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array
-from ...run.continued import continued
 from ...run.description import Run
-from ...run.motion_course import Mask, Recorded
-from ...run.outside import Outside, outside
+from ...run.planned_motion.continued import continued
+from ...run.planned_motion.motion_course import Mask, Recorded
+from ...run.planned_motion.outside import Outside, outside
 from ...run.samples import read_strokes
 from ..choice.outcome import rms
 from ..document.content import Simulated, Verdict

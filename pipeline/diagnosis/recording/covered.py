@@ -6,8 +6,8 @@ from typing import TypedDict
 import numpy as np
 
 from ...ground.kinematics import Array
-from ...run.motion_course import Course, Recorded, longest_s
-from ...run.planned_limits import NEAR
+from ...run.planned_motion.motion_course import Course, Recorded, longest_s
+from ...run.planned_motion.planned_limits import NEAR
 from ...run.strokes import of_samples
 from ..document.evidence import Covered
 from .recorded_run import RecordedRun

@@ -20,8 +20,8 @@ from ...ground.outside_library import is_outside
 from ...rig.authors import authors
 from ...rig.authors.interface import Asked, OutOfReach, Protocol
 from ...run.description import parse_run
-from ...run.recorded_table import to_samples
 from ...run.samples import check
+from ...run.table.recorded_table import to_samples
 
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")
 SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (0.7, 12.0)  # sizes in noise floors, drawn evenly in their logarithm

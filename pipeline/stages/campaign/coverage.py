@@ -10,7 +10,7 @@ from ...ground.errors import BadInput, program
 from ...ground.progress import steps
 from ...models.interface import make_model
 from ...models.parts.configured import fitting
-from ...models.parts.prediction_intervals import Intervals, TooFew
+from ...models.parts.questions.prediction_intervals import Intervals, TooFew
 from .arguments import parser, points_of
 from .tables import COVERAGE
 

@@ -11,7 +11,7 @@ from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.rig.authors import authors
 from pipeline.rig.authors.interface import Asked
 from pipeline.run.description import parse_run
-from pipeline.run.recorded_table import to_samples
+from pipeline.run.table.recorded_table import to_samples
 
 
 def test_each_explanation_holds_the_jerks_and_the_best_is_as_likely_as_it_is_with_them_and_without(tmp_path):

@@ -24,8 +24,8 @@ from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.rig.others import cases
 from pipeline.rig.others.made import write_run
 from pipeline.run.description import Run
-from pipeline.run.motion_course import Recorded
-from pipeline.run.outside import outside
+from pipeline.run.planned_motion.motion_course import Recorded
+from pipeline.run.planned_motion.outside import outside
 from pipeline.run.samples import read_samples, read_strokes
 
 

@@ -10,8 +10,8 @@ from pipeline.diagnosis.recording.covered import covered, pauses
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.recording.working_samples import PHASES, Record
 from pipeline.run.description import parse_run
-from pipeline.run.motion_course import Recorded
-from pipeline.run.outside import outside
+from pipeline.run.planned_motion.motion_course import Recorded
+from pipeline.run.planned_motion.outside import outside
 
 RIG = {"actuator": "twisted_pair", "rig": {"load_n": 20.0}}
 STRING = {"material": "Z", "radius_mm": 0.4, "length_mm": 300.0, "stiffness_n_per_mm": 50.0}

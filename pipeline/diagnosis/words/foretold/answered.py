@@ -1,7 +1,7 @@
 """The range in which a planned motion is answered with an error band, as a verdict's page says it before any plan."""
 
-from ....run.motion_course import ALIKE
-from ....run.planned_limits import (
+from ....run.planned_motion.motion_course import ALIKE
+from ....run.planned_motion.planned_limits import (
     LONGER,
     SHORT_S,
     from_on,

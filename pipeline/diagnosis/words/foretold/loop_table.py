@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from ....ground.kinematics import Array
-from ....run.motion_course import Mask
+from ....run.planned_motion.motion_course import Mask
 from ....run.turning import turning_points
 from ..language.quantity import listing, number, percent, said_unit, to_the_band
 from ..language.table import aligned

@@ -6,7 +6,7 @@ from ....ground import spans
 from ....ground.command import command
 from ....ground.counts import are
 from ....ground.kinematics import Array
-from ....run.motion_course import Mask
+from ....run.planned_motion.motion_course import Mask
 from ...choice.outcome import rms
 from ...document.content import Verdict
 from ...document.evidence import Evidence

@@ -2,7 +2,7 @@
 
 import re
 
-from ....run.motion_course import ALIKE
+from ....run.planned_motion.motion_course import ALIKE
 from ...document.content import Verdict
 from ...mechanisms.library import mechanisms
 from ..language.vocabulary import Vocabulary

@@ -6,7 +6,7 @@ from pathlib import Path
 from ....ground.command import command
 from ....ground.errors import BadInput
 from ....run.folder import read_run
-from ....run.recording_source import mapping_of, own_log
+from ....run.table.recording_source import mapping_of, own_log
 from ..language.quantity import listing
 from ..language.vocabulary import Vocabulary
 

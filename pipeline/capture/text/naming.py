@@ -1,0 +1,58 @@
+"""How a person names the columns of lines that nothing names: as run.yaml does, else with gaps, in no guessed order."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from ...ground.errors import BadInput
+from ...run.description import Run
+from ...run.folder import read_run
+
+LIKELY = ("motor_turns", "displacement_mm", "load_n", "temperature_c", "motor_current_a")
+USUAL: tuple[str, ...] = ("time_s", *LIKELY)  # of a run that nobody described yet
+NEEDED = 3  # of a system's columns, which a recording must have
+GAP = "..."  # no name: what is left as it stands is refused
+
+
+class Naming(NamedTuple):
+    """`own`: the columns' names in run.yaml, in its order; `wanted`: what the columns that it needs are called."""
+
+    own: tuple[str, ...] = ()
+    wanted: tuple[str, ...] = USUAL
+
+    def option(self, size: int, clock: str = "") -> str:
+        """An option that names so many columns; what the first one is, if it is known to be a clock."""
+        if len(self.own) == size:
+            return f"--columns {','.join(self.own)}"
+        first = clock if clock and "time_s" in self.wanted else GAP
+        return f"--columns {','.join([first, *[GAP] * (size - 1)])}"
+
+    def mend(self, size: int, recover: str, clock: str = "") -> str:
+        """How command `recover`, which takes that option, names them."""
+        in_order, named = "name them in the order in which the rig prints them", f"{recover} {self.option(size, clock)}"
+        if len(self.own) == size:
+            check = "these are the names in run.yaml, in its order, which must be checked with the rig's first line"
+            return f"{in_order}: {named}; {check}"
+        time = [] if clock else ["time_s or time_ms"]
+        wanted = [each for name in self.wanted for each in (time if name == "time_s" else [name])]
+        return f"{in_order}, with a name for each {GAP} ({', '.join(wanted)}, or one of your own): {named}"
+
+
+def naming_of(run: Run) -> Naming:
+    """How a run's columns are named; those that run.yaml gives by their places have no names in it."""
+    columns = [name if channel.column is None else channel.column for name, channel in run.channels.items()]
+    own = tuple(column for column in columns if isinstance(column, str))
+    calls = dict(zip(run.channels, columns, strict=True))
+    wanted = [calls.get(name, name) for name in run.system.columns if name in calls or name in _usual(run)]
+    return Naming(own if len(own) == len(columns) else (), tuple(str(name) for name in wanted))
+
+
+def _usual(run: Run) -> tuple[str, ...]:
+    return (*run.system.columns[:NEEDED], *(name for name in USUAL if name in run.system.columns))
+
+
+def naming_in(folder: Path) -> Naming:
+    """How the columns of the run in a folder are named, described or not."""
+    try:
+        return naming_of(read_run(folder))
+    except BadInput:
+        return Naming()

@@ -1,0 +1,196 @@
+"""A rig that prints lines of numbers: PORT → recording.lines as it came; what is read as what is said while it runs."""
+
+import math
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from ...ground.command import recover_command
+from ...ground.errors import BadInput
+from ..log import Log
+from ..port import Port, Unplugged
+from ..screen import Screen, clock
+from ..stream import PERSON, Outcome
+from .fields import MAX_LINE, is_known
+from .lines import Lines, Splitter
+from .naming import naming_in
+from .read_channels import ReadChannels
+
+WAIT_S = 30.0  # a board that was reset by opening its port boots, homes its motor and tares before it prints
+HEADER_S = 5.0  # from the first line on, within which a header or samples are to come
+SAID_AFTER_S = 2.0  # of waiting, what is waited for
+NAMELESS = 5  # so many lines of as many numbers are a rig, though no header has come
+SILENCE_S = 3.0
+GREETING_S = 5.0  # so long nothing but text is no reason to warn
+SOON_S = 1.0  # after so long it says what is read as what, or why nothing is
+
+
+class Beginning(NamedTuple):
+    """The first bytes of a recording, since when they came and until when numbers are to, by the monotonic clock."""
+
+    heard: bytes
+    since_s: float
+    until_s: float
+
+
+def await_header(port: Port, name: str, columns: tuple[str, ...], wait_s: float = WAIT_S) -> Beginning:
+    """First bytes of the recording: with `columns` none, else up to the first sample, a header or a few numbers.
+
+    Lines of numbers that nothing names are recorded too: a header may come yet, and they can be named when the run has
+    ended. `wait_s` is how long the rig may print none, which is said. Raises BadInput for a port that is silent for so
+    long, or that prints neither names nor numbers.
+    """
+    heard, since_s = b"", time.monotonic()
+    until_s = judged_s = since_s + wait_s
+    lines, splitter, waiting = Lines(), Splitter(), Waiting(until_s, SAID_AFTER_S)
+    if columns:
+        return Beginning(b"", since_s, until_s)
+    while time.monotonic() < judged_s and len(heard) <= 64 * MAX_LINE:
+        try:
+            chunk = port.read()
+        except Unplugged as error:
+            raise BadInput(name, "port", f"went away ({error})", "plug the rig in again") from None
+        since_s = since_s if heard else time.monotonic()
+        heard += chunk
+        for line in splitter.feed(chunk):
+            lines.take(line)
+        if lines.headers or lines.unnamed.count or lines.bad or splitter.tail_bytes > MAX_LINE:
+            judged_s = min(judged_s, time.monotonic() + HEADER_S)  # what came is no sign of a rig that still begins
+        else:
+            waiting.say()
+        named = lines.good or any(between != " " and is_known(header) for header, between in lines.headers)
+        if named or (lines.unnamed.size > 1 and lines.unnamed.times() >= NAMELESS):
+            return Beginning(heard, since_s, until_s)
+    if not heard:
+        mend = "check the cable, the power and that this is the rig's port; of a rig that begins later raise --wait"
+        raise BadInput(name, "device", f"said nothing for {wait_s:g} s", mend)
+    if lines.headers and not lines.bad and not lines.unnamed.count:
+        return Beginning(heard, since_s, until_s)  # it waits for something: a person, a button
+    if lines.wrong[0] > 1:
+        return Beginning(heard, since_s, until_s)
+    problem, mend = lines.problem()
+    raise BadInput(name, "device", f"sent {len(heard)} bytes and no sample: {problem}", mend)
+
+
+class Waiting:
+    """Says once that the rig is waited for, until when, and how that is ended."""
+
+    def __init__(self, until_s: float, after_s: float) -> None:
+        self._until_s, self._from_s, self._told = until_s, time.monotonic() + after_s, False
+
+    def say(self) -> None:
+        """Say it, when it is time."""
+        now_s = time.monotonic()
+        if self._told or not self._from_s < now_s < self._until_s:
+            return
+        self._told = True
+        left = f"for {self._until_s - now_s:.0f} s more (--wait)"
+        Screen().say(f"waiting for the rig's first line of numbers, {left}: it may boot, home or tare; Ctrl-C ends it")
+
+
+class Telling:
+    """What the person sees while it records."""
+
+    def __init__(self, lines: Lines, folder: Path, began_s: float) -> None:
+        self.lines, self.folder, self.screen = lines, folder, Screen()
+        self.recover, self.naming = recover_command(folder), naming_in(folder)
+        self._began_s, self._looked_s = began_s, time.monotonic()
+        self._told = ""
+        self._read = self._not_read = 0
+
+    def show(self) -> None:
+        """Say what is read as what as soon as it is known, why nothing is, and renew the line."""
+        lines, now_s = self.lines, time.monotonic()
+        if now_s - self._looked_s >= SOON_S:
+            self._looked_s = now_s
+            read, not_read = lines.good, lines.not_read
+            if lines.good and self._told != "reads":
+                self._say("reads", self._reading())
+            elif not lines.good and not_read and not self._greets(now_s):
+                problem, mend = lines.problem(now_s - self._began_s, self.recover, self.naming)
+                kept = f"warning: no line is read yet, but all are kept: {problem}"
+                now = "let the rig print its header again, or when the run has ended " if lines.unnamed.size > 1 else ""
+                self._say("nothing", f"{kept}. Mend: {now}{mend}")
+            elif read - self._read < not_read - self._not_read and lines.bad:
+                problem, mend = lines.problem(0.0, self.recover, self.naming)
+                self._say("most", f"warning: most lines are not read now; {lines.counts()}; {problem}. Mend: {mend}")
+            self._read, self._not_read = read, not_read
+        if self.screen.due:
+            self.screen.show(self._parts())
+
+    def close(self) -> None:
+        """The last line."""
+        if self.lines.good and self._told != "reads":
+            self.screen.say(self._reading())
+        self.screen.close(self._parts())
+
+    def _greets(self, now_s: float) -> bool:
+        """Whether nothing but readable text came, for no longer than a rig may take to boot, home and tare."""
+        lines = self.lines
+        only_text = not (lines.noise or lines.unnamed.count or lines.wrong[0])
+        return only_text and now_s - self._began_s < GREETING_S
+
+    def _reading(self) -> str:
+        """What is read as what, and in a second line why nothing can use it so."""
+        channels = ReadChannels(self.folder, self.lines.columns)
+        return "\n".join(filter(None, (self.lines.reading(channels.values(self.lines.last)), channels.warning())))
+
+    def _parts(self) -> list[str]:
+        values = [f"{name} = {value}" for name, value in zip(self.lines.columns, self.lines.last, strict=False)]
+        return [f"{clock(time.monotonic() - self._began_s)} recorded", self.lines.counts(), *values]
+
+    def _say(self, what: str, sentence: str) -> None:
+        if what != self._told:
+            self.screen.say(sentence)
+        self._told = what
+
+
+def follow(
+    port: Port,
+    log: Log,
+    stops: Callable[[], int],
+    folder: Path,
+    columns: tuple[str, ...],
+    beginning: Beginning,
+    longest_s: float = math.inf,
+) -> Outcome:
+    """Record until the person ends it, time is over or nothing more comes; what came is on the disk afterwards.
+
+    Before the first line of numbers silence ends it only when the beginning's time for that is over.
+    """
+    heard_s = time.monotonic()
+    lines, splitter, waiting = Lines(columns), Splitter(), Waiting(beginning.until_s, SILENCE_S)
+    telling = Telling(lines, folder, beginning.since_s)
+    outcome: Outcome | None = None
+    chunk = beginning.heard
+    log.append(chunk)
+    while outcome is None:
+        for line in splitter.feed(chunk):
+            lines.take(line)
+        telling.show()
+        numbers = lines.good or lines.unnamed.count or lines.bad
+        if not numbers:
+            waiting.say()
+        now_s = time.monotonic()
+        heard_s = now_s if chunk else heard_s
+        if stops():
+            outcome = Outcome("ended", None, PERSON)
+        elif now_s - beginning.since_s > longest_s:
+            outcome = Outcome("ended", None, f"--longest after {longest_s:g} s")
+        elif now_s - heard_s > SILENCE_S and (numbers or now_s > beginning.until_s):
+            silence = f"{SILENCE_S:g} s of silence; whether the rig was done, text cannot say"
+            if not numbers:
+                silence = "the wait for a first line of numbers, which --wait makes longer"
+                telling.screen.say(f"ended by {silence}")
+            outcome = Outcome("ended", None, silence)
+        else:
+            try:
+                chunk = port.read()
+            except Unplugged as error:
+                outcome = Outcome("fault", f"the port went away ({error})")
+            else:
+                log.append(chunk)
+    log.sync()
+    telling.close()
+    return outcome

@@ -1,0 +1,1 @@
+"""Indicators over strokes → laws, futures, and the strokes left until a limit is passed."""

@@ -1,0 +1,1 @@
+"""How often forecasts held on whole lives of strings, beside simple peers."""

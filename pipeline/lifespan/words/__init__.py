@@ -1,0 +1,1 @@
+"""What is said of a string's life, in sentences."""

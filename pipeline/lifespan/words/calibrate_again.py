@@ -1,0 +1,32 @@
+"""How a model is calibrated again on a string's newest strokes: the command to paste, and what comes after it."""
+
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+
+from ...ground.command import INSTALLED, command
+from ...ground.model_names import USUAL
+from ..stroke_health.indicators import REFERENCE
+
+AFTERWARDS = (
+    "This program cannot know that a model was calibrated again: it compares with the first "
+    f"{REFERENCE} strokes of the runs that it is given. After a calibration name only the runs recorded since: "
+    "a forecast of them needs 12 strokes again."
+)
+
+
+def calibrate_by(material: str, runs: Sequence[Path], out: Path) -> list[str]:
+    """What fits a model to a string's runs, and in a line of its own the command.
+
+    In raw/ of a checkout it is the workflow's; elsewhere a diagnosis calibrates the dimensions of the simulator.
+    """
+    in_raw = not INSTALLED and all(run.resolve().parent == Path("raw").resolve() for run in runs)
+    if in_raw:
+        model = f"processed/{material}/{USUAL}/within-0.model"
+        fit = f"snakemake --cores 2 -- {shlex.quote(model)}"
+        what = f"it fits the {USUAL} of {material} to all of its runs in raw/"
+        return [f"Calibrate it by this command ({what}):", f"  {fit}"]
+    named = " ".join(shlex.quote(str(run)) for run in runs)
+    together = " --together" if len(runs) > 1 else ""
+    fit = f"{command('diagnose')} {named}{together} --out {shlex.quote(str(out / 'calibrated'))}"
+    return ["Calibrate it by this command (it calibrates the simulator's dimensions on these runs):", f"  {fit}"]

@@ -1,0 +1,110 @@
+"""What to do about a string's age: when to calibrate the model again, and when to ask again."""
+
+import math
+
+import numpy as np
+
+from ..forecast.questions import Answer
+from ..forecast.strokes_left import LEAST_STROKES, Span
+from ..stroke_health.indicators import REFERENCE
+from .percent import tail
+from .stroke_counts import strokes, strokes_at_least
+
+SOONER = 0.5  # of the nearest lower bound: the new strokes then still count before it is reached
+LEVEL = 0.9
+SOON_PASSED = "a limit may be passed within 2 strokes"
+SOON = 2.0  # times the lower bound: a median further away reads as if it went against the advice
+
+
+def drift(answers: list[Answer]) -> Span:
+    """What is claimed of the model's error."""
+    return next(answer.left.span(LEVEL) for answer in answers if answer.question == "model_error")
+
+
+def recalibrate_after(answers: list[Answer]) -> int | None:
+    """Strokes from now until the model shall be calibrated again: 0 at once, None where nothing is claimed."""
+    span = drift(answers)
+    return None if span.state == "no claim" else math.floor(span.low)
+
+
+def ask_again_after(answers: list[Answer]) -> int:
+    """Strokes from now until the next question: half of the nearest lower bound, no more than are seen now."""
+    seen = max(max((len(answer.n) for answer in answers), default=0), LEAST_STROKES)
+    return int(np.clip(math.floor(SOONER * min(lows(answers), default=seen)), 1, seen))
+
+
+def lows(answers: list[Answer]) -> list[float]:
+    """The lower bound of the strokes left of each limit that is foretold and not passed."""
+    spans = [answer.left.span(LEVEL) for answer in answers]
+    return [span.low for span in spans if span.state not in ("no claim", "passed")]
+
+
+def advice(answers: list[Answer]) -> str:
+    """When to calibrate the model again and when to ask again, each with the stroke at which that is."""
+    last = max((int(answer.n[-1]) for answer in answers if len(answer.n)), default=0)
+
+    def after(count: int) -> str:
+        return f"{strokes(count)}, at stroke {last + count}"
+
+    again = f"Ask again after {after(ask_again_after(answers))}."
+    when = recalibrate_after(answers)
+    if when is None:
+        return f"Advice: no reason to calibrate your model again is seen so far. {again}"
+    if when == 0:
+        return f"Advice: calibrate your model again now. {again}"
+    if drift(answers).state == "censored":
+        return f"Advice: your model need not be calibrated again within {strokes(when)}. {again}"
+    return f"Advice: calibrate your model again after about {after(when)}. {again}"
+
+
+def no_ageing(answers: list[Answer], strokes_seen: int, at_rest: str = "") -> str:
+    """That nothing ages, and that bounds are then those of a short record; empty where anything changed or is unknown.
+
+    `at_rest` is what is said of a string that is longer at rest.
+    """
+    bounds = lows(answers)
+    if not bounds or at_rest or any(answer.left.drifts for answer in answers):
+        return ""
+    least = strokes_at_least(min(bounds))
+    return (
+        "No ageing is seen: every change is within the noise of the strokes. "
+        f"The {strokes(strokes_seen)} seen can promise at least {least} more: this bound is caution, no sign of wear."
+    )
+
+
+def due(answers: list[Answer]) -> bool:
+    """Whether a time to calibrate the model again is foretold, or was passed."""
+    return drift(answers).state in ("passed", "one-sided", "interval")
+
+
+def rests_on(answers: list[Answer]) -> list[str]:
+    """Why the advice is what it is: why to calibrate or not to, and why to ask again."""
+    error = next(answer for answer in answers if answer.question == "model_error")
+    limit, model = f"{error.limit:g} {error.unit}", f"a model calibrated on the first {REFERENCE} strokes"
+    why = {
+        "passed": f"{model} was off by {limit} at stroke {error.left.passed_at:.0f} already",
+        "no claim": f"nothing is foretold of {model}",
+        "censored": f"{model} is off by less than {limit} so long, in 9 of 10 futures",
+    }.get(drift(answers).state, f"{model} may be off by {limit} by then, the lower bound below")
+    seen = max(len(answer.n) for answer in answers)
+    least = math.floor(min(lows(answers), default=0.0))
+    half = (
+        f"at least {least} strokes are left, and half of those {least} strokes are then done"
+        if least > 1
+        else SOON_PASSED
+    )
+    again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes seen have doubled then"
+    calibrate = "Why calibrate" if due(answers) else "Why no calibration"
+    return [f"{calibrate}: {why}.{_cautious(error)}", f"Why ask again: {again}."]
+
+
+def _cautious(error: Answer) -> str:
+    """Why the advice comes long before half of the futures pass the limit; nothing where it does not."""
+    span = error.left.span(LEVEL)
+    if span.state not in ("one-sided", "interval") or span.median < SOON * span.low:
+        return ""
+    sooner = tail(1.0 - LEVEL if span.state == "one-sided" else (1.0 - LEVEL) / 2.0)
+    return (
+        f" The advice is for the worst {sooner} of the futures, which pass {error.limit:g} {error.unit} by then; that "
+        "half of them stay below it far longer does not go against it."
+    )

@@ -1,0 +1,64 @@
+"""The words of the page of a string's life: what its lines, shades, bars and arrows are."""
+
+from textwrap import fill
+
+from ..forecast.questions import Answer
+from ..forecast.strokes_left import FUTURES, LEAST_STROKES, Span
+from ..stroke_health.indicators import REFERENCE
+from .percent import tail
+from .stroke_counts import at_least
+
+WHAT = {"stroke_loss": "stroke lost", "model_error": "error of the model"}
+HEADS = {
+    "stroke_loss": f"How much of the stroke is lost since the first {REFERENCE} strokes (below 0: the stroke grew)",
+    "model_error": f"How far a model is off that was calibrated on the first {REFERENCE} strokes (rms over a stroke)",
+}
+WIDE = 128  # characters of a line at the foot of the page
+NEGATIVE_LOOP = "below 0: at equal twist the string is\nshorter while it unwinds"
+POINTS = "Blue: each stroke as measured, ± 1 standard error. Loop: displacement winding minus unwinding at equal twist."
+FUTURE = (
+    f"Green: the law fitted to the strokes. Orange: {FUTURES:,} ways in which it may go on (futures), half of them "
+    "above the line. Each counts by its highest value so far; one that ends suddenly counts as above the limit."
+)
+BAR = (
+    "Black bar: where the limit is passed. {0} of the futures pass it before the bar begins (upper edge of the "
+    "shade), {0} after it ends (lower edge). Futures are drawn until there."
+)
+ARROW = (
+    "Black arrow: at most {0} of the futures pass the limit before it begins, so {2} stay below it until then. The "
+    "shade leaves out {0} above and {0} below: the middle {3}. The forecast looks {1} strokes ahead."
+)
+
+
+def tail_of(span: Span, level: float) -> float:
+    """The share of the futures above the shade, and of those below it: the share that the claim leaves out."""
+    return (1.0 - level) / (2.0 if span.state == "interval" else 1.0)
+
+
+def footnote(answers: list[Answer], level: float) -> str:
+    """What the points are, and each line, shade, bar and arrow where any future is drawn."""
+    drawn = [answer.left for answer in answers if answer.left.band is not None]
+    if not drawn:
+        return fill(POINTS, WIDE)
+    spans = [left.span(level) for left in drawn]
+    lines = [POINTS, FUTURE]
+    if any(span.state == "interval" for span in spans):
+        lines.append(BAR.format(tail((1.0 - level) / 2.0)))
+    if any(span.state != "interval" for span in spans):
+        out = 1.0 - level
+        lines.append(ARROW.format(tail(out), at_least(drawn[0].horizon), tail(level), tail(1.0 - 2.0 * out)))
+    return "\n".join(fill(line, WIDE) for line in lines)
+
+
+def left_out(of_range: int, of_load: int) -> str:
+    """How many strokes are not among those seen, for the title; empty where none is left out."""
+    range_of_twist = f", {of_range} left out (another range of twist)" if of_range else ""
+    return f"{range_of_twist}, {of_load} left out (another load)" if of_load else range_of_twist
+
+
+def no_claim(reason: str) -> str:
+    """Why nothing is foretold, in a few words."""
+    why = reason.split(":")[0]
+    if "too few" not in why:
+        return f"no claim: {why}"
+    return f"no forecast yet: {' '.join(why.split()[:2])}, {LEAST_STROKES} needed"

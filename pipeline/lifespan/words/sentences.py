@@ -1,0 +1,180 @@
+"""What is said of a string's life in sentences: what is seen, what is foretold, how far to trust it, what to do."""
+
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from ...ground.command import command, program_name
+from ...ground.counts import are
+from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
+from ...string.zero import Jump
+from ..forecast.questions import Answer
+from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
+from ..stroke_health.at_rest import longer_at_rest
+from ..stroke_health.health import SAME_RANGE, Health
+from ..stroke_health.indicators import REFERENCE
+from .calibrate_again import AFTERWARDS
+from .calibration_advice import advice, due, no_ageing, rests_on
+from .claims_held import measured
+from .percent import of_100, percent, tail
+from .so_far import so_far
+from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
+
+UNFORESEEN = (
+    "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "
+    f"{of_100(sudden(1.0))} until the strokes seen have doubled, and of {of_100(sudden(HORIZON))} within "
+    f"{HORIZON:g} times the strokes seen; wear that speeds up later has a chance of {of_100(ACCELERATES)}. Every "
+    "string is given the same three chances, so this string's own may be larger."
+)
+SYNTHETIC = (
+    f"Only if you record the synthetic rig ({command('rig')}): start it with `--strokes 24`. Without `--standing` each "
+    "of its recordings is of a new string."
+)
+MADE = ("example", SYNTHETIC_MATERIAL)  # materials of the synthetic rig begin so
+ZERO_OFF = (
+    "Such a zero is known in part: on simulated strings it was off by 0.01 to 0.08 mm (median, by how a string "
+    "creeps), at worst by 0.5 mm. The model's error may be off by as much."
+)
+WAYS_ON = f"A future is one of {FUTURES:,} ways in which this string may go on, as the laws of its strokes allow."
+
+
+def few(count: int) -> bool:
+    """Whether so many strokes are too few for a forecast."""
+    return count < LEAST_STROKES
+
+
+def seen(health: Health, beside: bool = False) -> list[str]:
+    """How many strokes were seen; where they are too few, how many are needed and how to get them.
+
+    `beside`: whether other runs of the string are there and were not given.
+    """
+    table = health.strokes
+    strokes_seen = f"{strokes(len(table))} seen{health.loads.under}"
+    if not few(len(table)):
+        return [f"{health.string}: {strokes_seen}, the last one stroke {int(table['stroke'].iloc[-1])}."]
+    more, out = LEAST_STROKES - len(table), len(health.left_out)
+    strokes_seen += f", {out} more left out" * bool(out)
+    like = f"its run {table['run'].iloc[-1]}" if health.loads.others else "its first run"
+    one_load = " under one load" * bool(health.loads.others)
+    needed = f"at least {LEAST_STROKES}{one_load} are needed, {more} more than there are"
+    if beside:
+        return [f"{health.string}: no forecast yet: {strokes_seen}; {needed}. Name the runs beside as well."]
+    return [
+        f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
+        *([f"  {_another_range(health)}"] if out else []),
+        f"  Record {more} or more further strokes of this very string{health.loads.under} as a new run "
+        f"({program_name('new_run')} --like {like}), wound to {health.range_turns[1]:.3g} turns. Then name all runs of "
+        "it in this command.",
+        *([f"  {SYNTHETIC}"] if health.material.startswith(MADE) else []),
+    ]
+
+
+def _another_range(health: Health) -> str:
+    """That strokes are left out, and which range they would have to wind over."""
+    count, (low, high) = len(health.left_out), health.range_turns
+    wind = "strokes wind" if count > 1 else "stroke winds"
+    range_ = f"{low:.3g} to {high:.3g} turns, the median of the first {REFERENCE}, within {SAME_RANGE:.0%} of it"
+    return f"{count} {wind} over another range than {range_}, and {are(count)} left out."
+
+
+def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
+    """One question's answer in words, a fact a sentence; unless `enough`, without the reason why there is none."""
+    left, span = answer.left, answer.left.span(level)
+    limit = f"a model calibrated on the first {REFERENCE} strokes is off by {answer.limit:g} {answer.unit}"
+    limit = f"{percent(answer.limit)} of the stroke is lost" if answer.unit == "1" else limit
+    if span.state == "no claim":
+        return [f"Until {limit}: {f'no claim: {left.reason}' if enough else 'no forecast yet'}."]
+    if span.state == "passed":
+        return [f"Until {limit}: passed already at stroke {left.passed_at:.0f}."]
+    most = f"{at_least(left.horizon)} strokes"
+    further = f"The forecast does not look further than {most}."
+    if span.state == "censored":
+        return [f"Until {limit}: more than {most} left in {percent(level)} of the futures.", further]
+    if not np.isfinite(span.median):
+        half = f"At least half of the futures stay below the limit for all {most}."
+    elif span.median < 1.0:
+        half = "Half of the futures pass the limit within the next stroke."
+    else:
+        half = f"Half of the futures stay below the limit for longer than {strokes_at_least(span.median)}."
+    if span.state == "interval":
+        ends = tail((1.0 - level) / 2.0)
+        between = f"{at_least(span.low)} to {strokes_at_most(span.high)} left in {percent(level)} of the futures"
+        return [f"Until {limit}: {between} ({ends} pass it sooner, {ends} later).", half]
+    least = f"at least {strokes_at_least(span.low)} left in {percent(level)} of the futures"
+    return [f"Until {limit}: {least} ({tail(1.0 - level)} pass it sooner).", half, further]
+
+
+def law(answer: Answer) -> str:
+    """The law that has the most weight."""
+    choice = answer.left.choice
+    return (
+        f"The law that counts most in this: {choice.best.law.name} ({percent(choice.weights.max())} of the weight)."
+        if choice
+        else ""
+    )
+
+
+def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> list[str]:
+    """Lines of one question: how far the limit is now, how long it stays unpassed, and how far to trust that."""
+    state = answer.left.span(level).state
+    within = "" if answer.left.drifts else " This change is within the noise of the strokes."
+    claim, *more = sentence(answer, level, enough)
+    lines = [f"  {so_far(answer, at_rest)}{within}", f"  {claim}"]
+    if state in ("no claim", "passed"):
+        return lines
+    return [*lines, *(f"    {line}" for line in (*more, measured(answer.question, state), law(answer)) if line)]
+
+
+def zero(jump: Jump) -> str:
+    """What is said of a jump of the zero: a mend while there is one to make, and what is done with it here."""
+    if jump.taken_off:
+        took_back = f" The {jump.recovered_mm:.2f} mm that the string took back in the break stay in."
+        moved = f"the {abs(jump.moved_mm):.2f} mm by which its zero was moved are taken off"
+        return f"{jump.run} has `tare: run`: {moved}.{took_back if jump.recovered_mm else ''}"
+    done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
+    return f"{jump.advice} {done}."
+
+
+def not_given(string: str, given: list[Path], others: list[Path], out: Path) -> str:
+    """What is said where other runs of a string lie beside those that were given, with the command for all of them."""
+    count = f"{len(others)} more run{'s' * (len(others) > 1)} of the string {string} beside, not given"
+    every = " ".join(shlex.quote(str(folder)) for folder in (*given, *others))
+    again = f"{command('lifespan')} {every} --out {shlex.quote(str(out))}"
+    return f"Beware: {count}. Strokes are counted as if there were none of them. All of them:\n  {again}"
+
+
+def young(run: str) -> str:
+    """What is said of a run that begins as the string began."""
+    return (
+        f"{run} begins as this string began: its first strokes and their loops are those of the string's first "
+        f"{REFERENCE} again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its "
+        f"run.yaml (--string-id of {program_name('new_run')})."
+    )
+
+
+def sentences(
+    health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: Sequence[str] = ()
+) -> str:
+    """All answers in words, a few lines; `beside` as `seen` takes it, `calibrate_by` how a model is calibrated."""
+    lines, enough, at_rest = seen(health, beside), not few(len(health.strokes)), longer_at_rest(health.strokes)
+    lines += [f"  {line}" for line in (no_ageing(answers, len(health.strokes), at_rest),) if line]
+    lines += [f"  {line}" for line in health.loads.sentences]
+    is_foretold = any(len(answer.left.when) for answer in answers)
+    lines += [f"  {WAYS_ON}"] if is_foretold else []
+    if enough:
+        lines.append(f"  {advice(answers)}")
+        then = [*calibrate_by, AFTERWARDS] if due(answers) else []
+        lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
+    if health.left_out and (enough or beside):  # else it is said first
+        lines.append(f"  {_another_range(health)}")
+    lines += [f"  {young(run)}" for run in health.anew]
+    lines += [f"  {zero(jump)}" for jump in health.jumps]
+    lines += [f"  {note}" for note in health.tares]
+    lines += [f"  Beware: {note}" for note in health.uncompared]
+    if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
+        lines.append(f"  {ZERO_OFF}")
+    lines += [line for answer in answers for line in answered(answer, level, enough, at_rest)]
+    lines += [f"  {UNFORESEEN}"] if is_foretold else []
+    return "\n".join(lines)

@@ -1,0 +1,46 @@
+"""What the last strokes show of one question, in a sentence: how far its limit is now."""
+
+import numpy as np
+
+from ..forecast.questions import Answer
+from ..stroke_health.indicators import REFERENCE
+
+LAST = 3  # strokes that tell how far a limit is
+LEAST_LOSS = 1e-3  # per cent of the stroke: no sensor shows less
+LEAST_OFF = 1e-6  # mm: no sensor shows less
+
+
+def beside_limit(value: float, limit: float) -> str:
+    """A number with two digits, or with as many more as tell it from the limit: 1.03 beside 1."""
+    texts = (f"{value:.{digits}g}" for digits in range(2, 7))
+    return next((text for text in texts if float(text) != float(f"{limit:.6g}")), f"{value:.2g}")
+
+
+def off_by(value: float, noise: float, answer: Answer) -> str:
+    """A model's error with its unit; of an error below its noise (a standard error) that it is less than that."""
+    if max(value, noise) < LEAST_OFF:
+        return "nothing measurable"
+    if value < noise:
+        return f"less than the noise of a stroke, {noise:.2g} {answer.unit}"
+    return f"{beside_limit(value, answer.limit)} {answer.unit}"
+
+
+def so_far(answer: Answer, at_rest: str = "") -> str:
+    """What the last strokes show, whatever may be said of those to come; `at_rest` is what no stroke shows."""
+    after = len(answer.n) - (REFERENCE if answer.unit == "1" else 0)
+    if after <= 0:
+        first = f"the first {REFERENCE} strokes are what the later ones are compared with"
+        return f"So far: {first}: from stroke {REFERENCE + 1} on it shows."
+    last = answer.values[-min(after, LAST) :]
+    of, middle = f"the last {len(last)} strokes" if len(last) > 1 else "the last stroke", float(np.median(last))
+    if answer.unit != "1":
+        noise = float(np.median(answer.errors[-len(last) :]))
+        off = off_by(middle, noise, answer)
+        return f"So far: a model calibrated on the first {REFERENCE} strokes is off by {off} (median of {of})."
+    against, rest = f"{of} against the first {REFERENCE}", f", {at_rest}" * bool(at_rest)
+    if abs(100.0 * middle) < LEAST_LOSS:
+        return f"So far: nothing measurable of the stroke is lost{rest} ({against})."
+    if middle < 0.0:
+        return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost{rest} ({against})."
+    lost = beside_limit(100.0 * middle, 100.0 * answer.limit)
+    return f"So far: {lost} % of the stroke is lost ({against})."

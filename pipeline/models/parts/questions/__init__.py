@@ -1,0 +1,1 @@
+"""Questions of a table → answers with intervals, or why there is none."""

@@ -1,0 +1,156 @@
+"""Prediction intervals, forward and inverse, from how well a model foresaw the last strokes that it had not yet seen.
+
+Conformal in kind: no law of the errors is assumed. The model is fitted without the last strokes, then without fewer,
+and each time asked about those that follow (rolling origin). Errors are counted in units of the local scatter, which
+depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were seen
+get the scores of blocks held out inside strokes, strokes ahead those of as many strokes ahead. The model that is asked
+knows more than those that were tried: what their errors have above the noise is taken to fall with the points, and
+ahead with the square of the strokes. Between recorded loads an interval is wider (`between.py`). A point outside the
+model's box, at a twist that was not recorded around its load (`recorded_pairs.py`), or farther ahead than could be
+tried, gets no interval: low and high are infinite and it is flagged. So does one whose stroke was not recorded around
+its load as far as its twist (`recorded_strokes.py`), and a contraction that lies beyond all recorded ones with its
+whole interval.
+
+Source: Vovk, Gammerman and Shafer, Algorithmic Learning in a Random World, 2005 (conformal prediction); Tashman, "Out-
+of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000 (rolling origin).
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+import pandas as pd
+
+from ....ground.kinematics import Array, Mask
+from ....ground.progress import steps
+from ...interface import Model
+from ..box import Box
+from ..rolling_origin import FOLDS, last_seen, last_strokes, parts_of
+from .between import Between
+from .foreseen import GIVEN, foreseen
+from .reached_contraction import brought
+from .recorded_pairs import pairs_of, turns_at
+from .recorded_strokes import Under
+from .scatter import Scatter, quantile
+
+
+class TooFew(ValueError):
+    """Points from which it cannot be learnt how a model errs."""
+
+
+class Intervals:
+    """A fitted model with what its errors are like; `make` returns an unfitted model of its kind."""
+
+    def __init__(self, make: Callable[[], Model]) -> None:
+        self.make = make
+
+    def fit(self, points: pd.DataFrame, seed: int) -> None:
+        """Fit the model on all points, and on parts of them to see how it errs on the rest.
+
+        Raises TooFew where the points are all of one block.
+        """
+        parts = parts_of(points)
+        if not parts:
+            raise TooFew("are all of one block, so nothing can be foreseen from the rest")
+        self.model, self.box, self.pairs = self.make(), Box.of(points), pairs_of(points)
+        self.between = Between(self.make, points, seed)
+        self.strokes, error_tables = last_strokes(points), []
+        for part in steps([None, *parts], "fit"):
+            if part is None:
+                self.model.fit(points, seed)
+            else:
+                error_tables.append(foreseen(self.make, *part, seed))
+        errors = pd.concat(error_tables, ignore_index=True)
+        count = int(points.groupby("string")["stroke"].nunique().max())
+        self.scatter: dict[str, Scatter] = {}
+        self.scores: dict[str, dict[int, Array]] = {}
+        for wanted in GIVEN:
+            seen = errors[errors["ahead"] == 0]
+            columns = (seen[f"{wanted}_at"].to_numpy(), seen["direction"].to_numpy(), seen[wanted].to_numpy())
+            self.scatter[wanted] = Scatter.of(*columns)
+            # a fit of p weights to N points errs by noise (1 - p/N) on them and by noise (1 + p/N) on others
+            inner, outer = float(np.mean(seen[f"{wanted}_fitted"])), float(np.mean(seen[wanted] ** 2))
+            noise = min(2.0 * inner * outer / (inner + outer), outer)
+            self.scores[wanted] = {}
+            for ahead, rows in errors.groupby("ahead", sort=True):
+                size = self.scatter[wanted].at(rows[f"{wanted}_at"].to_numpy(), rows["direction"].to_numpy())
+                square = float(np.mean(rows[wanted] ** 2))
+                above = max(square - noise, 0.0)
+                less = (1.0 - 1.0 / FOLDS) if ahead == 0 else (1.0 - float(ahead) / count) ** 2
+                shrunk = np.sqrt((square - above * (1.0 - less)) / square)
+                self.scores[wanted][int(ahead)] = np.sort(np.abs(rows[wanted].to_numpy()) / size * shrunk)
+
+        self.under = Under.of(points, self.ahead("displacement_mm"))
+
+    def forward(self, points: pd.DataFrame, level: float) -> pd.DataFrame:
+        """Contraction in mm with an interval that holds it with probability `level`: value, low, high, inside."""
+        return self._predicted(points, "displacement_mm", level)
+
+    def inverse(self, points: pd.DataFrame, level: float) -> pd.DataFrame:
+        """Twist in turns with an interval that holds it with probability `level`: value, low, high, inside."""
+        return self._predicted(points, "motor_turns", level)
+
+    def quantile(self, wanted: str, ahead: int, level: float) -> float:
+        """Half width, in units of the scatter, so many strokes ahead of those seen; infinite where none was tried."""
+        known = {n: quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
+        numbers = sorted(known)
+        if ahead > numbers[-1]:
+            return float("inf")
+        return float(np.interp(ahead, numbers, np.maximum.accumulate([known[n] for n in numbers])))
+
+    def outside(self, points: pd.DataFrame, wanted: str, turns: Array) -> dict[str, Mask]:
+        """Which questions lie outside what was recorded, by the column that is why: masks of shape (points,).
+
+        `pairs` are those whose twist was not recorded around their load, or what else differs, `under` those whose
+        stroke was not, as far as their twist in turns, which was asked with or answered; of shape (points,).
+        """
+        last, stroke = self.last_recorded(points), points["stroke"].to_numpy()
+        far = (stroke - last.to_numpy() > self.ahead(wanted)) | (stroke < self.box.low["stroke"])
+        wrong = self.box.outside(points, GIVEN[wanted]) | {"stroke": far, "string": last.isna().to_numpy()}
+        if wanted == "displacement_mm":
+            low, high = self.turns(points)
+            wrong["pairs"] = (turns < low) | (turns > high)
+        if self.under:
+            wrong["under"] = np.array([bool(reason) for reason in self.under.never(points, turns)])
+        return {name: np.asarray(mask, bool) for name, mask in wrong.items() if mask.any()}
+
+    def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:
+        """The range of twists recorded around each question's conditions, with its room, in turns; shape (points,)."""
+        return turns_at(self.pairs, points, (self.box.low["motor_turns"], self.box.high["motor_turns"]))
+
+    def brought(self, points: pd.DataFrame, level: float) -> tuple[Array, Mask]:
+        """Twists in turns, within those recorded, and which are held at their end; each of shape (points,).
+
+        Held is one whose contraction is further from the asked one than the interval of the level.
+        """
+        ends = self.turns(points)
+        return brought(self.model, points, ends, lambda at: self._half(points, "displacement_mm", at, level))
+
+    def last_recorded(self, points: pd.DataFrame) -> pd.Series:
+        """The last recorded stroke of each question's string, NaN where none was; of shape (points,)."""
+        return last_seen(points, self.strokes)
+
+    def ahead(self, wanted: str) -> int:
+        """How many strokes after the last recorded one have an interval."""
+        return max(number for number, values in self.scores[wanted].items() if len(values))
+
+    def _predicted(self, points: pd.DataFrame, wanted: str, level: float) -> pd.DataFrame:
+        if wanted == "displacement_mm":
+            value, wrong = self.model.forward(points), np.zeros(len(points), bool)
+            turns = points["motor_turns"].to_numpy(float)
+        else:
+            value, wrong = self.brought(points, level)
+            turns = value
+        half = self._half(points, wanted, turns, level)
+        low, high = self.between.widened(self.model, points, self.pairs, wanted, turns, level, value, half)
+        if wanted == "displacement_mm":  # further than recorded by more than the interval
+            wrong = (low > self.box.high[wanted]) | (high < self.box.low[wanted])
+        inside = np.isfinite(half) & ~np.any([wrong, *self.outside(points, wanted, turns).values()], axis=0)
+        low, high = np.where(inside, low, -np.inf), np.where(inside, high, np.inf)
+        return pd.DataFrame({"value": value, "low": low, "high": high, "inside": inside})
+
+    def _half(self, points: pd.DataFrame, wanted: str, turns: Array, level: float) -> Array:
+        """Half widths at twists in turns, in the wanted column's unit; each of shape (points,)."""
+        last = self.last_recorded(points)
+        ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
+        size = self.scatter[wanted].at(turns, points["direction"].to_numpy())
+        return np.asarray(size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place])

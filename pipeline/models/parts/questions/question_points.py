@@ -1,0 +1,147 @@
+"""Questions as points of a dataset: each row tells the twist or the contraction, and is asked for the other."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from ....ground.command import command
+from ....ground.errors import BadInput
+from ....ground.units import unit_of
+from ..box import COLUMNS
+from ..conditions import Conditions
+from ..settings import shown
+from .bad_rows import BadRow, first_of_each, of_mask, refusal
+from .question_table import bad_cells, known_columns, question_table
+
+ASKED = ("stroke", "direction")  # every question must tell
+WAYS = {1: "winding", -1: "unwinding"}
+MOST_STROKE = 10**9  # that a question may be about: any number that a person means
+EITHER = ("motor_turns", "displacement_mm")  # one of which a question tells, to be answered the other
+NAMED = 30  # strings that are named where a file names none
+LABELS = ("actuator", "string", "material", "phase")  # columns of words that are read
+
+
+@dataclass(frozen=True)
+class Questions:
+    """The questions of a file: `points`, those that can be answered, with the dataset's columns; numbered anew.
+
+    In each point the wanted one of twist and contraction is NaN.
+    """
+
+    points: pd.DataFrame
+    columns: list[str]  # that the file has
+    rows: NDArray[np.intp]  # (points,): their places in the file, from 0, without unit
+    bad: list[BadRow]  # the other rows, each by the first thing that is wrong with it
+    cells: pd.DataFrame  # what stands in the bad rows, numbers alone; the index is the row, from 0
+
+
+def read_questions(path: Path, dataset: pd.DataFrame) -> Questions:
+    """Questions of a csv about a dataset. What does not vary in it need not be told.
+
+    Raises BadInput naming all columns that are missing, or all rows where none can be answered.
+    """
+    return _questions(question_table(path, _known(dataset)), path, dataset)
+
+
+def questions_of(table: pd.DataFrame, dataset: pd.DataFrame) -> Questions:
+    """Questions of a table about a dataset, a row each, as those of a csv; raises BadInput as for a csv."""
+    source = Path("questions")
+    return _questions(known_columns(table.reset_index(drop=True), source, _known(dataset)), source, dataset)
+
+
+def _known(dataset: pd.DataFrame) -> list[str]:
+    """The columns of questions about a dataset that are read."""
+    return [name for name in (*COLUMNS, *LABELS) if name in dataset]
+
+
+def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame) -> Questions:
+    """Questions of a table whose columns are known; `path` is where it is from, for complaints."""
+    known = [name for name in EITHER if name in questions.columns]
+    if not known:
+        given = f"are {', '.join(map(repr, questions.columns))}: neither of {' and '.join(EITHER)}"
+        raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
+    if questions.empty:
+        raise BadInput(path, "rows", "there are none", "write one question a line")
+    points, wrong, missing = pd.DataFrame(index=range(len(questions))), list[BadRow](), list[str]()
+    for name in dataset.columns:
+        if name in questions.columns:
+            may_be_empty = len(known) == len(EITHER) and name in EITHER
+            numeric = name in (*COLUMNS, *ASKED)
+            wrong += bad_cells(questions[name], dataset[name], numeric, may_be_empty)
+            in_numbers = pd.to_numeric(questions[name], errors="coerce") if numeric else questions[name]
+            points[name] = in_numbers.to_numpy()
+        elif name in EITHER:
+            points[name] = np.nan
+        elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
+            points[name] = dataset[name].median()  # what little it varies is its cell's noise
+        elif name in (*COLUMNS, "actuator", "string") and dataset[name].nunique(dropna=False) > 1:
+            missing.append(name)
+        else:
+            points[name] = dataset[name].iloc[0]
+    if missing:
+        each = "; ".join(f"{name}, {_which(dataset[name])}" for name in missing)
+        problem = "are missing, and vary" if len(missing) > 1 else "is missing, and varies"
+        mend = f"add the columns: {each}" if len(missing) > 1 else f"add the column: {_which(dataset[missing[0]])}"
+        raise BadInput(path, ", ".join(missing), f"{problem} in the recordings", mend)
+    bad = first_of_each([*wrong, *_bad_rows(path, questions, points, dataset)])
+    if len(bad) == len(points):
+        raise refusal(path, bad, answered=0)
+    is_bad = np.isin(np.arange(len(points)), [entry.row - 1 for entry in bad])
+    good = points[~is_bad].reset_index(drop=True)
+    good["stroke"] = good["stroke"].astype(np.int64)
+    kept = [name for name in points if name in questions.columns]
+    return Questions(good, list(questions.columns), np.flatnonzero(~is_bad), bad, points.loc[is_bad, kept])
+
+
+def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.DataFrame]]:
+    """Of twist and contraction each that some rows tell, with those rows' places and the rows, numbered anew.
+
+    Places have the shape (rows,), without unit.
+    """
+    for name in EITHER:
+        rows = np.flatnonzero(points[name].notna())
+        if len(rows):
+            yield name, rows, points.iloc[rows].reset_index(drop=True)
+
+
+def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset: pd.DataFrame) -> list[BadRow]:
+    """The rows that ask nothing, ask two things, or ask what has no sense; raises BadInput for another actuator."""
+    given_by = [points[name].notna().to_numpy() for name in EITHER]
+    both, neither = " and ".join(EITHER), " nor ".join(EITHER)
+    strange = (points["actuator"].notna() & ~points["actuator"].isin(set(dataset["actuator"]))).to_numpy()
+    if strange.any():
+        actuator = points["actuator"].astype(str)[strange].iloc[0]
+        given = f"is {shown(actuator)}, and the recordings are of {' and '.join(sorted(set(dataset['actuator'])))}"
+        raise BadInput(path, "actuator", given, "ask a dataset of that actuator")
+    mend = "leave the cell empty that is to be answered"
+    bad = of_mask(given_by[0] & given_by[1], "", f"tells both {both}", "", mend)
+    mend = "fill in the one that is known; the other is answered"
+    bad += of_mask(~(given_by[0] | given_by[1]), "", f"tells neither {neither}", "", mend)
+    strokes = points["stroke"].to_numpy(float)
+    strange = ~((strokes == np.floor(strokes)) & (strokes >= 1.0) & (strokes <= MOST_STROKE))
+    each = [f"is {stroke:g}" for stroke in strokes[strange]]
+    bad += of_mask(strange, "stroke", each, ", no whole number from 1", "the first stroke of a new string is 1")
+    strange = ~points["direction"].isin(WAYS).to_numpy()
+    each = [f"is {way:g}" for way in points["direction"][strange].astype(float)]
+    bad += of_mask(strange, "direction", each, ", neither 1 nor -1", "1 is winding, -1 unwinding")
+    if "phase" in questions:
+        strange = (points["phase"].astype(str) != points["direction"].map(WAYS)).to_numpy()
+        each = [f"is {shown(str(phase))}" for phase in points["phase"][strange]]
+        holds = f"what a hold or a rest adds: {command('simulate')} --motion"
+        mend = f"leave the column out: a question is of a motor that turns; {holds}"
+        bad += of_mask(strange, "phase", each, "", mend)
+    return bad
+
+
+def _which(recorded: pd.Series) -> str:
+    """What a column holds in the recordings, for whoever is to fill it in."""
+    if recorded.dtype.kind in "iuf":
+        unit = unit_of(str(recorded.name)).replace("1", "")
+        return f"recorded are {recorded.min():.4g} to {recorded.max():.4g} {unit}".rstrip()
+    values = sorted(set(map(str, recorded)))
+    more = f" and {len(values) - NAMED} more" if len(values) > NAMED else ""
+    return f"recorded are {', '.join(values[:NAMED])}{more}"

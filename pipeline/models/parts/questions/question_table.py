@@ -1,0 +1,119 @@
+"""A csv of questions as it stands: every cell where its header says, every column known, nothing guessed."""
+
+import difflib
+from collections.abc import Collection
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from ....formats.text import read_text
+from ....ground.complaint import key_name, meant, short
+from ....ground.errors import BadInput
+from ....ground.text_file import TextFile
+from ....ground.units import unit_of
+from .bad_rows import BadRow, of_mask
+
+IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the mend
+    "file.delimiter": ("columns", "part the columns by commas, and write numbers with a point: 3.5"),
+    "file.encoding": ("file", "save it as CSV in UTF-8"),
+}
+MOST = 10  # wrong columns that are named
+OTHER_NAMES = {  # of a column's quantity, without unit
+    "displacement_mm": {"contraction", "displacement", "shortening", "x"},
+    "motor_turns": {"twist", "turns", "twists", "revolutions", "rotations"},
+}
+WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a word where a number belongs
+
+
+def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
+    """Table of a csv with a header whose columns are among the known; raises BadInput naming the column."""
+    try:
+        cells = read_text(path, TextFile.model_validate({}))
+    except BadInput as error:
+        if "holds no samples" in error.problem:
+            raise BadInput(path, "rows", "there are none", "write a header, and one question a line") from None
+        if not path.is_file():
+            raise
+        mend = "part columns by commas, write numbers with a point (3.5), and one question a line below a header"
+        field, mend = IN_WORDS.get(error.field, (error.field, mend))
+        raise BadInput(path, field, error.problem, mend) from None
+    return known_columns(cells, path, known)
+
+
+def known_columns(cells: pd.DataFrame, path: Path, known: Collection[str]) -> pd.DataFrame:
+    """The table as it is, if each of its columns is known and stands once; raises BadInput naming the column."""
+    wrong = [name for name in cells.columns if name not in known]
+    if wrong:
+        are = "are not columns that are read" if len(wrong) > 1 else "is not a column that is read"
+        raise BadInput(path, ", ".join(map(key_name, wrong[:MOST])), are, _all_meant(wrong[:MOST], known))
+    twice = cells.columns[cells.columns.duplicated()]
+    if len(twice):
+        raise BadInput(path, twice[0], "is a column twice", "keep one")
+    return cells
+
+
+def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty: bool = False) -> list[BadRow]:
+    """Rows of a column with words or infinite numbers where numbers belong, or empty where no recorded one is."""
+    name, bad = str(cells.name), []
+    empty = cells.isna().to_numpy()
+    if recorded.notna().all() and not may_be_empty:
+        what = "is empty or nan" if numeric else "is empty"
+        bad += of_mask(empty, name, what, "", "fill it in, or take the row out")
+    if not numeric:
+        return bad
+    if cells.dtype.kind not in "iuf":
+        wrong = ~empty & pd.to_numeric(cells, errors="coerce").isna().to_numpy()
+        wrong = wrong if wrong.any() else ~empty  # such as True, which pandas takes for 1
+        for row in np.flatnonzero(wrong):
+            cell = str(cells.iloc[row])
+            mend = (
+                "write a point for the decimal comma" if _has_comma(cell) else WORDS.get(name, "write a number alone")
+            )
+            bad.append(BadRow(int(row) + 1, name, f"is {short(cell)}", ", no number", mend))
+    endless = np.isinf(pd.to_numeric(cells, errors="coerce").to_numpy(np.float64))
+    return bad + of_mask(endless, name, "is without end", "", "write a number")
+
+
+def _all_meant(names: list[str], known: Collection[str]) -> str:
+    """What to write for each of several wrong columns; where one is near none, which columns there are."""
+    if len(names) == 1:
+        return _meant(names[0], known)
+    near = {name: column for name in names if (column := _nearest(name, known))}
+    mends = [f"{column} for {key_name(name)}" for name, column in near.items()]
+    others = ", ".join(key_name(name) for name in names if name not in near)
+    left = [f"known are {', '.join(known)}: take {others} out, or write one of them"] * bool(others)
+    return "; ".join([f"write {', '.join(mends)}"] * bool(mends) + left)
+
+
+def _renamed(name: str, known: Collection[str]) -> str:
+    """The column of the quantity that a name is another word for; empty where it is none."""
+    words = {name.lower(), name.lower().rpartition("_")[0]}
+    return next((column for column, others in OTHER_NAMES.items() if others & words and column in known), "")
+
+
+def _nearest(name: str, known: Collection[str]) -> str:
+    """The column that a misspelt or shortened one stands for; empty where none or several may be meant."""
+    if renamed := _renamed(name, known):
+        return renamed
+    begun = [column for column in known if len(name) > 2 and column.startswith(name)]
+    close = begun if len(begun) == 1 else difflib.get_close_matches(name[:60], list(known), n=1)
+    return close[0] if close else ""
+
+
+def _meant(name: str, known: Collection[str]) -> str:
+    """The column that a misspelt one is nearest to, with its unit; or all of them."""
+    if renamed := _renamed(name, known):
+        return f"rename it: {renamed}? That is in {unit_of(renamed)}"
+    mend = meant(name, known)
+    unit = next((unit_of(column) for column in known if mend == f"did you mean {column!r}?"), "1")
+    return mend if unit == "1" else f"{mend} It is in {unit}"
+
+
+def _has_comma(cell: str) -> bool:
+    """Whether a cell is a number but for its decimal comma."""
+    try:
+        float(cell.replace(",", ".", 1))
+    except ValueError:
+        return False
+    return "," in cell

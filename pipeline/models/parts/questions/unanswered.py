@@ -1,0 +1,104 @@
+"""Why a question got no interval: which number it gives, and what was recorded of that.
+
+A question lies outside the box of the recordings, at a twist or in a stroke that was not recorded around its load, or
+too many strokes ahead of the last recorded one of its string, or asks for a contraction that no recorded twist gives,
+or its answer lies beyond all recorded contractions. One that lies
+between what was recorded is answered with an interval, and that is said too.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from ..box import MARGIN
+from ..rolling_origin import too_far
+from .beyond_range import also, beyond, held
+from .prediction_intervals import Intervals
+from .reached_contraction import reached_mm
+from .recorded_pairs import around
+
+SHOWN = 5  # questions of which the reason is printed; the file has all
+
+
+def reasons(
+    intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDArray[np.bool_], level: float
+) -> list[str]:
+    """Why each question is not `inside`, a sentence each, and that it lies between what was recorded; else empty.
+
+    `points` are the questions, of which `wanted` is asked, with intervals of the `level`; `inside` has the shape
+    (points,), without unit.
+    """
+    sentences = np.full(len(points), "", object)
+    rows = np.flatnonzero(~inside)
+    if len(rows):
+        sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
+    for paired in intervals.pairs:
+        gaps, rests_on = paired.gaps(points), intervals.between.said(paired)
+        gaps = [also(gap, rests_on) if gap and within else gap for gap, within in zip(gaps, inside, strict=True)]
+        sentences[:] = [also(*both) for both in zip(sentences, gaps, strict=True)]
+    return list(sentences)
+
+
+def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: float) -> NDArray[np.object_]:
+    """Why each of these questions has no interval; sentences of shape (questions,), without unit."""
+    sentences = np.full(len(questions), "", object)
+    forward = wanted == "displacement_mm"
+    turns = questions["motor_turns"].to_numpy(float) if forward else intervals.brought(questions, level)[0]
+    outside, last = intervals.outside(questions, wanted, turns), intervals.last_recorded(questions)
+    apart = outside.pop("pairs", np.zeros(len(questions), bool))
+    never = intervals.under.never(questions, turns) if intervals.under and "under" in outside else ()
+    outside.pop("under", None)
+    for name, mask in outside.items():
+        for row, value, recorded in zip(np.flatnonzero(mask).tolist(), questions[name][mask], last[mask], strict=True):
+            reason = _reason(intervals, name, value, float(recorded), intervals.ahead(wanted))
+            sentences[row] = also(sentences[row], reason)
+    for row, reason in enumerate(never):
+        sentences[row] = also(sentences[row], reason)
+    if apart.any():
+        known = apart if "motor_turns" not in outside else apart & ~outside["motor_turns"]
+        for paired in intervals.pairs:
+            for row, reason in enumerate(paired.never(questions, turns)):
+                sentences[row] = also(sentences[row], reason if known[row] else "")
+    rows = np.flatnonzero(sentences == "")
+    if wanted == "motor_turns" and len(rows):
+        rest = questions.iloc[rows]
+        twists, wrong = intervals.brought(rest, level)
+        least_mm, most_mm = reached_mm(intervals.model, rest, intervals.turns(rest))
+        near = around(intervals.pairs, rest, twists)
+        for place in np.flatnonzero(wrong):
+            end, least, most = float(twists[place]), float(least_mm[place]), float(most_mm[place])
+            conditions = [paired.name for paired in intervals.pairs]
+            sentences[rows[place]] = held(end, least, most, conditions, near[place])
+    if wanted == "displacement_mm" and len(rows):
+        ends = intervals.box.low[wanted], intervals.box.high[wanted]
+        for row, value in zip(rows.tolist(), intervals.model.forward(questions.iloc[rows]), strict=True):
+            if not ends[0] <= value <= ends[1]:
+                reason = beyond(
+                    wanted, float(f"{value:.4g}"), *ends, f"was recorded, with {MARGIN[wanted]:.0%} to spare"
+                )
+                sentences[row] = f"the answer is beyond all that was recorded: {reason}"
+    sentences[sentences == ""] = "how large an error is here could not be learnt"
+    return sentences
+
+
+def first_of(sentences: Sequence[str]) -> list[str]:
+    """The first sentences that say something, each with the number of its row."""
+    numbered = [f"row {number}: {sentence}" for number, sentence in enumerate(sentences, start=1) if sentence]
+    left = len(numbered) - SHOWN
+    return numbered[:SHOWN] + ([f"and {left} more, each with its reason in the column `why`"] if left > 0 else [])
+
+
+def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: int) -> str:
+    """What is wrong with one number of a question."""
+    box = intervals.box
+    if name == "string":
+        return f"string {value} has no recording here"
+    if name == "material":
+        return f"material {value} was not recorded; recorded: {', '.join(box.materials)}"
+    number = float(value)  # type: ignore[arg-type]
+    if name == "stroke" and number > last:
+        return too_far(number, last, ahead)
+    spare = f", with {MARGIN[name]:.0%} to spare" if name in MARGIN else ""
+    return beyond(name, number, box.low[name], box.high[name], f"was recorded{spare}")

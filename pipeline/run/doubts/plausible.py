@@ -1,0 +1,200 @@
+"""Whether the channels of a string can be what their names say: which way they run, their units, and where 0 lies."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ...ground.errors import BadInput
+from ...ground.kinematics import Array, Geometry
+from ...ground.rows import Rows
+from ...ground.too_short import MOST_STRETCH
+from ...ground.units import conversion
+from ..description import Channel, Run
+from .plausible_load import DOUBT_STRETCH, check_load, load_mistake
+from .plausible_temperature import temperature_mistake
+
+# A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
+SPAN_RATIO = 4.0
+DOUBT_RATIO = 1.8  # and so far off it may still be physics, but is questioned
+LIKELY = 0.2  # of the span: a curve that a guess leaves further off is not what was recorded
+AS_LIKELY = 2.0  # misfits within this factor of the best cannot be told apart,
+SMALL = 0.04  # nor those below this share of the span
+UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of the range
+POINTS = 2000
+ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m", "um")
+INCH_MM = 25.4
+
+
+@dataclass(frozen=True)
+class Guess:
+    """A mistake that a recording may hold: what to multiply by, how the mend reads, and in which field."""
+
+    turns: float
+    length: float
+    field: str
+    mend: str
+
+
+class Curve:
+    """A recording's displacement over twist, held against the analytic model of its string."""
+
+    def __init__(self, samples: Rows, base: Geometry) -> None:
+        rows = np.unique(np.linspace(0, len(samples) - 1, POINTS).astype(int))
+        self.turns = samples.at("motor_turns", rows)
+        self.low, self.high = samples.percentiles("motor_turns", [1, 99])
+        low_mm, high_mm = samples.percentiles("displacement_mm", [1, 99])
+        self.measured_mm = np.clip(samples.at("displacement_mm", rows), low_mm, high_mm)
+        self.span_mm = float(high_mm - low_mm)
+        self.base, self.load_n = base, np.float64(samples.median("load_n"))
+
+    def ratio(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
+        """Recorded span over the simulated one, factors and offset applied; NaN where a pair cannot be wound so far."""
+        ends = np.array([max(self.low + offset_turns, 0.0), self.high + offset_turns]) * turns
+        with np.errstate(all="ignore"):
+            ends_mm = self.base.contraction_mm(ends, self.load_n)
+            return float(self.span_mm * length / (ends_mm[1] - ends_mm[0]))
+
+    def misfit(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
+        """How far the curve lies from the model's, zero apart, as a share of its span; infinite where it has none."""
+        with np.errstate(all="ignore"):
+            error_mm = self.measured_mm * length - self._model_mm(self.turns * turns + offset_turns)
+            share = float(np.divide(np.std(error_mm), self.span_mm * length))
+        return share if np.isfinite(share) else np.inf
+
+    def _model_mm(self, turns: Array) -> Array:
+        return self.base.contraction_mm(turns, self.load_n)
+
+    @property
+    def far(self) -> bool:
+        """Whether the lowest twist is far from 0, the untwisted string."""
+        return abs(self.low) > max(UNTWISTED_TURNS, UNTWISTED_SHARE * (self.high - self.low))
+
+    def likely(self, guesses: list[Guess], best: float) -> list[Guess]:
+        """The guesses that let the recording pass without doubt and fit about as well as the best, or as `best`."""
+        good = [guess for guess in guesses if 1.0 / DOUBT_RATIO <= self.ratio(guess.turns, guess.length) <= DOUBT_RATIO]
+        misfits = [self.misfit(guess.turns, guess.length) for guess in good]
+        return [guess for guess, misfit in zip(good, misfits, strict=True) if misfit <= bound(min([best, *misfits]))]
+
+
+def bound(best: float) -> float:
+    """The misfit up to which a guess cannot be told from the best one."""
+    return min(LIKELY, max(AS_LIKELY * best, SMALL))
+
+
+def _others(channel: Channel, column: str, units: tuple[str, ...]) -> list[tuple[float, str]]:
+    """Other units of a channel: by which factor its values would change, and the mend."""
+    if channel.unit not in (None, *units):
+        return []  # counts and volts: their scale may be anything
+    now = conversion(column, channel.unit)[0]
+    others = [unit for unit in units if unit != (channel.unit or units[0])]
+    return [
+        (conversion(column, unit)[0] / now, f"it looks like {unit}: set channels.{column}.unit to {unit}")
+        for unit in others
+    ]
+
+
+def _guesses(run: Run) -> list[list[Guess]]:
+    """Mistakes of one channel, then of both."""
+    angle, length = (run.channels.get(name, Channel.model_validate({})) for name in ("motor_turns", "displacement_mm"))
+    angles = [Guess(by, 1.0, "motor_turns", mend) for by, mend in _others(angle, "motor_turns", ANGLES)]
+    lengths = [Guess(1.0, by, "displacement_mm", mend) for by, mend in _others(length, "displacement_mm", LENGTHS)]
+    inch = f"it looks like inches: set channels.displacement_mm.scale to {INCH_MM * length.scale:g}"
+    if length.unit in (None, "mm"):
+        lengths.append(Guess(1.0, INCH_MM, "displacement_mm", inch))
+    both = [Guess(a.turns, b.length, a.field, f"{a.mend}, and {b.mend}") for a in angles for b in lengths]
+    return [[*angles, *lengths], both]
+
+
+def _freely(curve: Curve) -> list[tuple[float, str]]:
+    """With which factor of one channel the recording would fit: the misfit, and the factor in words."""
+    factors = np.geomspace(1e-3, 1e3, 601)
+    off = np.array([abs(np.log(curve.ratio(turns=factor))) for factor in factors])
+    fitting = []
+    if np.isfinite(off).any() and np.nanmin(off) < 0.1:
+        by = float(factors[np.nanargmin(off)])
+        fitting.append((curve.misfit(turns=by), f"with motor_turns, or radius_mm, {by:.2g} times as large"))
+    by = float(np.divide(1.0, curve.ratio() or np.inf))
+    if np.isfinite(by) and by > 0:
+        fitting.append((curve.misfit(length=by), f"with displacement_mm {by:.2g} times as large"))
+    return fitting
+
+
+def _span(run: Run, curve: Curve, path: Path) -> BadInput:
+    """That the string should contract by another length, with the mends that were tried and fit."""
+    freely = _freely(curve)
+    best = min((misfit for misfit, _ in freely), default=np.inf)
+    single, both = _guesses(run)
+    likely = curve.likely(single, best) or curve.likely(both, best)
+    field = likely[0].field if likely else "motor_turns"
+    mend = ", or ".join(guess.mend for guess in likely)
+    if len(likely) > 1:
+        mend = f"find out which: {mend}"
+    shifted = 1.0 / DOUBT_RATIO <= curve.ratio(offset_turns=-curve.low) <= DOUBT_RATIO
+    if curve.far and shifted and curve.misfit(offset_turns=-curve.low) <= bound(best):
+        field, mend = "motor_turns", _home(run, curve)
+    elif not likely:
+        mend = "check the units of motor_turns and displacement_mm, counts_per_turn, gears and the string's dimensions"
+        fitting = [words for misfit, words in freely if misfit <= bound(best)]
+        mend += f"; it would fit {' or '.join(fitting)}" if fitting else ""
+    ratio = curve.ratio()
+    expected = f"{curve.span_mm / ratio:.3g} mm" if np.isfinite(ratio) and ratio else "more than the string is long"
+    expected = "0 mm" if np.isinf(ratio) else expected
+    ends = f"{curve.low:.3g} to {curve.high:.3g} turns"
+    problem = f"{ends} should contract the string by {expected}, recorded are {curve.span_mm:.3g} mm"
+    return BadInput(path, field, problem, mend)
+
+
+def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
+    """Raise BadInput where a channel cannot be what its name says: frozen, reversed, or in another unit."""
+    check_load(samples, path)
+    curve = Curve(samples, base)
+    if mistake := load_mistake(run, samples, base, path, MOST_STRETCH):
+        raise mistake
+    if curve.high - curve.low < 0.05:
+        return  # no stroke in it: the segmentation says so
+    if curve.high <= 0:
+        mend = "winding is positive: set channels.motor_turns.scale to -1"
+        raise BadInput(path, "motor_turns", "is negative throughout", mend)
+    if curve.span_mm == 0:
+        raise BadInput(path, "displacement_mm", "never changes while the motor turns", "check the sensor and its cable")
+    if samples.correlation("motor_turns", "displacement_mm") < -0.5:
+        scale = run.channels.get("displacement_mm", Channel.model_validate({})).scale
+        mend = f"contraction is positive: set channels.displacement_mm.scale to {-scale:g}"
+        raise BadInput(path, "displacement_mm", "falls while the motor winds", mend + f", not {scale:g}" * (scale < 0))
+    if not 1.0 / SPAN_RATIO <= curve.ratio() <= SPAN_RATIO:
+        raise _span(run, curve, path)
+
+
+def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
+    """What of a string's checked samples is possible, but more likely a mistake: a far 0 of the twist, an odd span.
+
+    A load that a string would hardly bear, and a temperature that no room has, are two more.
+    """
+    curve = Curve(samples, base)
+    questions = []
+    if curve.far:
+        begins = float(np.median(samples.read("motor_turns", 0, 5)))
+        problem = f"begins at {begins:.3g} turns and its lowest is {curve.low:.3g}, but 0 must be the untwisted string"
+        questions.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
+    elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
+        questions.append(_span(run, curve, path))
+    if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
+        questions.append(mistake)
+    if odd := temperature_mistake(samples, path):
+        questions.append(odd)
+    return questions
+
+
+def _home(run: Run, curve: Curve) -> str:
+    """Where the recorded curve says that the twist's 0 is."""
+    channel = run.channels.get("motor_turns", Channel.model_validate({}))
+    offset = channel.offset - curve.low / conversion("motor_turns", channel.unit, channel.counts_per_turn)[0]
+    misfit_as_is, shifted = curve.misfit(), curve.misfit(offset_turns=-curve.low)
+    if AS_LIKELY * shifted < misfit_as_is:
+        return f"its curve fits 0 at that lowest twist: set channels.motor_turns.offset to {offset:.6g}"
+    if AS_LIKELY * misfit_as_is < shifted:
+        return "its curve fits 0 where it is; check that it is right"
+    return (
+        f"set channels.motor_turns.offset ({offset:.6g} if the string was untwisted there), or check that it is right"
+    )

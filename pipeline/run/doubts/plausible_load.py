@@ -1,0 +1,41 @@
+"""Whether a string can bear its load: grams that are read as newtons would tear it."""
+
+from pathlib import Path
+
+import numpy as np
+
+from ...ground import quantiles
+from ...ground.errors import BadInput
+from ...ground.kinematics import Geometry
+from ...ground.rows import Rows
+from ..description import Run
+
+STRONGEST_MPA = 3000.0  # no fibre bears more
+DOUBT_STRETCH = 0.1  # of the length: hardly a string stretches by so much
+MOST_LOAD_N = 1e6  # of either sign: no string that a bench twists carries as much
+
+
+def check_load(samples: Rows, path: Path) -> None:
+    """Raise BadInput for a load that no bench carries."""
+    (load_n,) = quantiles.ordered(lambda: samples.pieces("load_n"), len(samples), [(len(samples) - 1) // 2])
+    if abs(load_n) > MOST_LOAD_N:
+        mend = "check channels.load_n, its unit and scale, and rig.load_n"
+        raise BadInput(path, "load_n", f"is {load_n:.3g} N", mend)
+
+
+def load_mistake(run: Run, samples: Rows, base: Geometry, path: Path, most: float) -> BadInput | None:
+    """What speaks against a load: its stress on two such strings, or a stretch beyond the share `most`; else None."""
+    load_n = quantiles.median(lambda: map(np.abs, samples.pieces("load_n")), len(samples))
+    stress_mpa = load_n / (2.0 * np.pi * base.radius_mm**2)
+    share = load_n / base.stiffness_n_per_mm / base.length_mm
+    if stress_mpa <= STRONGEST_MPA and share <= most:
+        return None
+    would = (
+        f"which no fibre bears: {stress_mpa / 1000:.2g} GPa on two strings of {base.radius_mm:g} mm radius"
+        if stress_mpa > STRONGEST_MPA
+        else f"which would stretch the string by {share:.0%} of its length"
+    )
+    from_run_yaml = "load_n" in run.rig and samples.extremes("load_n") == (run.rig["load_n"],) * 2
+    mend = "give rig.load_n in newtons" if from_run_yaml else "set channels.load_n.unit to gf"
+    mend = f"are they grams? {mend}; else check radius_mm and stiffness_n_per_mm"
+    return BadInput(path, "load_n", f"is {load_n:.4g} N, {would}", mend)

@@ -1,0 +1,1 @@
+"""A motion that nobody has recorded, and where it leaves what was."""

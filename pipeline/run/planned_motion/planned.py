@@ -1,0 +1,125 @@
+"""A motion that nobody has recorded: a table of time, motion and load → samples of a run, whose reading is 0."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from ...formats.stored import read_table
+from ...ground.counts import counted
+from ...ground.errors import BadInput
+from ...ground.kinematics import Array
+from ...ground.text_file import TextFile
+from ..description import STRING_ACTUATORS, Run
+from ..samples import LEAST_SAMPLES, check_clock, check_numbers
+from ..table.recorded_table import to_samples
+
+STILL = 0.05  # of a load that hangs still: what its cell may read more and less
+ENDS = (1.0, 99.0)  # per cent of the samples of a load: what is beyond is the noise of its cell
+SPARSE_S, STEP_S = 0.2, 0.02  # between points: from which on they are corners of a motion; between points that are made
+SAME = 0.01  # of a step: a point that is so near to a corner is that corner, but for rounding
+RATE = " at your controller's rate: what is predicted needs the acceleration, so corners are not enough"
+LONGEST_S = 86_400.0  # a plan that is made of corners
+
+
+def read_plan(path: Path) -> pd.DataFrame:
+    """The table of a planned motion in a .csv or .parquet, as it stands there; raises BadInput."""
+    return read_table(path, TextFile.model_validate({}))
+
+
+def planned(
+    run: Run, given: pd.DataFrame, path: Path, recorded: pd.DataFrame | None = None
+) -> tuple[pd.DataFrame, bool]:
+    """Samples of the motion that a table plans for a run's rig, and whether it was drawn by corners.
+
+    The table, which messages call `path`, has `time_s`, the motion (`motor_turns` of a string) and, where the rig has
+    them, load and temperature, under these names and in these units, or under the names that run.yaml gives to the
+    columns of the recording, and in the units that it gives to them. Points of a string that lie further apart than
+    samples do are joined by straight lines. Other columns are left out. A load that it lacks is that of what was
+    `recorded` if it stood still, or `rig.load_n`. Raises BadInput, also where nothing tells the load.
+    """
+    system, table = run.system, _by_own_names(run, given, path)
+    lacking = [name for name in ("time_s", system.driver) if name not in table.columns]
+    if lacking:
+        columns_there = ", ".join(map(str, given.columns[:12]))
+        mend = f"give a table with time_s, {system.driver}{f', {system.load}' if system.load else ''} in these units"
+        own = [f"{run.channels[name].column} for {name}" for name in lacking if _own_column(run, name)]
+        own_names = f", or with the columns of the recording: {' and '.join(own)}" if own else ""
+        no = "are no such columns" if len(lacking) > 1 else "is no such column"
+        raise BadInput(path, ", ".join(lacking), f"there {no}, only {columns_there}", f"{mend}{own_names}")
+    kept = [name for name in system.columns if name in table.columns and name != system.channel]
+    samples = table[kept].apply(pd.to_numeric, errors="coerce").astype(float)
+    if system.load and system.load not in samples:
+        samples[system.load] = _load(run, recorded, path)
+    check_numbers(samples, path)
+    _check_times(samples["time_s"].to_numpy(), path)
+    joined = _joined(samples) if run.actuator in STRING_ACTUATORS else samples
+    if len(joined) < LEAST_SAMPLES:
+        problem = f"holds {counted(len(joined), 'sample')}, too few for a stroke"
+        corners = f"corners that lie more than {SPARSE_S:g} s apart, or " if run.actuator in STRING_ACTUATORS else ""
+        rate = RATE if system.differentiates else ""
+        raise BadInput(path, "file", problem, f"give {corners}at least {LEAST_SAMPLES} samples of the motion{rate}")
+    if system.differentiates and float(np.diff(joined["time_s"]).max()) > SPARSE_S:
+        apart = f"has rows {float(np.diff(joined['time_s']).max()):.3g} s apart, and these are corners of a motion"
+        raise BadInput(path, "time_s", apart, f"give the motion{RATE}")
+    check_clock(joined, path, float("inf"))
+    return joined.assign(**{system.channel: 0.0}), joined is not samples
+
+
+def _check_times(time_s: Array, path: Path) -> None:
+    """Raise BadInput where two times of a plan, shape (rows,), in s, are equal, or run backwards."""
+    wrong = np.flatnonzero(np.diff(time_s) <= 0.0)
+    if not len(wrong):
+        return
+    row = int(wrong[0]) + 1
+    if time_s[row] < time_s[row - 1]:
+        problem = f"runs backwards from {time_s[row - 1]:g} s to {time_s[row]:g} s in rows {row} and {row + 1}"
+        raise BadInput(path, "time_s", problem, "put the rows in the order of their times")
+    problem = f"is {time_s[row]:g} s in rows {row} and {row + 1}: a motor takes time for a step"
+    raise BadInput(path, "time_s", problem, f"give row {row + 1} the time at which the motor is to be there")
+
+
+def _own_column(run: Run, name: str) -> str | None:
+    """The name that the column of a channel has in a run's recording; None where it has none of its own."""
+    column = run.channels[name].column if name in run.channels else None
+    return column if isinstance(column, str) and column != name else None
+
+
+def _by_own_names(run: Run, table: pd.DataFrame, path: Path) -> pd.DataFrame:
+    """A table with the channels that stand in it under the names of the recording, read as the recording's are."""
+    own = {
+        name: run.channels[name]
+        for name in run.system.columns
+        if name != run.system.channel and name not in table.columns and _own_column(run, name) in table.columns
+    }
+    if not own:
+        return table
+    raw = table[list(dict.fromkeys(channel.column for channel in own.values()))]
+    absent = {name: 0.0 for name in run.system.columns if name not in own}
+    reader = run.model_copy(update={"channels": own, "file": TextFile.model_validate({})})
+    read = to_samples(reader, raw.assign(**absent), path, Path("run.yaml"))
+    return table.assign(**{name: read[name] for name in own})
+
+
+def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
+    """The load of a plan that gives none; raises BadInput where it was recorded, and changed."""
+    name = run.system.load or ""
+    if recorded is None or name not in recorded:  # else its channel wins over rig.load_n, which fills in for none
+        return run.rig.get(name, 0.0)
+    low, high = (float(end) for end in np.percentile(recorded[name], ENDS))
+    if high - low > STILL * abs(low):
+        problem = f"there is no such column, and the load of {run.run} was not always the same"
+        raise BadInput(path, name, problem, f"add it: {low:.4g} to {high:.4g} were recorded")
+    return float(recorded[name].median())
+
+
+def _joined(samples: pd.DataFrame) -> pd.DataFrame:
+    """Samples as they are; of points that are a motion's corners, one every `STEP_S` on the straight lines between."""
+    time_s = samples["time_s"].to_numpy()
+    rises = len(time_s) > 1 and bool((np.diff(time_s) > 0.0).all()) and bool(np.isfinite(time_s).all())
+    if not rises or float(np.diff(time_s).max()) <= SPARSE_S or time_s[-1] - time_s[0] > LONGEST_S:
+        return samples
+    between_s = np.arange(time_s[0], time_s[-1], STEP_S)
+    corners = np.searchsorted(time_s, between_s + SAME * STEP_S) - np.searchsorted(time_s, between_s - SAME * STEP_S)
+    fine_s = np.union1d(time_s, between_s[corners == 0])
+    return pd.DataFrame({name: np.interp(fine_s, time_s, samples[name]) for name in samples} | {"time_s": fine_s})

@@ -1,0 +1,1 @@
+"""A recording in whatever form → a table of channels in our units."""

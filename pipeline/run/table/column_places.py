@@ -1,0 +1,54 @@
+"""In which column of a raw table a channel stands; columns that are not there are all named at once."""
+
+from collections.abc import Container
+from pathlib import Path
+
+import pandas as pd
+
+from ...ground.complaint import key_name
+from ...ground.errors import BadInput
+from ..description import Channel
+
+SHOWN = 12  # columns of a table that are named
+
+
+class NoColumn(BadInput):
+    """A table lacks the column of a channel."""
+
+
+def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool, described: Path) -> int:
+    """Index of a channel's column, which `described` tells; raises BadInput where the file has none, or two."""
+    key = name if channel.column is None else channel.column
+    if isinstance(key, int):
+        if not 0 <= key < table.shape[1]:
+            mend = f"correct channels.{name}.column"
+            raise BadInput(path, f"column {key}", f"is not among its {table.shape[1]} columns", mend)
+        return key
+    places = [place for place, column in enumerate(table.columns) if column == key]
+    if len(places) > 1:
+        mend = f"give the index of the right one under channels.{name}.column"
+        raise BadInput(path, name, f"the column {key!r} is there {len(places)} times", mend)
+    if not places:
+        names = ", ".join(key_name(name) for name in table.columns[:SHOWN])
+        where = f"correct channels.{name}.column" if given else f"name the column under channels.{name}"
+        raise NoColumn(path, name, f"there is no column {key!r}, only {names}", f"{where} in {described.name}")
+    return places[0]
+
+
+def check_columns(
+    table: pd.DataFrame, wanted: dict[str, Channel], path: Path, given: Container[str], described: Path
+) -> None:
+    """Raise BadInput where two or more channels name a column that the table lacks, for all of them.
+
+    `given` are the channels whose columns the file `described` tells. One alone is for `place_of` to refuse.
+    """
+    keys = {name: name if channel.column is None else channel.column for name, channel in wanted.items()}
+    lacking = {name: key for name, key in keys.items() if isinstance(key, str) and key not in table.columns}
+    if len(lacking) < 2:
+        return
+    names = ", ".join(key_name(name) for name in table.columns[:SHOWN])
+    verb = "correct" if all(name in given for name in lacking) else "name the columns under"
+    where = ", ".join(f"channels.{name}{'.column' * (name in given)}" for name in lacking)
+    *several, last = map(repr, lacking.values())
+    problem = f"there are no columns {', '.join(several)} and {last}, only {names}"
+    raise NoColumn(path, ", ".join(lacking), problem, f"{verb} {where} in {described.name}")

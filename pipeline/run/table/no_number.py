@@ -1,0 +1,61 @@
+"""Cells that are no numbers: refused with the mend, or, where they are few, the rows that they cost, by their lines."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from ...formats.text_layout import DECIMAL_COMMA
+from ...ground.complaint import short
+from ...ground.counts import counted
+from ...ground.errors import BadInput
+from ...ground.text_file import TextFile
+from .file_lines import by_row, line_or_row, lines_of, named
+
+MOST = 0.01  # of all rows: more that are damaged are no accident
+SIGNED = re.compile(r"[+-]?\d+([.,' ]\d+)+([eE][+-]?\d+)?")  # digits with signs among them
+
+
+def are_few(wrong: int, rows: int) -> bool:
+    """Whether so many damaged rows of all are left out, and do not speak against the file."""
+    return wrong <= MOST * rows
+
+
+def _mend(held: str, layout: TextFile) -> str:
+    if DECIMAL_COMMA.fullmatch(held) and layout.decimal != ",":
+        return "write numbers with a decimal point" if layout.delimiter == "," else 'set file.decimal to ","'
+    if SIGNED.fullmatch(held):
+        return f'write numbers with no other sign in them than the decimal sign "{layout.decimal}"'
+    return ""
+
+
+def no_number(column: pd.Series, wrong: np.ndarray, first: int, layout: TextFile, path: Path, name: str) -> BadInput:
+    """What is said of a raw column with cells that are no numbers, `wrong`, of shape (rows,) and without a unit.
+
+    `first` is the number of its first row in the file's table, from 0.
+    """
+    place, count = int(np.argmax(wrong)), int(wrong.sum())
+    held = column.iloc[place]
+    lines = lines_of(path, layout, [first + place])
+    what = "line" if lines else "row"
+    more = f"; so do {counted(count - 1, f'more {what}')}" if count > 1 else ""
+    mend = f"remove these {what}s, or name the column that is meant" if count > 1 else f"remove that {what}"
+    where = f"line {lines[first + place][0]}" if lines else by_row(first - (layout.rows or (0, 0))[0] + place)
+    problem = f"{where} holds {short(held)}, not a number{more}"
+    return BadInput(path, name, problem, _mend(str(held).strip(), layout) or mend)
+
+
+def without_damaged(samples: pd.DataFrame, path: Path, layout: TextFile) -> tuple[pd.DataFrame, list[int], str]:
+    """Samples without the few rows that lack a number, the numbers of these rows in the file, and a sentence on them.
+
+    The index of the samples keeps the numbers of their rows, from 0. The sentence is empty where no row is damaged.
+    Where there are too many, all stay, and the door refuses them.
+    """
+    wrong = samples.isna().any(axis=1).to_numpy()
+    if not wrong.any() or not are_few(int(wrong.sum()), len(samples)):
+        return samples, [], ""
+    first = (layout.rows or (0, 0))[0]
+    rows = [first + int(row) for row in np.flatnonzero(wrong)]
+    sentence = f"{path}: {counted(len(rows), f'damaged {line_or_row(path)}')} left out: {named(path, layout, rows)}"
+    return samples[~wrong], rows, sentence
