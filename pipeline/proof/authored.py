@@ -1,6 +1,6 @@
 """A concealed case by an author: what the plan leaves open is drawn, and the answer is told as the rig's own is."""
 
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -8,6 +8,7 @@ from ..ground.outside_library import is_outside
 from ..rig.authors import authors
 from ..rig.authors.interface import Asked, Made, OutOfReach, Protocol
 from .plan import Planned
+from .sealed import Answer, EffectJson
 
 __all__ = ["OutOfReach", "answer", "asked_of", "made"]
 
@@ -36,9 +37,9 @@ def made(planned: Planned) -> Made:
     return author.make(asked_of(planned, list(author.laws)))
 
 
-def answer(planned: Planned, made: Made) -> dict[str, Any]:
+def answer(planned: Planned, made: Made) -> Answer:
     """The sealed answer, with the keys that the score reads; an author does not tell dimensions and places."""
-    effects = [{**effect, "raw_mm": effect["rms_mm"]} for effect in made.truth["effects"]]
+    effects: list[EffectJson] = [{**effect, "raw_mm": effect["rms_mm"]} for effect in made.truth["effects"]]
     raw_mm = float(np.sqrt(sum(effect["rms_mm"] ** 2 for effect in made.truth["effects"])))
     return {
         "protocol": planned.protocol,

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..ground.kinematics import TOLERANCE, Geometry
+from ..run.run_yaml import RunYaml, StringYaml
 
 MATERIALS = {"UHMWPE": (12.0, 40.0), "Vectran": (20.0, 60.0), "aramid": (15.0, 50.0), "nylon": (3.0, 10.0)}  # K, N/mm
 DIMENSION = {
@@ -48,11 +49,11 @@ class Bench:
     def _error(self, key: str) -> float:
         return float(getattr(self.measured, DIMENSION[key]) - getattr(self.true, DIMENSION[key]))
 
-    def described(self, run: str, load: bool) -> dict[str, Any]:
+    def described(self, run: str, load: bool) -> RunYaml:
         """Content of run.yaml; with `load` the rig has no load cell and says the middle load instead."""
         measured = self.measured
         rig = {"torsion_zone_mm": measured.torsion_zone_mm, "separator_mm": measured.separator_mm}
-        string = {
+        string: StringYaml = {
             "material": self.material,
             "radius_mm": measured.radius_mm,
             "length_mm": measured.length_mm,

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from ..ground.errors import program
 from ..ground.kinematics import Array
 from ..rig.motion_commands import Commands
+from ..run.run_yaml import RunYaml
 from .case import Case
 from .conceal import write_run
 from .conceal_batch import drawn
@@ -82,10 +82,11 @@ def gone_on(case: Case, legs: Sequence[Leg], draw: int) -> Recorded:
     return Recorded(rows, whole.error_mm[after], whole.wild[after], whole.stroke[after])
 
 
-def described(case: Case, legs: Sequence[Leg], run: str) -> dict[str, Any]:
+def described(case: Case, legs: Sequence[Leg], run: str) -> RunYaml:
     """Content of the second run.yaml: the same string, its strokes counted on."""
     content = case.bench.described(f"{run}-more", not weighed(case, legs))
-    content["string"] |= {"id": run, "strokes_before": len(case.protocol.motion.each())}
+    strokes_before = len(case.protocol.motion.each())
+    content["string"] = {**(content["string"] or {}), "id": run, "strokes_before": strokes_before}
     return content
 
 

@@ -15,6 +15,7 @@ from .nuisance import Nuisance, Recorded, draw_nuisance, late_s, record
 from .perform import perform
 from .protocol import Kind, Protocol, draw_protocol
 from .referee import Ruling, rule
+from .sealed import Answer
 from .size import OutOfReach, Size, measure, rms, strength_for
 
 Stratum = Literal["none", "parameters", "noise", "single", "pair", "open"]
@@ -122,9 +123,10 @@ def heldout_noise_mm(recorded: Recorded) -> float:
     return rms(recorded.error_mm[late & ~recorded.wild])
 
 
-def answer(case: Case, run: str) -> dict[str, Any]:
+def answer(case: Case, run: str) -> Answer:
     """The sealed answer: what is hidden in the recording, how much of it calibration leaves, and where."""
     bench, floor_mm = case.bench, case.nuisance.floor_mm
+    motion: Any = case.protocol.motion.model_dump()
     size, clean, fit = measure(bench, case.protocol, case.effects, floor_mm)
     extras, _, _ = measure(replace(bench, measured=bench.true), case.protocol, case.always, floor_mm)
     return {
@@ -150,5 +152,5 @@ def answer(case: Case, run: str) -> dict[str, Any]:
         "zero_mm": bench.zero_mm,
         "nuisance": case.nuisance.told(),
         "always": {"effects": case.always, "kappa": extras.kappa},
-        "motion": case.protocol.motion.model_dump(),
+        "motion": motion,
     }

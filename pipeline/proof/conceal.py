@@ -12,12 +12,13 @@ import yaml
 from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..run.description import parse_run
+from ..run.run_yaml import RunYaml
 from .case import HIDES, STRATA, answer, draw_case, performed
 from .draws import NAMED, OPEN_SET
 from .size import OutOfReach
 
 
-def write_run(content: dict[str, Any], recording: pd.DataFrame, folder: Path) -> None:
+def write_run(content: RunYaml, recording: pd.DataFrame, folder: Path) -> None:
     """Write run.yaml and recording.parquet; raises BadInput when run.yaml could not be read again."""
     path = folder / "run.yaml"
     parse_run(content, path.resolve())

@@ -8,11 +8,13 @@ from typing import Any, cast
 
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
+from ..run.run_yaml import RunYaml
 from . import authored
 from .case import Case, Stratum, answer, draw_case, performed
 from .conceal import plain, write_run
 from .plan import Planned, read
 from .protocol import Kind
+from .sealed import Answer
 from .size import OutOfReach
 
 
@@ -22,20 +24,22 @@ def drawn(planned: Planned) -> Case:
     return draw_case(planned.seed, stratum, protocol, planned.effects, planned.kappas or (1.0,))
 
 
-def concealed(planned: Planned, runs: Path) -> dict[str, Any]:
+def concealed(planned: Planned, runs: Path) -> Answer:
     """Write one case's run folder and return its answer; what cannot be made is an answer too, with its reason."""
-    question = {"run": planned.run, "asked": asdict(planned)}
+    wanted: Any = asdict(planned)
+    question: Answer = {"run": planned.run, "asked": wanted}
     try:
         if planned.author:
             made = authored.made(planned)
-            write_run({"run": planned.run, **made.content}, made.table, runs / planned.run)
-            return question | authored.answer(planned, made)
+            content: RunYaml = {"run": planned.run, **made.content, "string": {**made.content["string"]}}
+            write_run(content, made.table, runs / planned.run)
+            return {**question, **authored.answer(planned, made)}
         case = drawn(planned)
     except (OutOfReach, authored.OutOfReach) as error:
-        return question | {"skipped": str(error)}
+        return {**question, "skipped": str(error)}
     recorded = performed(case)
     write_run(case.bench.described(planned.run, not case.load_cell), recorded.table, runs / planned.run)
-    return question | answer(case, planned.run)
+    return {**question, **answer(case, planned.run)}
 
 
 @program

@@ -1,19 +1,18 @@
 """Where a mismatch sits: the smallest box of twist × strokes × phase that holds four fifths of its energy."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ..ground.kinematics import Array
 from .perform import Performed
+from .sealed import Box
 
 SHARE = 0.80
 BINS = 24  # of the twist
 PHASES = ("winding", "hold", "unwinding", "rest", "all")
 
 
-def location(performed: Performed, residual_mm: Array) -> dict[str, Any]:
+def location(performed: Performed, residual_mm: Array) -> Box:
     """The box as `location` in `diagnosis.json` has it (diagnosis/fit/locate.py); its size is its number of samples.
 
     The residual has the shape (samples,), in mm.
@@ -22,7 +21,7 @@ def location(performed: Performed, residual_mm: Array) -> dict[str, Any]:
     turn = np.clip(np.searchsorted(edges, performed.motor_turns, side="right") - 1, 0, BINS - 1)
     energy, whole = np.square(residual_mm), float(np.square(residual_mm).sum())
     strokes = int(performed.stroke.max()) + 1
-    best: dict[str, Any] = {}
+    best: Box = {}
     least = np.inf
     for phase in PHASES:
         in_phase = np.full(len(turn), True) if phase == "all" else performed.phase == phase

@@ -3,7 +3,6 @@
 import argparse
 import json
 from pathlib import Path
-from typing import Any
 
 from ..ground.errors import program
 from ..ground.files import write_text
@@ -11,9 +10,10 @@ from .conceal_batch import drawn
 from .copies import copies, left_over
 from .draws import NAMED
 from .plan import Planned, read
+from .verdict_json import VerdictJson
 
 
-def named_beside(verdict: dict[str, Any], truth: tuple[str, ...]) -> list[str]:
+def named_beside(verdict: VerdictJson, truth: tuple[str, ...]) -> list[str]:
     """Effects that a verdict names or cannot rule out, the true ones left out."""
     sets = [[mechanism["id"] for mechanism in verdict.get("mechanisms", [])], *verdict.get("alternatives", [])]
     return sorted({name for ids in sets for name in ids if name in NAMED} - {*truth})

@@ -1,7 +1,6 @@
 """What every recording has and no diagnosis may call physics: coloured noise, quanta, jitter, outliers, gaps."""
 
 from dataclasses import asdict, dataclass, replace
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -27,7 +26,7 @@ class Nuisance:
     dropouts: float  # share of samples, in gaps
     louder: float = 1.0  # by how much the noise grows over a middle third of the recording
 
-    def told(self) -> dict[str, Any]:
+    def told(self) -> dict[str, float]:
         """All of it, for the answer."""
         return asdict(self)
 

@@ -2,19 +2,19 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..ground.kinematics import Array, Geometry
 from ..rig import effects
+from ..rig.concealed import Parameters
 from ..rig.motion_commands import Commands
 from ..rig.string import String
 from .bench import Bench
 from .protocol import STEPS_PER_SAMPLE, Protocol, phases
 
-Hidden = Mapping[str, Mapping[str, Any]]  # parameters by effect
+Hidden = Mapping[str, Parameters]  # parameters by effect
 
 
 @dataclass(frozen=True)

@@ -3,10 +3,10 @@
 import itertools
 import json
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import NotRequired, TypedDict
 
 from ..ground.errors import BadInput
 from ..ground.outside_library import is_outside
@@ -14,6 +14,28 @@ from ..ground.outside_library import is_outside
 RIG = Path(__file__).parent.parent / "rig"  # effects and authors by their files' names: the DAG's plan imports no rig
 EFFECTS, AUTHORS = RIG / "effects", RIG / "authors"
 BY_AUTHORS = ("none", "single", "pair", "open")  # strata that an author can make
+
+
+class Mix(TypedDict):
+    """Cases of one kind, as the configuration asks for them: `count` drawn ones, or `each` of every effect."""
+
+    stratum: str
+    protocol: str
+    count: NotRequired[int]
+    each: NotRequired[int]
+    effects: NotRequired[list[str]]
+    kappas: NotRequired[list[float | None]]  # noise floors
+    without: NotRequired[bool]
+    baselines: NotRequired[bool]
+    authors: NotRequired[list[str]]
+
+
+class ProofSettings(TypedDict):
+    """What the configuration says of the proof: the first seed, how many cases go into a batch, and which they are."""
+
+    seed: int
+    batch: int
+    mixes: list[Mix]
 
 
 @dataclass(frozen=True)
@@ -37,7 +59,7 @@ def effect_names(open_set: bool) -> list[str]:
     return [name for name in names if is_outside(name) == open_set]
 
 
-def _check_hand(mix: Mapping[str, Any]) -> None:
+def _check_hand(mix: Mix) -> None:
     """Raise BadInput for an author that is not there, and for what its maker, author or rig, cannot make."""
     known = sorted(path.parent.name for path in AUTHORS.glob("*/__init__.py"))
     for author in mix.get("authors", []):
@@ -52,7 +74,7 @@ def _check_hand(mix: Mapping[str, Any]) -> None:
         raise BadInput("configuration", "proof.mixes.stratum", problem, f"use one of {', '.join(BY_AUTHORS)}")
 
 
-def _of_mix(mix: Mapping[str, Any]) -> Iterator[Planned]:
+def _of_mix(mix: Mix) -> Iterator[Planned]:
     """Cases of one mix, nameless and seedless: `count` drawn ones, or `each` of every effect at every kappa."""
     _check_hand(mix)
     bare = Planned("", 0, mix["stratum"], mix["protocol"], baselines=mix.get("baselines", False))
@@ -70,7 +92,7 @@ def _of_mix(mix: Mapping[str, Any]) -> Iterator[Planned]:
                 yield from [replace(sized, effects=(name,), without=without)] * mix["each"]
 
 
-def plan(settings: Mapping[str, Any]) -> list[Planned]:
+def plan(settings: ProofSettings) -> list[Planned]:
     """All cases: seeds are one block from `seed` on, and the order is drawn, so that no number tells a stratum."""
     wanted = [case for mix in settings["mixes"] for case in _of_mix(mix)]
     random.Random(settings["seed"]).shuffle(wanted)
@@ -78,7 +100,7 @@ def plan(settings: Mapping[str, Any]) -> list[Planned]:
     return [replace(case, run=f"case-{first + at}", seed=first + at) for at, case in enumerate(wanted)]
 
 
-def batches(settings: Mapping[str, Any]) -> dict[str, list[Planned]]:
+def batches(settings: ProofSettings) -> dict[str, list[Planned]]:
     """Cases by batch: what one process makes or diagnoses.
 
     Those of one author, and those with the same mechanism missing, go together.

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,19 +54,19 @@ def draw_protocol(kind: Kind, bench: Bench, rng: np.random.Generator) -> Protoco
     return Protocol(kind, motion, rate_hz)
 
 
-def _lasts_s(stroke: dict[str, Any]) -> float:
+def _lasts_s(stroke: dict[str, float]) -> float:
     way_turns = stroke["repeat"] * 2.0 * (stroke["top_turns"] - stroke["bottom_turns"])
     return float(way_turns / stroke["speed_turns_per_s"] + stroke["repeat"] * (stroke["hold_s"] + stroke["rest_s"]))
 
 
-def _stroke(bench: Bench, **settings: float) -> dict[str, Any]:
+def _stroke(bench: Bench, **settings: float) -> dict[str, float]:
     ramp_s = {"speed_up_s": 0.2, "slow_down_s": 0.2}
     return (
         {"repeat": 1, "top_turns": bench.top_turns, "bottom_turns": 0.0, "load_n": bench.loads_n[0]} | ramp_s | settings
     )
 
 
-def _rich(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
+def _rich(bench: Bench, rng: np.random.Generator) -> list[dict[str, float]]:
     """Every load at every speed in random order, some twice; dwells and pauses of all lengths; partial strokes."""
     speeds = [bench.top_turns / way_s for way_s in (rng.uniform(3.5, 5.0), rng.uniform(7.0, 9.0), rng.uniform(13, 17))]
     count = int(rng.integers(10, 15))
@@ -88,7 +88,7 @@ def _rich(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
     return strokes
 
 
-def _poor(bench: Bench, rng: np.random.Generator) -> list[dict[str, Any]]:
+def _poor(bench: Bench, rng: np.random.Generator) -> list[dict[str, float]]:
     """Equal strokes at one speed under one load, one after the other."""
     settings = {"speed_turns_per_s": bench.top_turns / rng.uniform(8.0, 14.0), "hold_s": 0.0, "rest_s": 0.0}
     return [_stroke(bench, repeat=int(rng.integers(10, 16)), **settings)]

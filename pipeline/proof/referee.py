@@ -4,17 +4,17 @@ It reruns the rig with the declared driver frozen, where little of the effect ma
 changed, where little of it may change.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from ..ground.kinematics import Array
 from ..rig import effects
 from ..rig.altered_motion import Otherwise
+from ..rig.concealed import Parameters
 from ..rig.motion_commands import Commands
 from ..rig.string import String
 from .bench import Bench
 from .protocol import Protocol
+from .sealed import RulingJson
 
 LEAST_CARRIED = 0.90
 MOST_CHANGED = 0.10
@@ -33,12 +33,12 @@ class Ruling:
         """Whether the effect may be called by its name."""
         return self.carried >= LEAST_CARRIED and max(self.changed.values(), default=0.0) <= MOST_CHANGED
 
-    def told(self) -> dict[str, Any]:
+    def told(self) -> RulingJson:
         """All of it, for the answer."""
         return {"driver": self.driver, "driver_carries": self.carried, "bystanders_change": self.changed}
 
 
-def rule(name: str, parameters: Mapping[str, Any], bench: Bench, protocol: Protocol) -> Ruling:
+def rule(name: str, parameters: Parameters, bench: Bench, protocol: Protocol) -> Ruling:
     """Rerun the rig on a bench as an effect's claim asks, and compare."""
     claim = effects.concealed(name).claims(parameters)
 
@@ -54,7 +54,7 @@ def rule(name: str, parameters: Mapping[str, Any], bench: Bench, protocol: Proto
     return Ruling(claim.driver, 1.0 - float(frozen.std()) / size, changed)
 
 
-def _does(name: str, parameters: Mapping[str, Any], bench: Bench, commands: Commands, step_s: float) -> Array:
+def _does(name: str, parameters: Parameters, bench: Bench, commands: Commands, step_s: float) -> Array:
     """What the steady effect does to the quantity that it acts on, of shape (steps,): rad, a factor, or mm."""
     effect = effects.make(name, {key: value for key, value in parameters.items() if key != "unsteady"})
     with_it = String(bench.true, [effect], step_s).live(commands.motor_turns, commands.load_n)

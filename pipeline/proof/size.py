@@ -12,6 +12,7 @@ from .calibration import Calibrated, calibrate
 from .draws import Strength
 from .perform import Performed, perform
 from .protocol import Protocol
+from .sealed import SizeJson
 
 CLOSE = 0.01  # relative: how near to the wanted size is near enough
 CLOSE_ENOUGH = 0.05  # for effects that change by leaps when they grow, as stick-slip does
@@ -32,9 +33,14 @@ class Size:
     varies_mm: float  # rms of what it does, without its mean
     hidden_share: float  # of the energy of what varies, taken up by calibration
 
-    def told(self) -> dict[str, float]:
+    def told(self) -> SizeJson:
         """All of it, for the answer."""
-        return {key: float(f"{value:.5g}") for key, value in self.__dict__.items()}
+        return {
+            "kappa": float(f"{self.kappa:.5g}"),
+            "raw_mm": float(f"{self.raw_mm:.5g}"),
+            "varies_mm": float(f"{self.varies_mm:.5g}"),
+            "hidden_share": float(f"{self.hidden_share:.5g}"),
+        }
 
 
 def rms(values: Array) -> float:

@@ -1,13 +1,13 @@
 """How slowly the strength of an effect wanders; how far, its own file says."""
 
-from typing import Any
-
 import numpy as np
+
+from ..rig.wandering_strength import Waves
 
 WAVES, PERIODS_S = 4, (10.0, 60.0)
 
 
-def wander(rms_share: float, rng: np.random.Generator) -> dict[str, Any]:
+def wander(rms_share: float, rng: np.random.Generator) -> Waves:
     """Arguments of `pipeline.rig.wandering_strength.Unsteady`: so far, rms, in waves of PERIODS_S each."""
     periods_s = np.exp(rng.uniform(np.log(PERIODS_S[0]), np.log(PERIODS_S[1]), WAVES))
     phases_rad = rng.uniform(0.0, 2.0 * np.pi, WAVES)

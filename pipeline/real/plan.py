@@ -4,7 +4,7 @@ import re
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from ..ground.errors import BadInput
 from ..ground.names import slug
@@ -15,6 +15,12 @@ MOST_LISTED = 500  # of them on a page
 SHOWN = 8  # files that a sentence names
 ALL_OTHERS = "all others"  # where a method learnt from every other run of the group
 NONE_GIVEN = "give the folder with the downloaded files: --config recordings=DIR; docs/real.md says where to get them"
+
+
+class RealConfig(TypedDict, total=False):
+    """What the configuration says of public recordings: the folder where a person put them."""
+
+    recordings: str | None
 
 
 @dataclass(frozen=True)
@@ -72,7 +78,7 @@ class RealPlan:
         more = len(self.passed_over) - MOST_LISTED
         return [f"./{name}" for name in self.passed_over[:MOST_LISTED]] + [f"and {more} more"] * (more > 0)
 
-    def tables(self, _: Any) -> list[str]:
+    def tables(self, _: object) -> list[str]:
         """What the page over all rigs is made of; raises BadInput when no recordings are given."""
         if not self.recordings:
             raise BadInput("configuration", "recordings", "is not given", NONE_GIVEN)
@@ -122,7 +128,7 @@ def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
     return RealPlan(tuple(ordered), passed_over)
 
 
-def plan_of(config: dict[str, Any]) -> RealPlan:
+def plan_of(config: RealConfig) -> RealPlan:
     """The plan for `recordings` of the configuration, empty when that is not given; raises BadInput."""
     folder = config.get("recordings")
     return make_real_plan(Path(folder), read_rigs()) if folder else RealPlan(())

@@ -1,17 +1,20 @@
 """How a bench conceals an effect: what is drawn of it, how it grows, and what its name claims."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from ..ground.kinematics import Array, Geometry
 from .altered_motion import Otherwise
 from .motion_commands import Commands
+from .wandering_strength import Waves
 
-Parameters = dict[str, Any]  # arguments of an effect's `Model`: numbers, or lists of them
+Parameter = float | list[float] | tuple[float, float] | Waves
+Parameters = dict[
+    str, Parameter
+]  # arguments of an effect's `Model`: numbers, or lists of them; and its `unsteady` waves
 
 
 @dataclass(frozen=True)
@@ -72,20 +75,36 @@ class Concealed(ABC):
     def draw(self, scene: Scene, rng: np.random.Generator) -> Parameters:
         """Parameters at a strength of 1; what is left out stays at the effect's own default."""
 
-    def at(self, drawn: Mapping[str, Any], strength: float, scene: Scene) -> Parameters:
+    def at(self, drawn: Parameters, strength: float, scene: Scene) -> Parameters:
         """Parameters at a strength, negative where the effect goes the other way."""
         parameters = dict(drawn)
         for key in self.grows:
-            parameters[key] = np.minimum(np.multiply(drawn[key], strength), self.most).tolist()
+            parameters[key] = np.minimum(np.multiply(np.asarray(drawn[key]), strength), self.most).tolist()
         return parameters
 
-    def claims(self, parameters: Mapping[str, Any]) -> Claim:
+    def claims(self, parameters: Parameters) -> Claim:
         """What the effect claims with these parameters."""
         return self.claim
 
-    def warms_the_room(self, parameters: Mapping[str, Any]) -> bool:
+    def warms_the_room(self, parameters: Parameters) -> bool:
         """Whether nobody can know the effect without a thermometer."""
         return False
+
+
+def number(parameters: Parameters, key: str) -> float:
+    """A parameter that is one number; raises TypeError for another."""
+    value = parameters[key]
+    if not isinstance(value, float | int):
+        raise TypeError(f"{key} is no number")
+    return value
+
+
+def numbers(parameters: Parameters, key: str) -> list[float]:
+    """A parameter that is a list of numbers; raises TypeError for another."""
+    value = parameters[key]
+    if not isinstance(value, list):
+        raise TypeError(f"{key} is no list of numbers")
+    return value
 
 
 def uniform(rng: np.random.Generator, low: float, high: float) -> float:

@@ -2,7 +2,6 @@
 
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any
 
 import pandas as pd
 import yaml
@@ -11,6 +10,7 @@ from ..ground import schemas
 from ..ground.files import write_text
 from ..ground.folders import whole_folder
 from ..run.description import parse_run
+from ..run.run_yaml import RunYaml
 
 
 def whole_recordings(folder: Path) -> AbstractContextManager[Path]:
@@ -18,7 +18,7 @@ def whole_recordings(folder: Path) -> AbstractContextManager[Path]:
     return whole_folder(folder.resolve(), "--out", "choose another; recordings are never overwritten")
 
 
-def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path) -> None:
+def write_run(content: RunYaml, samples: pd.DataFrame, folder: Path) -> None:
     """Write run.yaml and recording.parquet; raises BadInput when run.yaml could not be read again."""
     parse_run(content, (folder / "run.yaml").resolve())
     schemas.write(samples, schemas.samples(list(samples.columns)), folder / "recording.parquet")

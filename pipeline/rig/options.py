@@ -5,6 +5,7 @@ import re
 import zlib
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 from ..ground import command as called
 from .setup import SetUp
@@ -61,7 +62,9 @@ def command(setup: SetUp, run: str, which: str = USUAL) -> str:
 
     `which` is the set-up's name or file.
     """
-    content = {**setup.run.get("string", {}), **setup.run.get("rig", {})}
+    string: Any = setup.run.get("string", {})
+    rig: Any = setup.run.get("rig", {})
+    content = {**string, **rig}
     sizes = [f"{option(name)} {content[name]:g}" for name in (*STRING, *RIG) if content.get(name) is not None]
     words = [called.command("new_run"), run, option("material"), material_of(which), *sizes, option("string_id"), run]
     return " ".join(words)

@@ -1,7 +1,7 @@
 """A set-up of the synthetic rig: what run.yaml will say of it, what it does, and what is hidden in it."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import yaml
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
@@ -21,13 +21,13 @@ class SetUp(BaseModel):
     """One file of `setups/`, checked."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
-    run: dict[str, Any] = Field(description="run.yaml, but for the run's name")
+    run: dict[str, object] = Field(description="run.yaml, but for the run's name")
     motion: Motion
     rate_hz: Annotated[float, Field(ge=1, le=10_000)]
     steps_per_sample: Annotated[int, Field(ge=1)] = 4
     clock_start_us: Annotated[int, Field(ge=0, lt=1 << 32)] = 0
     sensors: dict[str, Sensor]
-    effects: dict[str, dict[str, Any]] = Field(description="hidden from the analytic model")
+    effects: dict[str, dict[str, object]] = Field(description="hidden from the analytic model")
 
 
 def names() -> list[str]:

@@ -1,11 +1,20 @@
 """No effect is the same all day: its strength wanders by a few per cent, with air, dust and the string's lay."""
 
 from collections.abc import Sequence
+from typing import TypedDict
 
 import numpy as np
 
 from ..ground.kinematics import Array
 from .effect import Effect, Lived
+
+
+class Waves(TypedDict):
+    """How a strength wanders: of each wave its share of the strength, its period in s and its phase in rad."""
+
+    shares: list[float]
+    periods_s: list[float]
+    phases_rad: list[float]
 
 
 class Unsteady(Effect):

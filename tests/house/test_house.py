@@ -215,7 +215,10 @@ def test_each_module_that_says_something_stands_in_a_room_of_the_words():
 
 
 # what the rig and the diagnosis share beside ground, systems and wire: what a run folder is, and nothing that reads one
-SHARED = {"pipeline.run", "pipeline.run.capture_json", "pipeline.run.description", "pipeline.run.folder"}
+SHARED = {
+    "pipeline.run", "pipeline.run.capture_json", "pipeline.run.description", "pipeline.run.folder",
+    "pipeline.run.run_yaml",
+}  # fmt: skip
 
 
 def test_who_conceals_and_who_diagnoses_share_nothing_but_the_ground():

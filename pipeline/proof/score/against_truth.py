@@ -1,30 +1,27 @@
 """How a verdict stands to the truth: one word for each case."""
 
-from collections.abc import Mapping
-from typing import Any
-
 from ...ground.outside_library import is_outside
+from ..verdict_json import VerdictJson
 
 QUIET = ("consistent", "parameters")
 RIGHT = ("exact", "tie with the truth", "quiet", "unknown as it should")
 OUTCOMES = (*RIGHT, "extra", "part", "wrong", "tie without the truth", "missed", "unknown", "false alarm", "refused")
-Verdict = Mapping[str, Any]  # a diagnosis.json
 
 
-def sets_of(verdict: Verdict) -> list[frozenset[str]]:
+def sets_of(verdict: VerdictJson) -> list[frozenset[str]]:
     """Every set of mechanisms that a verdict names or cannot rule out, the best one first."""
     best = frozenset(mechanism["id"] for mechanism in verdict.get("mechanisms", []))
     return [best, *(frozenset(ids) for ids in verdict.get("alternatives", []))] if best else []
 
 
-def said(verdict: Verdict) -> str:
+def said(verdict: VerdictJson) -> str:
     """The verdict's word; one that names only what the library does not hold counts as `unknown`."""
     sets = sets_of(verdict)
     only_own = bool(sets) and all(is_outside(name) for ids in sets for name in ids)
     return "unknown" if only_own else str(verdict["verdict"])
 
 
-def outcome(verdict: Verdict | None, truth: frozenset[str], nameless: bool) -> str:
+def outcome(verdict: VerdictJson | None, truth: frozenset[str], nameless: bool) -> str:
     """One of OUTCOMES; `truth` is empty for a control, and `nameless` what no name of the library is right for."""
     if verdict is None:
         return "refused"

@@ -3,23 +3,33 @@
 import json
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 import pandas as pd
 
+from ..verdict_json import VerdictJson
 from .against_truth import outcome
+from .case_table import Row
 from .metrics import CHANCE, COLUMNS, LARGE, Score, middle, share
 
 OWN = "diagnosis"
 TABLE = ("run", "stratum", "effects", "kappa", "method", "names", "named", "outcome", "heldout_ratio", "seconds")
 
 
-def _spoken(named: list[str]) -> dict[str, Any]:
+class Answered(TypedDict):
+    """What a method said of a case, as its baselines.json holds it; the error on unseen strokes is in mm."""
+
+    named: list[str] | None
+    heldout_mm: float | None
+    seconds: float
+
+
+def _spoken(named: list[str]) -> VerdictJson:
     """What a baseline names, as a verdict."""
     return {"verdict": "explained" if named else "consistent", "mechanisms": [{"id": name} for name in named]}
 
 
-def _of_case(case: pd.Series, answers: dict[str, Any]) -> Iterator[dict[str, Any]]:
+def _of_case(case: pd.Series, answers: dict[str, Answered]) -> Iterator[Row]:
     case_row = {key: case[key] for key in ("run", "stratum", "effects", "kappa")}
     own = {"method": OWN, "names": True, "named": case["named"], "outcome": case["outcome"]}
     yield case_row | own | {"heldout_ratio": case.get("heldout_ratio"), "seconds": case["seconds"]}
@@ -37,7 +47,7 @@ def _of_case(case: pd.Series, answers: dict[str, Any]) -> Iterator[dict[str, Any
 
 def gather(cases: pd.DataFrame, place: Path, batches: Iterable[str]) -> pd.DataFrame:
     """One row a case and method, of those cases that the baselines were asked about; columns TABLE."""
-    rows: list[dict[str, Any]] = []
+    rows: list[Row] = []
     by_run = cases.set_index("run", drop=False)
     for path in sorted(path for batch in batches for path in (place / "baselines" / batch).glob("*/baselines.json")):
         answers = json.loads(path.read_text(encoding="utf-8"))

@@ -7,29 +7,31 @@ from typing import Any
 
 import pandas as pd
 
+from ..sealed import Answer
+from ..verdict_json import VerdictJson
 from .against_truth import RIGHT, outcome, said, sets_of
 from .overlap import overlap
 
 TIE = 0.2  # noise floors: what copies the truth to less than this cannot be told from it
 DIMENSIONS = {"radius_mm": "radius", "separator_mm": "separator", "torsion_zone_mm": "zone"}
 OWN = "rig"  # the author of what the project's own rig makes
-Row = dict[str, Any]
+Row = dict[str, str | float | None]
 
 
 def _json(path: Path) -> Any:
     return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
 
 
-def _truth(answer: Mapping[str, Any]) -> tuple[frozenset[str], bool]:
+def _truth(answer: Answer) -> tuple[frozenset[str], bool]:
     """Names that are right, and whether none of the library's is."""
     nameless = answer["asked"]["stratum"] == "open" or bool(answer["asked"]["without"])
     return frozenset(effect["id"] for effect in answer["effects"]), nameless
 
 
-def _told(answer: Mapping[str, Any]) -> Row:
+def _told(answer: Answer) -> Row:
     """What was hidden."""
     question = answer["asked"]
-    row = {
+    row: Row = {
         "run": answer["run"],
         "seed": question["seed"],
         "stratum": "without" if question["without"] else question["stratum"],
@@ -45,7 +47,7 @@ def _told(answer: Mapping[str, Any]) -> Row:
     return row | {"noise_floor_mm": answer["noise_floor_mm"], "heldout_noise_mm": answer["heldout_noise_mm"]}
 
 
-def _judged(answer: Mapping[str, Any], verdict: Mapping[str, Any] | None, left: Mapping[str, float]) -> Row:
+def _judged(answer: Answer, verdict: VerdictJson | None, left: Mapping[str, float]) -> Row:
     """What was said, and one word for it."""
     truth, nameless = _truth(answer)
     word = outcome(verdict, truth, nameless)
@@ -63,14 +65,14 @@ def _judged(answer: Mapping[str, Any], verdict: Mapping[str, Any] | None, left: 
     return row
 
 
-def _measured(answer: Mapping[str, Any], verdict: Mapping[str, Any], run: Path) -> Row:
+def _measured(answer: Answer, verdict: VerdictJson, run: Path) -> Row:
     """The figures that a verdict gives, beside the true ones."""
     row: Row = {}
     for key, short in DIMENSIONS.items():
         interval = verdict.get("parameters", {}).get(key)
         if interval and key in answer["dimensions"]:
             row[f"{short}_inside"] = interval["low"] <= answer["dimensions"][key]["true"] <= interval["high"]
-    held = verdict["fit"].get("heldout") or {}
+    held: dict[str, float] = verdict["fit"].get("heldout") or {}
     for key in ("nominal_mm", "calibrated_mm", "explained_mm"):
         row[f"heldout_{key}"] = held.get(key)
     if held.get("explained_mm"):
@@ -82,7 +84,7 @@ def _measured(answer: Mapping[str, Any], verdict: Mapping[str, Any], run: Path) 
     return row
 
 
-def _settled(answer: Mapping[str, Any], folder: Path) -> Row:
+def _settled(answer: Answer, folder: Path) -> Row:
     """What became of a tie after the proposed run, and after more of the same."""
     row: Row = {}
     for way in ("proposed", "same"):
@@ -111,12 +113,12 @@ def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
         yield row, sizes
 
 
-def _sizes(answer: Mapping[str, Any], verdict: Mapping[str, Any]) -> Iterator[Row]:
+def _sizes(answer: Answer, verdict: VerdictJson) -> Iterator[Row]:
     """True and named size of every effect of a verdict that names exactly the truth."""
     named = {mechanism["id"]: mechanism["rms_mm"] for mechanism in verdict["mechanisms"]}
     for effect in answer["effects"]:
         interval = named[effect["id"]]
-        row = {"run": answer["run"], "effect": effect["id"], "stratum": answer["asked"]["stratum"]}
+        row: Row = {"run": answer["run"], "effect": effect["id"], "stratum": answer["asked"]["stratum"]}
         row |= {"protocol": answer["protocol"], "kappa": effect["kappa"], "true_mm": effect["raw_mm"]}
         row |= {"value_mm": interval["value"], "low_mm": interval["low"], "high_mm": interval["high"]}
         yield row | {"inside": interval["low"] <= effect["raw_mm"] <= interval["high"]}

@@ -1,6 +1,5 @@
 """How far two boxes of twist × strokes × phase are the same place: the samples in both over those in either."""
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -10,11 +9,12 @@ from numpy.typing import NDArray
 from ...ground.kinematics import Array
 from ...run.samples import read_strokes
 from ...run.strokes import of_samples
+from ..sealed import Box
 
 EDGE_TURNS = 1e-3  # what rounding moves an edge by
 
 
-def inside(box: Mapping[str, Any], turns: Array, stroke: NDArray[Any], phase: NDArray[Any]) -> NDArray[np.bool_]:
+def inside(box: Box, turns: Array, stroke: NDArray[Any], phase: NDArray[Any]) -> NDArray[np.bool_]:
     """Samples of a recording that a box holds; all of shape (samples,). What is before stroke 1 belongs to it.
 
     Twist in turns, stroke as a count.
@@ -27,7 +27,7 @@ def inside(box: Mapping[str, Any], turns: Array, stroke: NDArray[Any], phase: ND
     return np.asarray(held if box["phase"] == "all" else held & (phase == box["phase"]))
 
 
-def overlap(run: Path, first: Mapping[str, Any], other: Mapping[str, Any]) -> float:
+def overlap(run: Path, first: Box, other: Box) -> float:
     """Intersection over union of two boxes on the samples of a recording."""
     _, samples, strokes = read_strokes(run)
     turns = samples["motor_turns"].to_numpy()

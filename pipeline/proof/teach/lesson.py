@@ -4,7 +4,6 @@ import json
 import random
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import pandas as pd
 
@@ -20,6 +19,7 @@ from ...ground.outside_library import is_outside
 from ...rig.authors import authors
 from ...rig.authors.interface import Asked, OutOfReach, Protocol
 from ...run.description import parse_run
+from ...run.run_yaml import RunYaml
 from ...run.samples import check
 from ...run.table.recorded_table import to_samples
 
@@ -73,7 +73,7 @@ def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
     return lessons
 
 
-def recorded(content: dict[str, Any], table: pd.DataFrame) -> RecordedRun:
+def recorded(content: RunYaml, table: pd.DataFrame) -> RecordedRun:
     """A recording as a diagnosis of its run folder takes it, from what `run.yaml` says and its table; raises BadInput.
 
     Under one load that nobody recorded, the load is what `run.yaml` says.
@@ -92,7 +92,8 @@ def problem_of(lesson: Lesson) -> Problem | None:
             made = authors()[lesson.author].make(request)
         except OutOfReach:
             continue
-        return make_problem([recorded({"run": "lesson", **made.content}, made.table)])
+        content: RunYaml = {"run": "lesson", **made.content, "string": {**made.content["string"]}}
+        return make_problem([recorded(content, made.table)])
     return None
 
 

@@ -4,12 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import yaml
+from numpy.typing import ArrayLike
 
 from ...ground.kinematics import RAD_PER_TURN, Geometry
+from ...run.run_yaml import RunYaml
+from ..concealed import Parameters
 
 SIGMA = {"radius": 0.015, "separator_mm": 0.2, "torsion_zone_mm": 0.5, "length_mm": 1.0}  # of how well it is measured
 STIFFNESS_SIGMA = 0.05  # relative
@@ -18,7 +21,30 @@ MOST_MPA = 60.0  # tension that nobody exceeds: thin strings get the lighter loa
 REFERENCE_MM, REFERENCE_ZONE_MM, REFERENCE_N = 0.40, 150.0, 20.0  # the string that the materials are told of
 STRAIN_BY_TENSION = 0.5  # exponent
 Band = tuple[float, float]
-Material = Mapping[str, Any]
+
+
+class Plastic(TypedDict):
+    """How much of a string stays long, in per cent of its zone, after which work in N mm; one number a population."""
+
+    strain_percent: list[float]
+    work_n_mm: list[float]
+
+
+class Creep(TypedDict):
+    """How a string creeps: its compliances in mm/N, and how long each takes, in s."""
+
+    compliance_mm_per_n: list[float]
+    tau_s: list[float]
+
+
+class Material(TypedDict):
+    """What `materials.yaml` says of a material: its modulus, and the parameters of its effects by their names."""
+
+    modulus_gpa: float
+    radius_compaction: dict[str, float]
+    plastic_elongation: Plastic
+    friction_hysteresis: dict[str, float]
+    creep: Creep
 
 
 @dataclass(frozen=True)
@@ -42,16 +68,20 @@ class Specimen:
     true: Geometry
     load_n: float
     top_turns: float
-    effects: dict[str, dict[str, Any]]  # parameters by the name of the rig's effect
+    effects: dict[str, Parameters]  # parameters by the name of the rig's effect
 
-    def described(self, run: str) -> dict[str, Any]:
+    def described(self, run: str) -> RunYaml:
         """Content of the run.yaml: the dimensions as measured, and how well they were."""
         measured = self.measured
-        string = {"radius_mm": measured.radius_mm, "length_mm": measured.length_mm}
         return {
             "run": run,
             "actuator": "separator",
-            "string": {"material": self.material, **string, "stiffness_n_per_mm": measured.stiffness_n_per_mm},
+            "string": {
+                "material": self.material,
+                "radius_mm": measured.radius_mm,
+                "length_mm": measured.length_mm,
+                "stiffness_n_per_mm": measured.stiffness_n_per_mm,
+            },
             "rig": {
                 "torsion_zone_mm": measured.torsion_zone_mm,
                 "separator_mm": measured.separator_mm,
@@ -100,7 +130,7 @@ def draw_specimen(material: str, rng: np.random.Generator, bands: Bands | None =
     return Specimen(material, measured, true, load_n, top_turns, _hidden(properties, true, load_n, rng))
 
 
-def _hidden(properties: Material, true: Geometry, load_n: float, rng: np.random.Generator) -> dict[str, dict[str, Any]]:
+def _hidden(properties: Material, true: Geometry, load_n: float, rng: np.random.Generator) -> dict[str, Parameters]:
     """A material's effects on a string of these dimensions, which is a little unlike all others of its kind.
 
     Contact works the zone alone: what lengthens is in proportion to it, and what must be done to the volume in it.
@@ -109,7 +139,7 @@ def _hidden(properties: Material, true: Geometry, load_n: float, rng: np.random.
     tension = load_n / REFERENCE_N / wide**2
     plastic, creep = properties["plastic_elongation"], properties["creep"]
     stretch_mm = 0.01 * true.torsion_zone_mm * tension**STRAIN_BY_TENSION * np.array(plastic["strain_percent"])
-    hidden = {
+    hidden: dict[str, Mapping[str, ArrayLike]] = {
         "radius_compaction": properties["radius_compaction"],
         "plastic_elongation": {
             "stretch_mm": stretch_mm,
@@ -124,7 +154,7 @@ def _hidden(properties: Material, true: Geometry, load_n: float, rng: np.random.
     return {name: {key: _spread(value, rng) for key, value in own.items()} for name, own in hidden.items()}
 
 
-def _spread(value: Any, rng: np.random.Generator) -> Any:
+def _spread(value: ArrayLike, rng: np.random.Generator) -> Any:
     """A parameter of one string about its material's, number by number."""
     nominal = np.asarray(value, float)
     return (nominal * np.exp(SPREAD * rng.standard_normal(nominal.shape))).tolist()

@@ -22,7 +22,7 @@ def names() -> list[str]:
     return sorted(module.name for module in pkgutil.iter_modules(__path__))
 
 
-def make(name: str, parameters: Mapping[str, Any]) -> Effect:
+def make(name: str, parameters: Mapping[str, object]) -> Effect:
     """A fresh effect of that name; raises ValueError for a name or a parameter that it does not know.
 
     Any effect can have the parameter `unsteady`, with the arguments of `pipeline.rig.wandering_strength.Unsteady`.
@@ -33,7 +33,10 @@ def make(name: str, parameters: Mapping[str, Any]) -> Effect:
     own = {key: value for key, value in parameters.items() if key != "unsteady"}
     try:
         effect = model(**own)
-        return Unsteady(effect, **parameters["unsteady"]) if "unsteady" in parameters else effect
+        if "unsteady" not in parameters:
+            return effect
+        waves: Any = parameters["unsteady"]
+        return Unsteady(effect, **waves)
     except TypeError as error:
         raise ValueError(f"has other parameters ({error})") from None
 

@@ -3,9 +3,6 @@
 Source: Johnson, Contact Mechanics, 1985 (a ball that is pressed in, after Hertz).
 """
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
 from ...ground.kinematics import Array
@@ -57,6 +54,6 @@ class Hidden(Concealed):
         """How hard the rubber is."""
         return {"bumper": uniform(rng, 100.0, 400.0), "stretch_n_per_mm": scene.geometry.stiffness_n_per_mm}
 
-    def at(self, drawn: Mapping[str, Any], strength: float, scene: Scene) -> Parameters:
+    def at(self, drawn: Parameters, strength: float, scene: Scene) -> Parameters:
         """The stronger, the sooner it is met."""
         return {**drawn, "at_mm": scene.stroke_mm * (1.0 - min(0.03 * strength, 0.9))}

@@ -5,14 +5,12 @@ Source: van Wyk, "Note on the compressibility of wool", Journal of the Textile I
 """
 
 import math
-from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
 from ...ground.kinematics import Array
 from .. import altered_motion
-from ..concealed import Claim, Concealed, Parameters, Scene, uniform
+from ..concealed import Claim, Concealed, Parameters, Scene, number, uniform
 from ..effect import Effect, Lived, compiled
 
 
@@ -70,6 +68,6 @@ class Hidden(Concealed):
         """How the bed of fibres stiffens."""
         return {"bed_mpa": 300.0, "exponent": uniform(rng, 1.3, 3.0)}
 
-    def at(self, drawn: Mapping[str, Any], strength: float, scene: Scene) -> Parameters:
+    def at(self, drawn: Parameters, strength: float, scene: Scene) -> Parameters:
         """The stronger, the softer the bed."""
-        return {**drawn, "bed_mpa": drawn["bed_mpa"] / strength}
+        return {**drawn, "bed_mpa": number(drawn, "bed_mpa") / strength}

@@ -5,8 +5,6 @@ difference).
 """
 
 import math
-from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -85,15 +83,15 @@ class Hidden(Concealed):
             heating, string_s = uniform(rng, 1.0, 4.0), uniform(rng, 25.0, 60.0)
             return {"heating_k_per_j": heating, "string_s": string_s, "expansion_mm_per_k": 0.02}
         warm_s = (scene.lasts_s * uniform(rng, 0.15, 0.4), scene.lasts_s * uniform(rng, 0.55, 0.8))
-        room = {"heating_k_per_j": 0.0, "room_k": uniform(rng, 4.0, 12.0), "warm_s": warm_s}
+        room: Parameters = {"heating_k_per_j": 0.0, "room_k": uniform(rng, 4.0, 12.0), "warm_s": warm_s}
         times = {"string_s": uniform(rng, 8.0, 30.0), "rig_s": uniform(rng, 60.0, 150.0)}
         return {**room, **times, "expansion_mm_per_k": 0.02}
 
-    def claims(self, parameters: Mapping[str, Any]) -> Claim:
+    def claims(self, parameters: Parameters) -> Claim:
         """Heat that comes from the room stands still when time does, not when the string does."""
         warm = self.warms_the_room(parameters)
         return Claim("temperature", altered_motion.IN_NO_TIME, (altered_motion.AT_REST,)) if warm else self.claim
 
-    def warms_the_room(self, parameters: Mapping[str, Any]) -> bool:
+    def warms_the_room(self, parameters: Parameters) -> bool:
         """Whether the heat comes from the room, which nobody can know without a thermometer."""
         return bool(parameters.get("room_k"))

@@ -7,8 +7,10 @@ import numpy as np
 
 from .. import effects
 from ..campaign.specimen import Specimen
+from ..concealed import Parameters, numbers
 from ..effect import Effect
 from ..motion_commands import Strokes
+from ..wandering_strength import Waves
 from . import x_fatigue, x_galling
 
 LOST_RADIUS = 0.06  # share with which about a tenth of the stroke is lost
@@ -38,22 +40,23 @@ class Work:
 
 def ageing(
     life: str, strokes: float, work: Work, specimen: Specimen, rng: np.random.Generator
-) -> dict[str, dict[str, Any]]:
+) -> dict[str, Parameters]:
     """Parameters of all effects of a string that `saturates`, or that `wears` or `breaks` in so many strokes."""
     uniform = lambda low, high: float(rng.uniform(low, high))  # noqa: E731
     way_m, load_n = work.way_mm / 1e3, specimen.load_n
     # two more populations, which yield over tens and hundreds of strokes
     plastic, slow = specimen.effects["plastic_elongation"], rng.uniform(0.1, 0.4, 2) * uniform(0.5, 1.5)
-    stretch_mm = [*plastic["stretch_mm"], *(slow * sum(plastic["stretch_mm"]))]
+    stretched_mm = numbers(plastic, "stretch_mm")
+    stretch_mm = [*stretched_mm, *(slow * sum(stretched_mm))]
     slow_n_mm = work.contact_n_mm * np.array([uniform(15.0, 40.0), uniform(80.0, 300.0)])
     worn = {"saturates": uniform(0.05, 0.25), "wears": uniform(0.8, 1.0), "breaks": uniform(0.05, 0.25)}[life]
     lasts = SPARED_STROKES if life == "saturates" else strokes
     first_m = way_m * uniform(5.0, 30.0)
     edge = uniform(0.3, 2.0)
     fresh_m = edge * first_m * np.log1p(lasts * way_m / first_m)  # of way more, that the asperities count for
-    aged = {
+    aged: dict[str, Parameters] = {
         "radius_compaction": specimen.effects["radius_compaction"] | {"unsteady": _wander(work, rng)},
-        "plastic_elongation": {"stretch_mm": stretch_mm, "work_n_mm": [*plastic["work_n_mm"], *slow_n_mm]},
+        "plastic_elongation": {"stretch_mm": stretch_mm, "work_n_mm": [*numbers(plastic, "work_n_mm"), *slow_n_mm]},
         "creep": specimen.effects["creep"],
         "stiffening": {
             "compliance_mm_per_n": uniform(0.005, 0.03),
@@ -85,19 +88,21 @@ def ageing(
     return aged
 
 
-def _wander(work: Work, rng: np.random.Generator) -> dict[str, Any]:
+def _wander(work: Work, rng: np.random.Generator) -> Waves:
     """The air's, over minutes and hours; so the stroke is no straight reading of the age."""
     periods_s = np.exp(rng.uniform(np.log(120.0), np.log(3000.0), 2))
     shares, phases = rng.uniform(0.003, 0.015, 2), rng.uniform(0.0, 2.0 * np.pi, 2)
     return {"shares": shares.tolist(), "periods_s": periods_s.tolist(), "phases_rad": phases.tolist()}
 
 
-def made(aged: dict[str, dict[str, Any]]) -> tuple[list[Effect], x_fatigue.Model | None]:
+def made(aged: dict[str, Parameters]) -> tuple[list[Effect], x_fatigue.Model | None]:
     """Fresh effects with these parameters, and the bundle of fibres among them if there is one."""
     own = {name: parameters for name, parameters in aged.items() if name in effects.names()}
     made = [effects.make(*effect) for effect in own.items()]
-    made.append(x_galling.Model(**aged["x_galling"]))
+    galling: dict[str, Any] = {**aged["x_galling"]}
+    made.append(x_galling.Model(**galling))
     if "x_fatigue" not in aged:
         return made, None
-    bundle = x_fatigue.Model(**aged["x_fatigue"])
+    fatigue: dict[str, Any] = {**aged["x_fatigue"]}
+    bundle = x_fatigue.Model(**fatigue)
     return [*made, bundle, x_fatigue.Stretch(bundle)], bundle

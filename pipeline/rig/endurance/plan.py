@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
 from ..campaign.plan import material_of
 from ..campaign.specimen import Bands, Specimen, draw_specimen
+from ..concealed import Parameters
 from ..motion_commands import Strokes
 from .ageing import Work, ageing
 
@@ -32,7 +33,7 @@ class Planned:
     stroke: Strokes
     strokes: int  # at most
     after: int  # strokes that are recorded once a quarter of the stroke is lost
-    ageing: dict[str, dict[str, Any]]  # parameters, by the effect's name
+    ageing: dict[str, Parameters]  # parameters, by the effect's name
     noise: np.random.Generator
 
 

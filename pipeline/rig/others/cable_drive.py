@@ -10,7 +10,7 @@ from ...ground.kinematics import Array
 from . import cable_parts as parts
 from .cable_plan import STEP_S, TIME_S, Told, told
 from .capstan import Capstans
-from .made import Kind, Made, check
+from .made import Kind, Made, OfRig, Truth, check
 from .made import told as truth_of
 from .streams import coloured, counted, stream, wander
 
@@ -66,13 +66,13 @@ def record(
             "torque_nm": counted(commands.torque_nm + exact * torque_noise, exact * TORQUE_QUANTUM_NM),
         }
     )
-    run = {
+    run: OfRig = {
         "run": f"cable-{plan}-{seed}-{take}".replace(".", ""),
         "actuator": "cable_drive",
         "rig": {"gear_ratio": NOMINAL_GEAR},
         "tolerance": {"gear_ratio": GEAR_TOLERANCE},
     }
-    truth = {
+    truth: Truth = {
         "actuator": "cable_drive", "seed": seed, "plan": plan, "take": take,
         "parameters": {"gear_ratio": gear},
         "noise": {"kind": noise, "jaw_deg": noise_deg},
@@ -82,7 +82,7 @@ def record(
     return Made(samples, run, truth, pd.DataFrame({**true, **alone}))
 
 
-def _drawn(seed: int, this: tuple[Any, ...], name: str) -> dict[str, Any]:
+def _drawn(seed: int, this: tuple[str, int], name: str) -> dict[str, Any]:
     """What says the shape of an effect, beside its size: of the rig, or of this take where it happens once."""
     rng, now = stream(seed, name), stream(seed, *this, name)
     return {
@@ -97,7 +97,7 @@ def _drawn(seed: int, this: tuple[Any, ...], name: str) -> dict[str, Any]:
 
 
 def _jaw(
-    seed: int, this: tuple[Any, ...], commands: Told, gear: float, sizes: dict[str, float], drawn: dict[str, Any]
+    seed: int, this: tuple[str, int], commands: Told, gear: float, sizes: dict[str, float], drawn: dict[str, Any]
 ) -> Array:
     """Angle that the jaw's encoder would say without noise, in deg; shape (samples,)."""
 

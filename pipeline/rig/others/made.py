@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 import pandas as pd
@@ -26,18 +26,50 @@ class Kind:
     signed: bool = False
 
 
+Shape = Mapping[str, float | list[float]]  # what is drawn of an effect beside its size, by name
+
+
+class OfRig(TypedDict):
+    """The content of a made run.yaml: the rig's dimensions as measured, and how well they were, by their names."""
+
+    run: str
+    actuator: str
+    rig: dict[str, float]
+    tolerance: dict[str, float]
+
+
+class EffectTruth(TypedDict):
+    """What was hidden of one effect: `rms` in the measured channel's unit, what switching it off takes away."""
+
+    mechanism: str | None
+    size: float
+    unit: str
+    rms: float
+    parameters: dict[str, float | list[float]]
+
+
+class Truth(TypedDict):
+    """The truth about a made recording; `parameters` are the rig's true ones, by their names."""
+
+    actuator: str
+    seed: int
+    plan: str
+    take: int
+    parameters: dict[str, float]
+    noise: dict[str, str | float]  # its `kind`, and its rms by the channel's name
+    effects: dict[str, EffectTruth]
+
+
 @dataclass(frozen=True)
 class Made:
     """A recording (`time_s` and the channels, one row a sample), the content of its run.yaml, and what was hidden.
 
-    `truth` has `parameters` (the rig's true ones), `noise` and, for each effect, `mechanism`, `size`, `unit`, `rms`
-    (in the measured channel's unit, what switching it off takes away) and `parameters` (the drawn ones that say its
-    shape). `hidden`, of the samples' rows, holds what no sensor says: each effect's part of the channel, and the truth.
+    `hidden`, of the samples' rows, holds what no sensor says: each effect's part of the channel, and the truth.
     """
 
     samples: pd.DataFrame
-    run: dict[str, Any]
-    truth: dict[str, Any]
+    run: OfRig
+    truth: Truth
     hidden: pd.DataFrame
 
 
@@ -53,8 +85,8 @@ def check(effects: Mapping[str, float], kinds: Mapping[str, Kind], noise: str) -
 
 
 def told(
-    kinds: Mapping[str, Kind], sizes: Mapping[str, float], parts: Mapping[str, Array], drawn: Mapping[str, Any]
-) -> dict[str, Any]:
+    kinds: Mapping[str, Kind], sizes: Mapping[str, float], parts: Mapping[str, Array], drawn: Mapping[str, Shape]
+) -> dict[str, EffectTruth]:
     """The truth about every effect, by its name. Each of `parts` has the shape (samples,), in its effect's unit."""
     return {
         name: {

@@ -8,7 +8,7 @@ import pandas as pd
 from scipy.signal import butter, sosfiltfilt
 
 from ...ground.kinematics import Array
-from .made import Kind, Made, check
+from .made import Kind, Made, OfRig, Truth, check
 from .made import told as truth_of
 from .mass_loop import Controller, Plant, ride
 from .mass_plan import STEP_S, TIME_S, told
@@ -73,13 +73,13 @@ def record(
             "force_n": counted(log[3] + said_n, 0.0 if noise == "none" else FORCE_QUANTUM_N),
         }
     )
-    run = {
+    run: OfRig = {
         "run": f"mass-{plan}-{seed}-{take}",
         "actuator": "moving_mass",
         "rig": {"mass_kg": NOMINAL_KG},
         "tolerance": {"mass_kg": TOLERANCE},
     }
-    truth = {
+    truth: Truth = {
         "actuator": "moving_mass", "seed": seed, "plan": plan, "take": take,
         "parameters": {"mass_kg": mass_kg},
         "noise": {"kind": noise, "force_n": noise_n},
@@ -89,7 +89,7 @@ def record(
     return Made(samples, run, truth, pd.DataFrame({**true, **alone}))
 
 
-def _drawn(seed: int, this: tuple[Any, ...], name: str) -> dict[str, Any]:
+def _drawn(seed: int, this: tuple[str, int], name: str) -> dict[str, Any]:
     """What says the shape of an effect, beside its size: of the rig, or of this take where it happens by chance."""
     rng, now = stream(seed, name), stream(seed, *this, name)
     pushes_s = np.sort(now.uniform(1.0, 23.0, 3))
