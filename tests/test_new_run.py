@@ -87,6 +87,7 @@ def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_pat
     most = samples["theta"].max() / 360
     assert told.startswith(f"log.csv has {len(samples)} samples. They are read as:\n  time_s 0 to ")
     assert f"\n  motor_turns 0 to {most:.4g} (from theta in deg)\n  displacement_mm " in told, "ranges in our units"
+    assert "not read" not in told
     assert max(map(len, told.splitlines())) < 120 + len(str(tmp_path)), "the next command was a line of 400 characters"
     written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")
     assert (
@@ -95,6 +96,14 @@ def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_pat
     for text, says in [("{a: 1, a: 2}", "--channels: line 1: says 'a' a second time"), ("[", "is not YAML")]:
         status, _, said = new("a-02", "--channels", text, samples=samples)
         assert status == 2 and says in said
+
+
+def test_columns_that_nothing_is_read_from_are_named(new, tmp_path):
+    """A load in a column of another name was taken as 0 N, and no line said that the column is there."""
+    status, told, _ = new("a-01", samples=GOOD.drop(columns="load_n", errors="ignore").assign(pull=15.0))
+    assert status == 0 and "\n  no load: taken as 0 N" in told and "\n  not read: pull\n" in told
+    status, _, said = new("a-01", samples=GOOD)
+    assert status == 2 and "remove that folder yourself if nobody needs it" in said
 
 
 def test_a_stiffness_that_nobody_measured_is_left_out(new, tmp_path):

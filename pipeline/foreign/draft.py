@@ -22,8 +22,8 @@ from .roles import Role
 
 USUAL = "separator"  # the kind of rig where nobody tells it
 SHOWN_ROWS, SHOWN_COLUMNS = 5, 24
-UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, um, cm or m"}
-UNITS |= {"s": "s, ms or us", "m": "m, cm or mm", "n": "N, kgf or g", "nm": "Nm or Nmm", "c": "degC or K"}
+UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, um, cm, m or in"}
+UNITS |= {"s": "s, ms or us", "m": "m, cm, mm or in", "n": "N, kgf or g", "nm": "Nm or Nmm", "c": "degC or K"}
 NO_LOAD = (
     "the load in N that hung all the time, 0 for none; if a column has it, name it under channels and take this out"
 )
@@ -40,7 +40,7 @@ def _filled(key: str, what: str, indent: int = 2) -> str:
 
 def _actuator(name: str, is_told: bool) -> str:
     """The kind of rig: no file tells it, so it is a guess where no person does."""
-    check = "  # check: a guess: write twisted_pair if your rig has no separator"
+    check = "  # check: a guess; without a separator draft anew with --actuator twisted_pair"
     return f"actuator: {name}{'' if is_told else check}"
 
 

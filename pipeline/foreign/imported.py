@@ -27,7 +27,7 @@ from .empty_fields import refuse_empty
 from .mended_clock import check_mended, mend_time
 from .origin import origin
 
-TAKEN = "choose another --run; runs are never overwritten"
+TAKEN = "choose another --run, or remove that folder yourself if nobody needs it: runs are never overwritten"
 
 
 def read_mapping(path: Path) -> dict[str, Any]:
@@ -82,7 +82,11 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
     kept = {key: value for key, value in content.items() if key not in ("file", "channels")}
     rules = ", ".join(mends(mended))
     sentence = f"{folder}: {counted(len(samples), 'sample')}" + (f"; mended {rules}" if rules else "")
-    sentence = "\n".join(filter(None, (sentence, read_as(run, checked_samples, file, len(samples)), read_back(run))))
+    sentence = "\n".join(
+        filter(
+            None, (sentence, read_as(run, checked_samples, file, len(samples), list(log.table.columns)), read_back(run))
+        )
+    )
     return ImportedRun({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
 
 

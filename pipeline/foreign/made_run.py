@@ -52,7 +52,7 @@ def make_run(
     run = parse_run(content, path)
     if run.string and not (known and recording is None):
         checked(own_material, run.string.material, path, "string.material")
-    taken = "choose another name; runs are never overwritten"
+    taken = "choose another name, or remove that folder yourself if nobody needs it: runs are never overwritten"
     try:
         _question(dimension_questions(run, path), sure)
     except BadInput as error:
@@ -64,7 +64,7 @@ def make_run(
         try:
             log = read_log(run, recording, path, lambda: read_table(recording, run.file))
             counting = check_samples(run, log.samples, recording, sure, log.where)
-            print(read_as(run, counting, recording, len(log.samples)))
+            print(read_as(run, counting, recording, len(log.samples), list(log.table.columns)))
         except BadInput as error:
             raise by_look(error, recording, run) or by_option(error, content) from None
     if folder.exists():  # recorded before it was described

@@ -68,8 +68,14 @@ def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
 
 
 def _unit(column: str | int, units: dict[str | int, str]) -> str | None:
-    unit = header_unit(column) if isinstance(column, str) else None
+    unit = (header_unit(column) or _named_by_unit(column)) if isinstance(column, str) else None
     return unit or unit_word(units.get(column, ""))
+
+
+def _named_by_unit(name: str) -> str | None:
+    """The unit of a column that is called by it alone, such as newton; None where it may be a count or an input."""
+    unit = unit_word(name) if len(name.strip()) > 1 else None
+    return None if unit == "count" or name.strip().lower() == "in" else unit
 
 
 def _score(channel: str, column: str | int, values: Array, unit: str | None) -> int:

@@ -31,6 +31,6 @@ def header_unit(name: str) -> str | None:
         return WHOLE[last]
     for place in PLACES:
         match = re.search(place, name)
-        if match and (unit := unit_word(match[1])):
+        if match and (unit := unit_word(match[1])) and (match[1], place) != ("in", PLACES[-1]):  # x_in may be an input
             return unit
     return None

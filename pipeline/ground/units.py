@@ -6,7 +6,7 @@ import math
 # What one of each unit is in the base of its quantity: turn, mm, N, Nm, s, A, Pa.
 _TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE = (
     {"turns": 1.0, "rad": 1.0 / math.tau, "deg": 1.0 / 360.0},
-    {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1e-3},
+    {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1e-3, "in": 25.4},
     {"N": 1.0, "kgf": 9.80665, "gf": 9.80665e-3, "g": 9.80665e-3},  # g: as a lab's scale shows a force
     {"Nm": 1.0, "Nmm": 1e-3},
     {"s": 1.0, "ms": 1e-3, "us": 1e-6},
@@ -19,6 +19,7 @@ SAID = {  # what people write for them
     "sec": "s", "millisecond": "ms", "msec": "ms", "microsecond": "us", "\u00b5s": "us", "millimeter": "mm",
     "millimetre": "mm", "gram": "g", "gramm": "g", "grams-force": "g", "kilogram": "kgf", "kp": "kgf", "newton": "N",
     "\u00b5m": "um", "\u03bcm": "um", "micrometer": "um", "micrometre": "um", "micron": "um",
+    "inch": "in", "inches": "in",
 }  # fmt: skip
 UNIT_BY_ENDING = {  # by the ending of a column's name
     "_s": "s", "_turns": "turns", "_mm": "mm", "_n": "N", "_c": "degC", "_a": "A",
@@ -84,7 +85,7 @@ def ending_of(column: str, channel: str) -> str:
     """The unit in which a foreign column such as `slide_cm` ends, if the channel converts from it; else its own."""
     suffix = column.rpartition("_")[2].lower()
     for unit in UNITS:
-        if unit.lower() == suffix and unit not in ("V", "count"):
+        if unit.lower() == suffix and unit not in ("V", "count", "in"):  # x_in is an input as likely
             try:
                 conversion(channel, unit)
             except ValueError:

@@ -145,6 +145,28 @@ def test_a_mass_in_kg_that_no_name_calls_a_load_is_none(tmp_path):
     assert "load_n: {" not in done.stdout and "load_n:  # fill in" in done.stdout and "Masse" in done.stderr
 
 
+def test_inches_and_a_column_called_by_its_unit_alone_are_read(tmp_path):
+    """Weg [inch] was guessed to be in m, and a column newton was no load."""
+    table(**{"ms": T * 1e3, "degrees": M * 360, "Weg [inch]": X / 25.4, "newton": 15 + 0 * T}).to_csv(
+        tmp_path / "a.csv", index=False
+    )
+    text = program("--guess", "a.csv", cwd=tmp_path).stdout
+    assert "displacement_mm: {column: 'Weg [inch]', unit: in}\n" in text, text
+    assert "load_n: {column: newton, unit: N}\n" in text
+    (tmp_path / "map.yaml").write_text(filled(text))
+    done = program("a.csv", "--map", "map.yaml", "--run", "a-01", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    read = read_samples(tmp_path / "raw" / "a-01")[1]
+    assert read["displacement_mm"].to_numpy() == pytest.approx(X.to_numpy(), abs=1e-6) and (read["load_n"] == 15).all()
+
+
+@pytest.mark.parametrize("name", ["weg_in", "in", "count"])
+def test_a_name_that_may_mean_an_input_or_a_count_tells_no_unit(tmp_path, name):
+    table(t=T, theta=M * 360, position=X, **{name: X / 25.4}).to_csv(tmp_path / "a.csv", index=False)
+    text = program("--guess", "a.csv", cwd=tmp_path).stdout
+    assert "unit: in}" not in text and "motor_turns: {column: theta, unit: deg}" in text
+
+
 def test_a_unit_in_the_header_that_gives_no_rate_of_a_rig_is_doubted(tmp_path):
     table(**{"Time [ms]": T, "theta_deg": M * 360, "x_mm": X}).to_csv(tmp_path / "a.csv", index=False)
     text = program("--guess", "a.csv", cwd=tmp_path).stdout
@@ -257,7 +279,9 @@ def test_a_guessed_actuator_is_marked_and_a_load_of_nobody_is_to_be_filled_in(tm
     FORCED.to_csv(tmp_path / "forced.csv", index=False)
     alone = program("log.csv", "--guess", cwd=tmp_path).stdout
     assert re.search(
-        r"^actuator: separator  # check: a guess: write twisted_pair if your rig has no separator$", alone, re.M
+        r"^actuator: separator  # check: a guess; without a separator draft anew with --actuator twisted_pair$",
+        alone,
+        re.M,
     )
     assert re.search(r"^  load_n:  # fill in: the load in N .*, 0 for none; if a column has it, name it", alone, re.M)
     pair = program("log.csv", "--guess", "--actuator", "twisted_pair", "--out", "map.yaml", cwd=tmp_path)

@@ -52,7 +52,7 @@ def repeated(values):
         (spoiled("motor_turns", lambda v: v * 2 * np.pi), "motor_turns", "looks like rad: set channels"),
         (spoiled("motor_turns", lambda v: v * 360), "motor_turns", "looks like deg"),
         (spoiled("displacement_mm", lambda v: v / 1000), "displacement_mm", "looks like m:"),
-        (spoiled("displacement_mm", lambda v: v / 25.4), "displacement_mm", "Mend: it looks like inches: set .*scale"),
+        (spoiled("displacement_mm", lambda v: v / 25.4), "displacement_mm", "it looks like inches: set .*unit to in"),
         (spoiled("motor_turns", lambda v: v * 3), "motor_turns", "fit with motor_turns, or radius_mm, 0.34 times as"),
         (spoiled("motor_turns", lambda v: v / 9), "motor_turns", "fit with motor_turns, or radius_mm, 9.1 times as"),
         (spoiled("displacement_mm", lambda v: v * 7), "motor_turns", "displacement_mm 0.14 times as"),

@@ -22,8 +22,8 @@ AS_LIKELY = 2.0  # misfits within this factor of the best cannot be told apart,
 SMALL = 0.04  # nor those below this share of the span
 UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of the range
 POINTS = 2000
-ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m", "um")
-INCH_MM = 25.4
+ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m", "um", "in")
+IN_WORDS = {"in": "inches"}
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,10 @@ def _others(channel: Channel, column: str, units: tuple[str, ...]) -> list[tuple
     now = conversion(column, channel.unit)[0]
     others = [unit for unit in units if unit != (channel.unit or units[0])]
     return [
-        (conversion(column, unit)[0] / now, f"it looks like {unit}: set channels.{column}.unit to {unit}")
+        (
+            conversion(column, unit)[0] / now,
+            f"it looks like {IN_WORDS.get(unit, unit)}: set channels.{column}.unit to {unit}",
+        )
         for unit in others
     ]
 
@@ -99,9 +102,6 @@ def _guesses(run: Run) -> list[list[Guess]]:
     angle, length = (run.channels.get(name, Channel.model_validate({})) for name in ("motor_turns", "displacement_mm"))
     angles = [Guess(by, 1.0, "motor_turns", mend) for by, mend in _others(angle, "motor_turns", ANGLES)]
     lengths = [Guess(1.0, by, "displacement_mm", mend) for by, mend in _others(length, "displacement_mm", LENGTHS)]
-    inch = f"it looks like inches: set channels.displacement_mm.scale to {INCH_MM * length.scale:g}"
-    if length.unit in (None, "mm"):
-        lengths.append(Guess(1.0, INCH_MM, "displacement_mm", inch))
     both = [Guess(a.turns, b.length, a.field, f"{a.mend}, and {b.mend}") for a in angles for b in lengths]
     return [[*angles, *lengths], both]
 

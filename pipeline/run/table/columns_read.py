@@ -1,5 +1,6 @@
 """Which column of a recording was read as what, for a person to see: a wrong unit or column shows there."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -8,13 +9,19 @@ import pandas as pd
 from ...ground.complaint import key_name
 from ...ground.counts import counted
 from ..description import Run
+from .named_units import in_its_unit
+
+NAMED = 8  # columns that nothing is read from
 
 
-def read_as(run: Run, samples: pd.DataFrame, path: Path, recorded: int | None = None) -> str:
+def read_as(
+    run: Run, samples: pd.DataFrame, path: Path, recorded: int | None = None, columns: Sequence[object] = ()
+) -> str:
     """How many samples, and a line each channel with its column, its unit there, and its range in our units.
 
     `samples` are the table with a column a channel, as `to_samples` gives it; where those that no rig can
-    have read are not among them, `recorded` says how many there were.
+    have read are not among them, `recorded` says how many there were. `columns` are all of the file, of which those
+    that are no channel's are named.
     """
     sentences = []
     for name in samples.columns:
@@ -26,9 +33,23 @@ def read_as(run: Run, samples: pd.DataFrame, path: Path, recorded: int | None = 
         sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
     if has_no_load(run) and not np.any(samples.get("load_n", 0.0)):
         sentences.append("no load: taken as 0 N; if one hangs, name its column as load_n, or write rig.load_n")
+    unread = [key_name(column) for place, column in enumerate(columns) if not {place, column} & _keys(run, columns)]
+    if unread:
+        more = f" and {len(unread) - NAMED} more" if len(unread) > NAMED else ""
+        sentences.append(f"not read: {', '.join(unread[:NAMED])}{more}")
     count = len(samples) if recorded is None else recorded
     wild = f", of which {count - len(samples)} will not count (see the warning)" if count > len(samples) else ""
     return "\n  ".join([f"{path.name} has {counted(count, 'sample')}{wild}. They are read as:", *sentences])
+
+
+def _keys(run: Run, columns: Sequence[object]) -> set[object]:
+    """Names, and indices from 0, of the columns that are read as channels."""
+    keys: set[object] = set()
+    for name in run.system.columns:
+        channel = run.channels.get(name)
+        named = in_its_unit(name, columns) if channel is None and name not in columns else None
+        keys.add(channel.column if channel and channel.column is not None else named[0] if named else name)
+    return keys
 
 
 def has_no_load(run: Run) -> bool:
