@@ -18,37 +18,42 @@ from .run.folder import has_recording
 from .run.needed_options import lacking, load_taken
 from .run.next_command import following
 from .run.run_arguments import run_dir
+from .run.run_yaml import RunYaml
 from .string.jumps_beside import advice_on
 from .string.known_strings import string_id
 from .string.same_string import others_recorded, tares
 
 
-def arguments_to_content(arguments: argparse.Namespace) -> dict[str, Any]:
+def arguments_to_content(arguments: argparse.Namespace) -> RunYaml:
     """The `run.yaml` that the command line asks for, without what was not given; raises BadInput for bad YAML in it."""
-    string = {key: getattr(arguments, key) for key in ("material", "radius_mm", "length_mm", "stiffness_n_per_mm")}
+    string: Any = {key: getattr(arguments, key) for key in ("material", "radius_mm", "length_mm", "stiffness_n_per_mm")}
     string |= {"id": arguments.string_id, "strokes_before": arguments.strokes_before}
     rig = {key: getattr(arguments, key) for key in ("torsion_zone_mm", "separator_mm", "load_n")}
-    content: dict[str, Any] = {"run": arguments.run}
+    content: RunYaml = {"run": arguments.run}
     if arguments.actuator or not arguments.like:
         content["actuator"] = arguments.actuator or STRING_ACTUATORS[0]
-    content["string"] = {key: value for key, value in string.items() if value is not None}
+    sizes: Any = {key: value for key, value in string.items() if value is not None}
+    content["string"] = sizes
     content["rig"] = {key: value for key, value in rig.items() if value is not None}
     if arguments.tare:
         content["tare"] = arguments.tare
-    for key in ("file", "channels", "tolerance"):
-        if getattr(arguments, key) is not None:
-            content[key] = parse_yaml(getattr(arguments, key), Path(f"--{key}"))
+    if arguments.file is not None:
+        content["file"] = parse_yaml(arguments.file, Path("--file"))
+    if arguments.channels is not None:
+        content["channels"] = parse_yaml(arguments.channels, Path("--channels"))
+    if arguments.tolerance is not None:
+        content["tolerance"] = parse_yaml(arguments.tolerance, Path("--tolerance"))
     return with_given(as_in(arguments.like), content, arguments.like) if arguments.like else content
 
 
-def with_string_id(content: dict[str, Any], out: Path) -> dict[str, Any]:
+def with_string_id(content: RunYaml, out: Path) -> RunYaml:
     """The content with the name of a string that has a run in `out`, where a person says that it is the same."""
     run = parse_run(content, out / str(content["run"]) / "run.yaml")
     if run.string is None or run.string.id is not None:
         return content
     terminal = sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
     id_ = string_id(run.string, out, run.run, input if terminal else None)
-    return {**content, "string": {**content["string"], "id": id_}} if id_ else content
+    return {**content, "string": {**(content["string"] or {}), "id": id_}} if id_ else content
 
 
 @program

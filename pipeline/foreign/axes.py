@@ -11,7 +11,7 @@ from ..ground.errors import BadInput
 AXIS_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
 
 
-def _with_keys(mapping: dict[str, Any]) -> dict[str, Any]:
+def _with_keys(mapping: dict[str, object]) -> dict[str, object]:
     """A mapping whose channels all have keys, so that an axis can say a part of one."""
     return {key: all_written_out(value) if key == "channels" else value for key, value in mapping.items()}
 
@@ -23,14 +23,15 @@ def _over(whole: Any, own: Any) -> Any:
     return {**whole, **{key: _over(whole.get(key), value) for key, value in own.items()}}
 
 
-def _named(mapping: dict[str, Any], string_id: str, path: Path) -> dict[str, Any]:
+def _named(mapping: dict[str, object], string_id: str, path: Path) -> dict[str, object]:
     """A mapping of this very string; raises BadInput where it has none."""
-    if not isinstance(mapping.get("string"), dict):
+    string = mapping.get("string")
+    if not isinstance(string, dict):
         raise BadInput(path, "string", "is not there, and --string-id names one", "leave --string-id out")
-    return {**mapping, "string": {**mapping["string"], "id": string_id}}
+    return {**mapping, "string": {**string, "id": string_id}}
 
 
-def each_axis(mapping: dict[str, Any], path: Path, string_id: str | None = None) -> dict[str, dict[str, Any]]:
+def each_axis(mapping: dict[str, object], path: Path, string_id: str | None = None) -> dict[str, dict[str, object]]:
     """The mapping of each axis by its name, one without a name where there are no `axes`; raises BadInput.
 
     `string_id` goes before the one that all share; the string of each of several axes is called by its axis too.

@@ -10,7 +10,7 @@ from ..ground.errors import BadInput
 MAY_BE_EMPTY = ("string.stiffness_n_per_mm", "string.id")
 
 
-def refuse_empty(content: dict[Any, Any], path: Path) -> None:
+def refuse_empty(content: dict[Any, object], path: Path) -> None:
     """Raise BadInput that names every field of a mapping's sections that has no value, but for those that need none."""
     empty = list(_empty(content))
     if empty:
@@ -19,7 +19,7 @@ def refuse_empty(content: dict[Any, Any], path: Path) -> None:
         raise BadInput(path, ", ".join(empty), f"{are} empty", mend)
 
 
-def _empty(content: dict[Any, Any], within: str = "") -> Iterator[str]:
+def _empty(content: dict[Any, object], within: str = "") -> Iterator[str]:
     for key, value in content.items():
         name = f"{within}{key_name(key)}"
         if isinstance(value, dict):

@@ -17,6 +17,7 @@ from ..ground.strict_yaml import read_yaml, write_yaml
 from ..run.description import parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.doubts.tolerances_given import read_back
+from ..run.run_yaml import RunYaml
 from ..run.samples import check, check_finite, questions
 from ..run.table.columns_read import read_as
 from ..run.table.named_units import in_its_unit
@@ -30,7 +31,7 @@ from .origin import origin
 TAKEN = "choose another --run, or remove that folder yourself if nobody needs it: runs are never overwritten"
 
 
-def read_mapping(path: Path) -> dict[str, Any]:
+def read_mapping(path: Path) -> dict[str, object]:
     """Content of a mapping; raises BadInput when it is not there, not YAML, or names a run."""
     content = read_yaml(path)
     if not isinstance(content, dict) or {"run", "mended"} & content.keys():
@@ -39,7 +40,7 @@ def read_mapping(path: Path) -> dict[str, Any]:
     return content
 
 
-def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path, came_from: str) -> None:
+def write_run(content: RunYaml, samples: pd.DataFrame, folder: Path, came_from: str) -> None:
     """Make a run folder, whole or not at all; raises BadInput when it is there already."""
     with whole_folder(folder, "run", TAKEN) as temporary:
         schemas.write(samples, schemas.samples(list(samples.columns)), temporary / "recording.parquet")
@@ -50,13 +51,13 @@ def write_run(content: dict[str, Any], samples: pd.DataFrame, folder: Path, came
 class ImportedRun:
     """A run that is ready to be written, and a sentence on it."""
 
-    content: dict[str, Any]
+    content: RunYaml
     samples: pd.DataFrame
     folder: Path
     said: str
 
 
-def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Path) -> ImportedRun:
+def _checked(file: Path, mapping: Path, own: dict[str, object], name: str, out: Path) -> ImportedRun:
     """The run that a file makes by the content of a mapping; raises BadInput."""
     folder = out / name
     content = {"run": name, **own}
@@ -87,7 +88,8 @@ def _checked(file: Path, mapping: Path, own: dict[str, Any], name: str, out: Pat
             None, (sentence, read_as(run, checked_samples, file, len(samples), list(log.table.columns)), read_back(run))
         )
     )
-    return ImportedRun({**kept, **({"mended": mended} if mended else {})}, samples, folder, sentence)
+    described: Any = {**kept, **({"mended": mended} if mended else {})}
+    return ImportedRun(described, samples, folder, sentence)
 
 
 def import_run(file: Path, mapping: Path, name: str, out: Path, string_id: str | None = None) -> str:

@@ -2,7 +2,6 @@
 
 import sys
 from pathlib import Path
-from typing import Any
 
 import pandas as pd
 
@@ -16,6 +15,7 @@ from ..run.description import Run, parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import has_recording, recording_path, unfinished
 from ..run.option_mend import by_option
+from ..run.run_yaml import RunYaml
 from ..run.samples import check, questions
 from ..run.table.columns_read import read_as
 from ..run.table.file_lines import FileLines, Where
@@ -40,9 +40,7 @@ def _question(doubts: list[BadInput], sure: bool) -> None:
         print(f"warning: {question}", file=sys.stderr)
 
 
-def make_run(
-    content: dict[str, Any], recording: Path | None, out: Path, sure: bool = False, known: bool = False
-) -> Path:
+def make_run(content: RunYaml, recording: Path | None, out: Path, sure: bool = False, known: bool = False) -> Path:
     """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput.
 
     `known`: the material is that of a run that is there already: a reserved name is right until something is recorded.

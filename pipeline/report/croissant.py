@@ -7,7 +7,6 @@ import argparse
 import json
 import os
 from pathlib import Path
-from typing import Any
 
 import pandas as pd
 import pyarrow as pa
@@ -61,9 +60,9 @@ HOLDS = {
 }
 
 
-def fields(names: list[str]) -> list[dict[str, Any]]:
+def fields(names: list[str]) -> list[dict[str, object]]:
     """Each column of a dataset as a field: type, unit and what it holds."""
-    entries = []
+    entries: list[dict[str, object]] = []
     for name in names:
         unit = unit_of(name)
         entries.append(
@@ -79,7 +78,7 @@ def fields(names: list[str]) -> list[dict[str, Any]]:
     return entries
 
 
-def croissant(dataset: Path, table: pd.DataFrame, beside: Path, mark: MadeBy) -> dict[str, Any]:
+def croissant(dataset: Path, table: pd.DataFrame, beside: Path, mark: MadeBy) -> dict[str, object]:
     """The metadata of a dataset file; `beside` is the folder in which they will lie, from which the file is named."""
     material, runs = dataset.parent.name, sorted(set(table["run"]))
     return {

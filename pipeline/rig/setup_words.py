@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
 import yaml
 
@@ -26,7 +25,7 @@ def strokes_of(setup: str) -> str:
     return f"{whole}: {', then '.join(spans)}" if len(kinds) <= MOST else whole
 
 
-def other_rig(synthetic: Mapping[str, Mapping[str, Any]], default: Mapping[str, Mapping[str, Any]]) -> str:
+def other_rig(synthetic: Mapping[str, Mapping[str, object]], default: Mapping[str, Mapping[str, object]]) -> str:
     """The set-ups of some runs that are none of the default's, each with its strokes; empty where there is none."""
     usual = {str(run["setup"]) for run in default.values()}
     others = dict.fromkeys(str(run["setup"]) for run in synthetic.values() if str(run["setup"]) not in usual)

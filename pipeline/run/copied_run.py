@@ -8,38 +8,41 @@ from ..ground.errors import BadInput
 from ..ground.strict_yaml import read_yaml
 from .description import STRING_ACTUATORS
 from .folder import read_run
+from .run_yaml import RunYaml, StringYaml
 
 OF_ONE_RUN = ("run", "mended", "tare")  # what a run.yaml says of its own recording alone
 SECTIONS = ("string", "rig")
 
 
-def as_in(folder: Path) -> dict[str, Any]:
+def as_in(folder: Path) -> RunYaml:
     """The content of a run's `run.yaml` without what it says of that one recording, its string named; raises BadInput.
 
     The strokes that the string had done are left out too: runs of one string are counted on.
     """
     run = read_run(folder)
-    content = {key: value for key, value in read_yaml(folder / "run.yaml").items() if key not in OF_ONE_RUN}
+    content: Any = {key: value for key, value in read_yaml(folder / "run.yaml").items() if key not in OF_ONE_RUN}
     if run.string is not None:
         string = {key: value for key, value in content["string"].items() if key != "strokes_before"}
         content["string"] = string | {"id": run.string_id}
     return content
 
 
-def with_given(content: dict[str, Any], given: dict[str, Any], source: Path) -> dict[str, Any]:
+def with_given(content: RunYaml, given: RunYaml, source: Path) -> RunYaml:
     """The content with what the command line gave in its place; raises BadInput for a string that is another's."""
-    string = content.get("string")
+    string: Any = content.get("string")
     for key, value in (given.get("string") or {}).items():
         if string is None or (key in ("id", "material") and value != string[key]):
             raise _of_another(key, str(value), string, _anew(content, given), source)
-    made = {"run": given["run"]} | content | {key: value for key, value in given.items() if key not in SECTIONS}
+    old: dict[str, Any] = {**content}
+    new: dict[str, Any] = {**given}
+    made: Any = {"run": given["run"]} | old | {key: value for key, value in new.items() if key not in SECTIONS}
     for section in SECTIONS:
-        if given.get(section):
-            made[section] = (content.get(section) or {}) | given[section]
+        if new.get(section):
+            made[section] = (old.get(section) or {}) | new[section]
     return made
 
 
-def _of_another(key: str, value: str, string: dict[str, Any] | None, anew: str, source: Path) -> BadInput:
+def _of_another(key: str, value: str, string: StringYaml | None, anew: str, source: Path) -> BadInput:
     """That a name or material is given which the string of the run `source` does not have; `anew` gives all of it."""
     option, like = f"--{'string-id' if key == 'id' else key.replace('_', '-')}", f"--like {source}"
     if string is None:
@@ -49,10 +52,11 @@ def _of_another(key: str, value: str, string: dict[str, Any] | None, anew: str, 
     return BadInput(option, f"string.{key}", problem, mend)
 
 
-def _anew(content: dict[str, Any], given: dict[str, Any]) -> str:
+def _anew(content: RunYaml, given: RunYaml) -> str:
     """The options that make a run of another string, with the sizes and the rig that the content has."""
     own = given.get("string") or {}
-    string = {**content["string"], **own} if content.get("string") else own
+    held = content.get("string")
+    string = {**held, **own} if held else own
     values = {key: value for key, value in string.items() if key != "id"}
     values |= {"string_id": own.get("id"), **(content.get("rig") or {}), **(given.get("rig") or {})}
     if content.get("actuator", STRING_ACTUATORS[0]) != STRING_ACTUATORS[0]:

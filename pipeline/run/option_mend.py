@@ -9,12 +9,13 @@ from ..ground.bare_columns import written_out
 from ..ground.command import quoted
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import write_yaml
+from .run_yaml import RunYaml
 
 KEY = re.compile(r"\b(channels|file|tolerance)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
 VALUE = re.compile(r""" to ('[^'\n]*'|"[^"\n]*"|-?\d+(?:\.\d+)?)""")  # behind it, where the mend knows the value
 
 
-def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
+def by_option(error: BadInput, content: RunYaml) -> BadInput:
     """The error with a mend for the command line, where its mend names a key of a run.yaml that is not there yet.
 
     The option in it has all that `content` has for it too: what is typed as it stands replaces what was given.
@@ -22,7 +23,8 @@ def by_option(error: BadInput, content: dict[str, Any]) -> BadInput:
     named = KEY.search(error.mend)
     if named is None:
         return error
-    section, whole = named[1], copy.deepcopy(content.get(named[1]) or {})
+    sections: dict[str, Any] = {**content}
+    section, whole = named[1], copy.deepcopy(sections.get(named[1]) or {})
     end = error.mend.find("; ", named.end())
     mend, rest = (error.mend, "") if end < 0 else (error.mend[:end], error.mend[end:])
     for match in KEY.finditer(mend):

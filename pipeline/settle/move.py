@@ -4,7 +4,6 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 from ..capture.commit import recover
 from ..capture.log import NAME, in_use
@@ -14,6 +13,7 @@ from ..ground.errors import BadInput
 from ..ground.strict_yaml import read_yaml
 from ..run.copied_run import as_in, with_given
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
+from ..run.run_yaml import RunYaml
 from .step import Step
 
 DESCRIBED = "run.yaml"
@@ -43,7 +43,7 @@ def _is_left_empty(folder: Path, like: Path) -> bool:
     return False
 
 
-def _but_load(content: dict[str, Any]) -> dict[str, Any]:
+def _but_load(content: RunYaml) -> RunYaml:
     return {**content, "rig": {key: value for key, value in (content.get("rig") or {}).items() if key != "load_n"}}
 
 
@@ -60,8 +60,10 @@ def describe(folder: Path, first: Path, step: Step) -> None:
     if (folder / DESCRIBED).exists():
         return
     like = as_in(first)
-    hangs = {"rig": {"load_n": step.loads_n[0]}} if "load_n" in like.get("rig", {}) and len(step.loads_n) == 1 else {}
-    make_run(with_given(like, {"run": folder.name, **hangs}, first), None, folder.parent, known=True)
+    own: RunYaml = {"run": folder.name}
+    if "load_n" in like.get("rig", {}) and len(step.loads_n) == 1:
+        own["rig"] = {"load_n": step.loads_n[0]}
+    make_run(with_given(like, own, first), None, folder.parent, known=True)
 
 
 def begun(folder: Path) -> bool:

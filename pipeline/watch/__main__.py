@@ -5,7 +5,6 @@ import secrets
 import threading
 import time
 from pathlib import Path
-from typing import Any
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
@@ -26,7 +25,7 @@ class Buttons:
     def __init__(self, settling: Settling) -> None:
         self._settling, self._lock = settling, threading.Lock()
 
-    def __call__(self, button: str, given: dict[str, Any]) -> str | None:
+    def __call__(self, button: str, given: dict[str, object]) -> str | None:
         """Press one; why it did nothing, or None."""
         with self._lock:
             state = self._settling.told(self._settling.step())

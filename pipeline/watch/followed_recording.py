@@ -5,7 +5,6 @@ import shutil
 import time
 from collections import deque
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from .came_of_run import Means
 from .column_names import stored_columns
 from .envelope import Envelope
 from .nominal import Nominal
+from .page_content import State
 from .reading_noise import Noise
 
 PIECE = 1 << 20  # bytes that are read at once
@@ -165,7 +165,7 @@ class Followed:
             unwound.look(twist)
         return counts.begun - (counts.is_open and not unwound.is_whole)
 
-    def state(self) -> dict[str, Any]:
+    def state(self) -> State:
         """How it stands, in words and numbers."""
         counts = self.source.counts()
         try:

@@ -4,7 +4,8 @@ import os
 import re
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+
+from .page_content import JobsJson
 
 LARGEST = 4 << 20  # bytes that are read at once
 LISTED = 30
@@ -79,7 +80,7 @@ class Jobs:
         elif line.startswith(ENDED):
             self.ended = True
 
-    def told(self) -> dict[str, Any] | None:
+    def told(self) -> JobsJson | None:
         """What the page is told; None where no job was planned."""
         if not self.total:
             return None

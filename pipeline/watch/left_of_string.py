@@ -3,9 +3,10 @@
 import json
 import math
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from ..ground.counts import counted
+from .page_content import Left
 from .reports_of_run import newest_first, text_of
 
 LIMITS = {  # by the question of a forecast
@@ -14,7 +15,15 @@ LIMITS = {  # by the question of a forecast
 }
 
 
-def _limit(question: str, content: dict[str, Any]) -> str:
+class Question(TypedDict, total=False):
+    """What is read of one question of a lifespan.json; `strokes_left` holds low, median and high."""
+
+    limit: float
+    unit: str
+    strokes_left: dict[str, float | None]
+
+
+def _limit(question: str, content: Question) -> str:
     """The limit that is asked about, in words."""
     limit = float(content["limit"]) * (100.0 if content["unit"] == "1" else 1.0)
     return LIMITS.get(question, f"{question} passes {{limit:g}}").format(limit=limit)
@@ -26,7 +35,7 @@ def _count(least: str, median: float | None, low: float | None) -> str:
     return ", ".join([*words, *([] if low is None else [f"at least {math.floor(low)} in {least}"])])
 
 
-def _beside(questions: dict[str, Any], first: str, least: str) -> list[str]:
+def _beside(questions: dict[str, Question], first: str, least: str) -> list[str]:
     """What the other limits leave, each with its limit."""
     others = []
     for name, question in questions.items():
@@ -36,7 +45,7 @@ def _beside(questions: dict[str, Any], first: str, least: str) -> list[str]:
     return others
 
 
-def strokes_left(reports: Path, string: str) -> dict[str, Any] | None:
+def strokes_left(reports: Path, string: str) -> Left | None:
     """Low, median and high of the earliest question of a string's newest lifespan.json, and its path below reports/.
 
     `words` say how many in how many of the futures, `until` which limit is passed, `rests` on how many strokes of
@@ -51,7 +60,9 @@ def strokes_left(reports: Path, string: str) -> dict[str, Any] | None:
             least = f"{100.0 * float(content.get('level', 0.9)):.0f} % of the futures"
             seen, runs = content.get("strokes_seen"), [str(run) for run in content.get("runs", [])]
             return {
-                **numbers,
+                "low": numbers["low"],
+                "median": numbers["median"],
+                "high": numbers["high"],
                 "words": _count(least, numbers["median"], numbers["low"]),
                 "beside": _beside(content["questions"], str(content["first"]), least),
                 "until": _limit(str(content["first"]), question) if "limit" in question else "",

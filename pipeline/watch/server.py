@@ -8,7 +8,6 @@ import mimetypes
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import bottle
 from waitress.server import create_server
@@ -33,7 +32,7 @@ LIMITS = {  # of clients that are slow, many or hostile
     "max_request_header_size": 16_384,
     "max_request_body_size": 4096,
 }
-Say = Callable[[str, dict[str, Any]], str | None]  # a button and what came with it; why not, or None
+Say = Callable[[str, dict[str, object]], str | None]  # a button and what came with it; why not, or None
 
 
 class Page:

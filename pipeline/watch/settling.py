@@ -1,7 +1,6 @@
 """The loop that settles this run's tie, as its folder tells of it: the step, what it proposes, and what it asks."""
 
 from pathlib import Path
-from typing import Any
 
 from ..ground.errors import BadInput
 from ..run.description import RUN_NAME
@@ -11,13 +10,14 @@ from ..settle.ending import NAME as SETTLED
 from ..settle.loop_lock import at_work
 from ..settle.motion_table import HEAD, begins, size, table, winds
 from ..settle.step import Place, Step
+from .page_content import Came, Foretold, Loop, Moves
 
 MOVES = ("proposed", "approved", "recorded")  # while what moves is of interest
 RIVALS = 6
 CAME = "came"  # the drawing of what came, without its ending
 
 
-def moves(step: Step) -> dict[str, Any] | None:
+def moves(step: Step) -> Moves | None:
     """What moves in a run, leg by leg in numbers, and what it is for; None where nothing is proposed, or not whole."""
     if step.state not in MOVES or not step.legs:
         return None
@@ -54,7 +54,7 @@ class Settling:
         folder = self._first.parent / name
         return folder if RUN_NAME.fullmatch(name) and (folder / "run.yaml").is_file() else self._first
 
-    def told(self, step: Step | None) -> dict[str, Any] | None:
+    def told(self, step: Step | None) -> Loop | None:
         """What the page is told, or None where there is no loop."""
         if step is None:
             return None
@@ -77,7 +77,7 @@ class Settling:
             "came": self._came(step),
         }
 
-    def _came(self, step: Step) -> dict[str, Any] | None:
+    def _came(self, step: Step) -> Came | None:
         """The newest drawing of what came over what was foretold: of which step, and its file; None where none is."""
         for number in range(step.number, -1, -1):
             path = self.place.folder(number) / f"{CAME}.png"
@@ -85,7 +85,7 @@ class Settling:
                 return {"step": number, "file": str(path)}
         return None
 
-    def _foretold(self, step: Step) -> dict[str, Any] | None:
+    def _foretold(self, step: Step) -> Foretold | None:
         try:
             curves = self.place.proposed_run(step.number)["curves"]
             rivals = curves["rivals"] or {"the simulator of run.yaml": curves["calibrated"]}

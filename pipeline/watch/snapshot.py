@@ -4,13 +4,13 @@ import json
 import math
 import os
 from pathlib import Path, PurePosixPath
-from typing import Any
 
 from ..ground.kinematics import Array
 from .came_of_run import beyond
 from .envelope import Envelope
 from .followed_recording import Followed
 from .left_of_string import strokes_left
+from .page_content import Beside, Content, StrokeCurve
 from .reports_of_run import verdicts
 from .verdict_of_run import newest_verdict
 
@@ -20,7 +20,7 @@ def numbers(values: Array) -> list[float | None]:
     return [float(f"{value:.6g}") if math.isfinite(value) else None for value in values.tolist()]
 
 
-def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> dict[str, Any]:
+def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> StrokeCurve:
     """One stroke: displacement over twist, and the simulator at the same twist."""
     simulated = followed.simulated(part.first)
     twist, measured_mm = part.line(mm)
@@ -32,14 +32,14 @@ def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> dict[str, 
     }
 
 
-def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = None) -> bytes:
+def snapshot(followed: Followed, reports: Path, beside: Beside | None = None) -> bytes:
     """All that the page shows, as JSON; never more than a few hundred kB, however long the recording is.
 
     `beside`: what is shown of other things than the recording.
     """
     columns, whole = followed.source.columns, followed.whole
     run = followed.run()
-    content: dict[str, Any] = {
+    content: Content = {
         **(beside or {}),
         **followed.state(),
         "run": followed.folder.name,
@@ -66,7 +66,7 @@ def snapshot(followed: Followed, reports: Path, beside: dict[str, Any] | None = 
     if (loop := content.get("loop")) and (drawing := loop.get("came")):
         place, root = (Path(os.path.realpath(path)) for path in (drawing["file"], reports))
         below = place.relative_to(root).as_posix() if place.is_relative_to(root) else None  # else nothing serves it
-        loop["came"] = drawing | {"page": below}
+        loop["came"] = {**drawing, "page": below}
     content["verdicts"] = verdicts(reports)
     listed = next((verdict for verdict in content["verdicts"] if verdict["run"] == content["run"]), None)
     newest = newest_verdict(reports, content["run"]) or listed

@@ -164,7 +164,7 @@ ROOMS_OF_REPORT = {
     "parts": "text web shown model_to_take",
     "end_of_job": "text model_to_take parts",
     "campaign": "text web drawn",
-    "real": "web",
+    "real": "text web",
 }
 # the same of a string's life
 LIFESPAN = "pipeline.lifespan"

@@ -10,7 +10,6 @@ PIPELINE = Path(__file__).parents[2] / "pipeline"
 BARE = re.compile(r"(dict|Mapping)\[str, (Any|object)\]")
 # whose form another program or a person decides: it is read where it comes in, and made a type there
 DOCUMENTS = {
-    "foreign.made_run.make_run": "run.yaml",
     **{
         f"diagnosis.document.made_keys.{name}": "any typed part, read by a key that ends in the reading's unit"
         for name in ("amount", "amount_or_none", "by_name", "extent", "interval", "put")
@@ -20,9 +19,6 @@ DOCUMENTS = {
     "models.parts.networks.training.write_weights": "weights and settings, of each network's own kinds",
     "rig.authors.interface.HiddenEffect": "parameters of a law by another hand, never installed",
     "rig.effects.make": "an effect's parameters as a set-up's file has them, which it checks",
-    "run.copied_run.as_in": "run.yaml",
-    "run.copied_run.with_given": "run.yaml",
-    "run.option_mend.by_option": "run.yaml",
 }
 
 

@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from ...ground.units import unit_of
 from ...ground.verdict_text import headline, to_do
+from ..text.verdict_content import Content
 from ..web.glossary import word
 from ..web.page import Text, link, paragraph, picture, together
 
@@ -27,7 +28,6 @@ FILES = {
     "diagnosis.json": "all numbers",
     "diagnosis.pdf": "the figure to print",
 }
-Content = Mapping[str, Any]
 
 
 def content_of(folder: Path) -> Content | None:
@@ -89,10 +89,12 @@ def sizes(content: Content | None) -> list[str]:
     if content is None:
         return [""] * len(SIZES)
     unit = _unit(content)
-    held = content["fit"]["heldout"] or {}
-    numbers = [(content["mismatch"] or {}).get(f"rms_{unit}")]
+    fit: Mapping[str, Any] = content["fit"]
+    mismatch: Mapping[str, Any] = content["mismatch"] or {}
+    held = fit["heldout"] or {}
+    numbers = [mismatch.get(f"rms_{unit}")]
     numbers += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
-    numbers.append(content["fit"][f"noise_floor_{unit}"])
+    numbers.append(fit[f"noise_floor_{unit}"])
     cells = ["" if size is None else _said(size, unit) for size in numbers]
     if verdict_of(content) == "unknown" or _of_others(content):  # nothing is named that could have an error there
         cells[SIZES.index(DIAGNOSED)] = NO_NUMBER
@@ -113,7 +115,7 @@ def why_no_number(content: Content | None) -> str:
         content["evidence"]["chosen_without_them"],
     )
     closest = " + ".join(content["evidence"].get("closest_without_them", []))
-    instead = " + ".join(chosen) or closest or "no effect"
+    instead = " + ".join(chosen or []) or closest or "no effect"
     does = "comes closest" if closest and not chosen else "is named"
     measured = "" if error is None else f"{_said(error, unit)} with {instead}, which "
     return f"{measured or f'{instead} '}{does} without these strokes"

@@ -7,6 +7,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from ..model_to_take.to_take import materials_table
+from ..text.verdict_content import Content
 from ..web.glossary import word
 from ..web.page import Text, folded, paragraph, together
 from ..web.sortable_table import table
@@ -19,7 +20,6 @@ from .diagnoses import (
     UNDECIDED,
     VERDICTS,
     WORSE,
-    Content,
     badge_of,
     content_of,
     named_of,

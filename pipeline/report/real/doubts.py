@@ -1,15 +1,17 @@
 """Where a verdict on a real recording is no firm, expected one: which kind of doubt that is, and what it comes from."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from ...ground.units import unit_of
 from ...real.rigs import Answer, Expected
+from ..text.verdict_content import Content
 
 SHOWN = 4  # of the explanations that tie
 
 
 def doubt(
-    content: dict[str, Any] | None, words: str, expected: Expected | None, answers: list[Answer]
+    content: Content | None, words: str, expected: Expected | None, answers: list[Answer]
 ) -> tuple[str, str] | None:
     """The kind of doubt and why, or None for a firm verdict that agrees with the literature."""
     if content is None:
@@ -24,7 +26,7 @@ def doubt(
     return ("disagrees", " ".join(against)) if against else None
 
 
-def _sets(content: dict[str, Any]) -> list[set[str]]:
+def _sets(content: Content) -> list[set[str]]:
     return [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
 
 
@@ -33,7 +35,7 @@ def satisfies(ids: set[str], expected: Expected) -> bool:
     return all(ids & set(either) for either in expected.names or []) and not ids & set(expected.never)
 
 
-def contradictions(verdict: str, named: set[str], content: dict[str, Any], expected: Expected | None) -> list[str]:
+def contradictions(verdict: str, named: set[str], content: Content, expected: Expected | None) -> list[str]:
     """What a verdict says against the literature, a sentence each."""
     if expected is None:
         return []
@@ -58,10 +60,11 @@ def contradictions(verdict: str, named: set[str], content: dict[str, Any], expec
     return sentences
 
 
-def _seen(content: dict[str, Any], missing: list[list[str]]) -> str:
+def _seen(content: Content, missing: list[list[str]]) -> str:
     """How small an effect would have been seen."""
-    key = next((key for key in content["fit"] if key.startswith("detectable_")), "")
-    size_by_id = content["fit"].get(key) or {}
+    fit: Mapping[str, Any] = content["fit"]
+    key = next((key for key in fit if key.startswith("detectable_")), "")
+    size_by_id = fit.get(key) or {}
     unit = unit_of(key)
     sizes = [
         f"{id_} from {size_by_id[id_]:.2g} {unit} on" for either in missing for id_ in either if size_by_id.get(id_)
@@ -69,13 +72,13 @@ def _seen(content: dict[str, Any], missing: list[list[str]]) -> str:
     return f" This recording would have shown {', '.join(sizes)}." if sizes else ""
 
 
-def _size(content: dict[str, Any], id_: str) -> str:
-    entry = next(entry for entry in content["mechanisms"] if entry["id"] == id_)
+def _size(content: Content, id_: str) -> str:
+    entry: Mapping[str, Any] = next(entry for entry in content["mechanisms"] if entry["id"] == id_)
     key = next((key for key in entry if key.startswith("rms_")), "")
     return f"{entry[key]['value']:.2g} {unit_of(key)} rms" if key else "size not said"
 
 
-def _ambiguous(content: dict[str, Any], named: set[str], expected: Expected | None) -> str:
+def _ambiguous(content: Content, named: set[str], expected: Expected | None) -> str:
     sets = _sets(content)
     others = [" + ".join(sorted(ids)) for ids in sets[1:]]
     more = f" and {len(others) - SHOWN} more" if len(others) > SHOWN else ""
@@ -86,36 +89,36 @@ def _ambiguous(content: dict[str, Any], named: set[str], expected: Expected | No
     if expected is not None and expected.names is not None:
         among = any(satisfies(ids, expected) for ids in sets)
         text += f" The literature's answer is {'' if among else 'not '}held by one of them."
-    if content.get("next_experiment"):
-        text += f" What would tell: {content['next_experiment'].partition(':')[0]}."
+    if next_run := content.get("next_experiment"):
+        text += f" What would tell: {next_run.partition(':')[0]}."
     return text
 
 
-def _unknown(content: dict[str, Any]) -> str:
-    mismatch = content["mismatch"] or {}
+def _unknown(content: Content) -> str:
+    mismatch: Mapping[str, Any] = content["mismatch"] or {}
     key = next((key for key in mismatch if key.startswith("rms_")), "")
     size = f"{mismatch[key]:.2g} {unit_of(key)} rms" if key else "Mismatches"
     follow = mismatch.get("driver") or "nothing named"
     text = f"{size} remain that nothing in the library explains; they follow {follow}."
-    if content.get("next_experiment"):
-        text += f" What would tell more: {content['next_experiment'].partition(':')[0]}."
+    if next_run := content.get("next_experiment"):
+        text += f" What would tell more: {next_run.partition(':')[0]}."
     return text
 
 
-def found_answer(content: dict[str, Any], answer: Answer) -> tuple[float, float, float] | None:
+def found_answer(content: Content, answer: Answer) -> tuple[float, float, float] | None:
     """Value, low and high of a parameter that the literature knows, in its unit, or None where it is not said."""
     held = content["parameters"]
     if answer.mechanism is not None:
         entries = [entry for entry in content["mechanisms"] if entry["id"] == answer.mechanism]
         held = entries[0]["parameters"] if entries else {}
-    entry = held.get(answer.parameter)
+    entry: Mapping[str, Any] | None = held.get(answer.parameter)
     if not entry or any(entry.get(key) is None for key in ("value", "low", "high")):
         return None
     low, high = sorted(answer.scale * entry[key] for key in ("low", "high"))
     return answer.scale * entry["value"], low, high
 
 
-def wrong_answers(content: dict[str, Any], answers: list[Answer]) -> list[str]:
+def wrong_answers(content: Content, answers: list[Answer]) -> list[str]:
     """Parameters whose interval misses the literature's value, a sentence each."""
     sentences = []
     for answer in answers:

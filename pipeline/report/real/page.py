@@ -2,6 +2,7 @@
 
 import argparse
 import html
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -58,15 +59,14 @@ def where(results: list[Result]) -> str:
         if result.content is None:
             rows.append([name, "not decided", *[""] * 8])
             continue
-        mismatch: dict[str, Any] = result.content["mismatch"] or {}
+        mismatch: Mapping[str, Any] = result.content["mismatch"] or {}
         box = mismatch.get("location") or {}
         ends = next((key for key in box if key not in ("strokes", "phase", "share")), "")
         place = f"{box[ends][0]:.3g} to {box[ends][1]:.3g} {unit_of(ends)}" if ends else ""
-        size = mismatch.get(f"rms_{result.unit}")
         cells = [
             result.content["verdict"], result.named, str(len(result.content["alternatives"]) or ""),
-            f"{size:.3g} {result.spoken}" if size is not None else "",
-            f"{result.content['fit'][f'noise_floor_{result.unit}']:.3g} {result.spoken}",
+            f"{result.mismatch:.3g} {result.spoken}" if result.mismatch is not None else "",
+            f"{result.noise_floor:.3g} {result.spoken}",
             place, "–".join(map(str, box.get("strokes", []))), str(box.get("phase", "")),
             str(mismatch.get("driver") or ""),
         ]  # fmt: skip
@@ -92,7 +92,7 @@ def relative(results: list[Result]) -> str:
     """What is left over the reading itself, where a diagnosis says it."""
     rows, filters = [], set()
     for result in results:
-        left = ((result.content or {}).get("fit") or {}).get("relative_residual")
+        left: Mapping[str, Any] | None = ((result.content or {}).get("fit") or {}).get("relative_residual")
         if left:
             filters.add(left["filter"])
             rows.append([html.escape(result.name), *(f"{100 * left[name]:.1f} %" for name in list(TITLES)[:3])])

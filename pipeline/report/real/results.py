@@ -1,6 +1,7 @@
 """What was made of a public rig's recordings, read from the files: verdicts, held-out errors, black boxes, transfer."""
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from ...ground.units import unit_of
 from ...real.black_boxes import looks
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Expected, Rig, expected_of
+from ..text.verdict_content import Content
 from .doubts import doubt
 
 SIMULATORS = {"nominal": "nominal", "calibrated": "calibrated", "explained": "explained"}
@@ -26,7 +28,7 @@ class Result:
 
     name: str
     folder: Path
-    content: dict[str, Any] | None
+    content: Content | None
     words: str
     group: str = ""
     black_boxes: dict[str, float] = field(default_factory=dict)
@@ -48,13 +50,26 @@ class Result:
     @property
     def heldout(self) -> dict[str, float]:
         """Error of every method on the strokes that no fit has seen."""
-        held = (self.content or {"fit": {}})["fit"].get("heldout") or {}
+        held: dict[str, float] = (self.content or Content(fit={}))["fit"].get("heldout") or {}
         own = {name: held[f"{name}_{self.unit}"] for name in SIMULATORS if f"{name}_{self.unit}" in held}
         return {**own, **self.black_boxes}
 
-    def row(self, rig: Rig) -> dict[str, Any]:
+    @property
+    def mismatch(self) -> float | None:
+        """How much simulator and recording differ, rms in the reading's unit; None where they do not."""
+        mismatch: Mapping[str, Any] = (self.content or {}).get("mismatch") or {}
+        return mismatch.get(f"rms_{self.unit}")
+
+    @property
+    def noise_floor(self) -> float | None:
+        """The noise of the reading, rms in its unit; None where there is no verdict."""
+        fit: Mapping[str, Any] = (self.content or {}).get("fit") or {}
+        return fit.get(f"noise_floor_{self.unit}")
+
+    def row(self, rig: Rig) -> dict[str, str | float | None]:
         """This verdict in the table over all rigs."""
-        content = self.content or {"verdict": "not decided", "alternatives": [], "mismatch": None, "fit": {}}
+        undecided: Content = {"verdict": "not decided", "alternatives": [], "mismatch": None, "fit": {}}
+        content = self.content or undecided
         expected = expected_of(rig, self.name)
         kind, why = doubt(self.content, self.words, expected, rig.answers) or ("", "")
         return {
@@ -65,8 +80,8 @@ class Result:
             "ties": len(content["alternatives"]),
             "expected": expected_words(expected),
             "unit": self.spoken,
-            "mismatch": (content["mismatch"] or {}).get(f"rms_{self.unit}"),
-            "noise_floor": content["fit"].get(f"noise_floor_{self.unit}"),
+            "mismatch": self.mismatch,
+            "noise_floor": self.noise_floor,
             **{name: self.heldout.get(name) for name in TITLES},
             **{f"{ELSEWHERE}{name}": self.elsewhere.get(name) for name in CARRIED},
             **{f"{OTHERS}{name}": self.others.get(name) for name in CARRIED},
@@ -82,8 +97,8 @@ def expected_words(expected: Expected | None) -> str:
     return " + ".join(" or ".join(either) for either in expected.names)
 
 
-def _unit(content: dict[str, Any] | None) -> str:
-    keys = (content or {"fit": {}})["fit"]
+def _unit(content: Content | None) -> str:
+    keys = (content or Content(fit={}))["fit"]
     return next((key.removeprefix("noise_floor_") for key in keys if key.startswith("noise_floor_")), "")
 
 

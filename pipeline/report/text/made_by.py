@@ -65,7 +65,7 @@ def _leaves(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str,
         yield path, value if isinstance(value, int | float | str) or value is None else json.dumps(value)
 
 
-def _amounts(config: Mapping[str, Any]) -> dict[tuple[str, ...], float]:
+def _amounts(config: Mapping[str, object]) -> dict[tuple[str, ...], float]:
     """What a configuration has much or little of; entries of a list add up."""
     amounts: dict[tuple[str, ...], float] = {}
     for path, value in _leaves(config):
@@ -74,7 +74,7 @@ def _amounts(config: Mapping[str, Any]) -> dict[tuple[str, ...], float]:
     return amounts
 
 
-def _differences(config: Mapping[str, Any], default: Mapping[str, Any]) -> list[str]:
+def _differences(config: Mapping[str, object], default: Mapping[str, object]) -> list[str]:
     """Where two configurations differ, in words, amounts first."""
     mine, usual = _amounts(config), _amounts(default)
     differences = [f"{'.'.join(path)} ({mine[path]:g} instead of {usual[path]:g})"
@@ -107,7 +107,7 @@ def _fits(models: Mapping[str, ModelPlan]) -> str:
 
 
 def made_by(
-    config: Mapping[str, Any], default: Mapping[str, Any], name: str, parts: list[str], rig: str = ""
+    config: Mapping[str, object], default: Mapping[str, object], name: str, parts: list[str], rig: str = ""
 ) -> MadeBy:
     """The mark of what is made with some parts (top-level keys) of a configuration; `rig` counts with `synthetic`."""
     hashed = {key: value for key, value in config.items() if key not in NOT_HASHED}
@@ -116,7 +116,8 @@ def made_by(
     changed = _differences(mine, usual)
     fewer = any(_amounts(mine).get(path, 0) < value for path, value in _amounts(usual).items())
     kind = "default" if not changed else "small" if fewer else "own"
-    fits = _fits(config["models"]) if "models" in parts else ""
+    models: Any = config["models"] if "models" in parts else None
+    fits = "" if models is None else _fits(models)
     return MadeBy(name, digest, kind, fits, tuple(changed), rig if "synthetic" in parts else "")
 
 

@@ -3,7 +3,6 @@
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 from ...ground.files import write_text
 from .made_by import MadeBy, sentence
@@ -15,7 +14,7 @@ STATUS = {
 }  # fmt: skip
 
 
-def metadata(name: str, title: str, columns: Iterable[Column], mark: MadeBy) -> dict[str, Any]:
+def metadata(name: str, title: str, columns: Iterable[Column], mark: MadeBy) -> dict[str, object]:
     """Content of the file beside the table `name`."""
     described = [{"titles": head, "datatype": kind, "dc:description": words} for head, kind, words in columns]
     return {
