@@ -120,11 +120,8 @@ def main() -> None:
             *closing_words.compiled(out, options.name),
         ]
         more = f"All of its names begin with {options.name}_. {TWO}"
-        print(
-            "\n".join(
-                [*first_lines, closing_words.in_python(options.file), more, REST.format("header's first comment")]
-            )
-        )
+        same = closing_words.in_python(source, options.file)
+        print("\n".join([*first_lines, same, more, REST.format("header's first comment")]))
         return
     from .onnx_model import GIVEN, graphs  # a header needs no onnx
 
@@ -135,11 +132,8 @@ def main() -> None:
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())
         print(f"{out}: {out.stat().st_size} bytes. {closing_words.columns(source, GIVEN[way])}")
-    print(
-        "\n".join(
-            [*closing_words.lines(source), closing_words.in_python(options.file), REST.format("graphs' metadata")]
-        )
-    )
+    same = closing_words.in_python(source, options.file)
+    print("\n".join([*closing_words.lines(source), same, REST.format("graphs' metadata")]))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ import re
 import shlex
 from pathlib import Path
 
-from ..ground.command import command
+from ..ground.command import HOUSE, command
 from .facts import facts
 from .held_out import ANEW
 from .inputs import MEANING
@@ -41,8 +41,14 @@ def columns(source: Source, given: str) -> str:
     return f"Columns of `queries`, in order: {'; '.join(f'{name} ({unit})' for name, unit in units)}."
 
 
-def in_python(file: Path) -> str:
-    """How the same answers are had in Python: other commands fit the model anew, to more points."""
-    dataset = shlex.quote(str(file.parent.parent / "dataset.parquet"))
-    ask = f"{command('predict')} {dataset} questions.csv --saved {shlex.quote(str(file))} --out answers.csv"
-    return f"The same answers in Python: {ask}"
+def in_python(source: Source, file: Path) -> str:
+    """How the same answers are had in Python: other commands fit the model anew, to more points.
+
+    Where no dataset lies beside the model, a notebook asks it.
+    """
+    dataset = file.parent.parent / "dataset.parquet"
+    if not dataset.is_file():
+        model = f'{HOUSE}.load("{source.name}", "{file}")'
+        return f"The same answers in Python: {model}, then .forward(points) or .inverse(points)."
+    ask = f"{command('predict')} {shlex.quote(str(dataset))} questions.csv --saved {shlex.quote(str(file))}"
+    return f"The same answers in Python: {ask} --out answers.csv"

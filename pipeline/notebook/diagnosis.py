@@ -148,13 +148,17 @@ class Diagnosis:
         """It as `diagnosis.json` holds it."""
         return json.dumps(self.content, indent=1, ensure_ascii=False) + "\n"
 
-    def save(self, folder: Path | str) -> None:
-        """Write what the program writes, each file whole: json, words, what can be adopted; if made here, figures."""
+    def save(self, folder: Path | str) -> Path:
+        """Write what the program writes, each file whole: json, words, what can be adopted; if made here, figures.
+
+        What an earlier diagnosis wrote there is replaced. Returns the folder.
+        """
         folder = Path(folder)
         if self._found is not None:
             written.draw(self._found, self.content, folder / "diagnosis")
         written.write_block(self.content, self.system, folder)
         written.write_words(self.content, self.system, self._folders, folder, [])
+        return folder
 
     def __repr__(self) -> str:
         named = " + ".join(mechanism.id for mechanism in self.mechanisms) or "nothing named"

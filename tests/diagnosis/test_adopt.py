@@ -447,6 +447,13 @@ def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_ol
     assert commands.remark(folder, Vocabulary.of(systems()["separator"])) == (
         "FILE.csv is the new file of your logger, with the columns time_s, motor_turns, displacement_mm and load_n."
     )
+    own = (folder / "run.yaml").read_text()
+    named = "channels: {time_s: {column: ms, unit: ms}, motor_turns: {column: 1}, load_n: newton}\n"
+    (folder / "run.yaml").write_text(own + named)
+    assert commands.remark(folder, Vocabulary.of(systems()["separator"])) == (
+        "FILE.csv is the new file of your logger, with the columns ms, column 1, displacement_mm and newton."
+    ), "the names of its run.yaml: --like takes them over"
+    (folder / "run.yaml").write_text(own)
     done = programs.run(*shlex.split(made)[2:-1], log)
     assert done.returncode == 0, done.stderr
     old, fresh = read_run(folder), read_run(new)

@@ -115,7 +115,7 @@ def test_the_documented_query_runs_on_a_model_of_either_type(tmp_path: Path, mon
     monkeypatch.chdir(tmp_path)
     kinds = set()
     for name in ("spline", "mlp"):
-        done = export(saved(name, "one", tmp_path / name), "--format", "onnx", "--out", "out")
+        done = export(saved(name, "one", tmp_path / name), "--format", "onnx", "--out", "reports/synthetic/cinn")
         assert done.returncode == 0, done.stderr
         said: dict[str, Any] = {"onnxruntime": onnxruntime, "numpy": np}
         exec(snippet, said)
@@ -148,7 +148,11 @@ def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> N
     there = tmp_path / "mine.json"
     there.write_bytes((folder / "spline" / "within-0.model").read_bytes())
     assert export(there, "--format", "c", "--out", tmp_path / "tsa.h").returncode == 2
-    assert export(there, "--model", "spline", "--format", "c", "--out", tmp_path / "tsa.h").returncode == 0
+    done = export(there, "--model", "spline", "--format", "c", "--out", tmp_path / "tsa.h")
+    assert done.returncode == 0, done.stderr
+    same = f'The same answers in Python: pipeline.load("spline", "{there}"), then .forward(points) or .inverse(points).'
+    assert same in done.stdout, "it named a dataset that is not there"
+    assert "predict" not in done.stdout
 
 
 @pytest.mark.parametrize(

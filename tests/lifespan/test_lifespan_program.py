@@ -348,6 +348,9 @@ def test_the_sentence_says_what_is_sure_and_what_half_of_the_futures_do():
         f"{limit} 20 to 90 strokes left in 90 % of the futures (5 % pass it sooner, 5 % later).",
         "Half of the futures stay below the limit for longer than 40 strokes.",
     ]
+    assert said_of([*[0.4] * 12, *[66.9] * 28, *never], "one-sided")[0] == (
+        f"{limit} not one stroke is sure (10 % of the futures pass it within the next one)."
+    ), "it promised at least 0 strokes"
     assert said_of([*low, *[np.inf] * 91], "censored") == [
         f"{limit} more than 120 strokes left in 90 % of the futures.",
         furthest,

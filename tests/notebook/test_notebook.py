@@ -109,7 +109,7 @@ def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, found, tmp_path
         assert programs.run(*words).returncode == 0
     assert (tmp_path / "out" / "recording" / "diagnosis.json").read_text() == diagnosis.to_json()
     program = tmp_path / "out" / "recording"
-    diagnosis.save(tmp_path / "kept")
+    assert diagnosis.save(tmp_path / "kept") == tmp_path / "kept"
     assert (tmp_path / "kept" / "diagnosis.pdf").is_file()  # its bytes depend on what else a process has drawn
     assert {path.name for path in (tmp_path / "kept").iterdir()} == {path.name for path in program.iterdir()}
     for name in ("diagnosis.json", "diagnosis.png"):

@@ -150,7 +150,8 @@ def test_the_table_of_strings_says_what_nobody_measured_and_ranges(tmp_path):
         string="b", run="b-01", separator_mm=np.nan, torsion_zone_mm=np.nan, stiffness_n_per_mm=usual,
         load_n=np.where(NINE["stroke"] > 5, 40.0, 20.0),
     )  # fmt: skip
-    more = NINE.assign(run="a-02", stroke=NINE["stroke"] + 9, radius_mm=0.5, length_mm=1234.0)
+    turns = NINE["motor_turns"].where(NINE["motor_turns"] > NINE["motor_turns"].min(), 0.0002441)  # a coder's step
+    more = NINE.assign(run="a-02", stroke=NINE["stroke"] + 9, radius_mm=0.5, length_mm=1234.0, motor_turns=turns)
     schemas.write(pd.concat([NINE, pair, more]), schemas.DATASET, tmp_path / "dataset.parquet")
     first, second = rows(by_stroke(tmp_path / "dataset.parquet"))
     assert (
@@ -159,6 +160,7 @@ def test_the_table_of_strings_says_what_nobody_measured_and_ranges(tmp_path):
         and first[-1] == "1 to 18"
     )
     assert second[:8] == ["b", "b-01", "20 to 40", "0.4", "400", "none", "none", "not measured"]
+    assert first[-2].startswith("0 to "), "not 0.0002441"
     words = sentence(second)
     assert words.startswith(
         "String b (run b-01): load 20 to 40 N, radius 0.4 mm, length 400 mm, stiffness not measured,"
@@ -358,6 +360,19 @@ def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_pat
     assert r"write \`tare: run\` in a_1\\b \[c\]" in (folder / "table_1.md").read_text()
     said = summary([str(folder / "table_1.md")], tmp_path, [MATERIAL], [])
     assert r"write `tare: run` in a_1\b [c]" in said
+
+
+@pytest.mark.parametrize("jumps", ['["The zero jumps"]', "[]"])
+def test_the_model_to_take_is_doubted_beside_its_name_where_the_zero_jumps(tmp_path, jumps):
+    """The warning stood 22 lines above the command that exports the model."""
+    note = tmp_path / "processed" / MATERIAL / "zero_jumps.json"
+    model = tmp_path / "processed" / MATERIAL / "spline" / "within-0.model"
+    model.parent.mkdir(parents=True)
+    model.touch()
+    note.write_text(jumps)
+    said = summary([str(note), str(model)], tmp_path / "reports", [MATERIAL], [])
+    assert "\nto a controller: " in said
+    assert ("\nBeware: the zero jumps between runs, as said above: " in said) == (jumps != "[]")
 
 
 def test_a_jump_of_the_zero_is_said_on_the_page(tmp_path):

@@ -103,7 +103,10 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
         between = f"{at_least(span.low)} to {strokes_at_most(span.high)} left in {percent(level)} of the futures"
         return [f"Until {limit}: {between} ({ends} pass it sooner, {ends} later).", half]
     least = f"at least {strokes_at_least(span.low)} left in {percent(level)} of the futures"
-    return [f"Until {limit}: {least} ({tail(1.0 - level)} pass it sooner).", half, further]
+    sooner = f"({tail(1.0 - level)} pass it sooner)"
+    if span.low < 1.0:
+        least, sooner = "not one stroke is sure", f"({tail(1.0 - level)} of the futures pass it within the next one)"
+    return [f"Until {limit}: {least} {sooner}.", half, further]
 
 
 def law(answer: Answer) -> str:

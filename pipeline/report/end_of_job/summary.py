@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from ...ground.jump_notes import NAME, read_jumps
 from ..model_to_take.fitted import lines_at_end
 from ..parts.diagnoses import verdicts
 from ..text import paper
@@ -15,6 +16,7 @@ PAGES = {
 }
 TABLE_FORMS = ("csv", "md", "tex")
 FIGURES = ("figure_4.png", "figure_5.png")
+JUMPED = "Beware: the zero jumps between runs, as said above: until that is mended, the model to take may be wrong."
 WHOLE = {
     "index.html": "the way to all of it", "campaign/campaign.html": "what a new string teaches a model",
     "proof/proof.html": "the concealed proof", "real/index.html": "public rigs",
@@ -34,7 +36,9 @@ def of_material(folder: Path, paths: set[Path]) -> list[str]:
     if figures:
         text.append(f"figures: {', '.join(figures)}")
     text += [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in paths]
-    return text + lines_at_end(folder.name, paths, folder / "models.csv")
+    to_take = lines_at_end(folder.name, paths, folder / "models.csv")
+    notes = [path for path in paths if path.name == NAME and path.parent.name == folder.name]
+    return text + ([JUMPED] if to_take and read_jumps(notes) else []) + to_take
 
 
 def summary(made: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:

@@ -21,6 +21,7 @@ HEAD = {  # by column of a dataset, a head of the table
 }  # fmt: skip
 SIZES = list(HEAD)
 DIGITS = 4  # of a size
+NOTHING = 1e-3  # of the largest: a twist so small is said as 0
 ROWS = 1 << 16  # of a dataset that are held at once
 FEW = 6  # strings that have a sentence each; more stand in a table
 NOT_MEASURED = "not measured"
@@ -51,7 +52,8 @@ def _span(low: float, high: float) -> str:
     """A size, or its least and largest: 20, 19.8 to 20.2; none for what the rig does not have."""
     if np.isnan(low):
         return NONE
-    return " to ".join(dict.fromkeys(f"{float(f'{value:.{DIGITS}g}'):,g}" for value in (low, high)))
+    ends = [0.0 if abs(value) < NOTHING * abs(high) else value for value in (low, high)]
+    return " to ".join(dict.fromkeys(f"{float(f'{value:.{DIGITS}g}'):,g}" for value in ends))
 
 
 def _stiffness(own: pd.DataFrame) -> str:

@@ -7,7 +7,7 @@ from ...document.explanations import Change, NotKept, Stood
 from ...document.made_keys import amount, amount_or_none
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, of_column, percent, size, times
-from ..language.table import UNKNOWN, aligned
+from ..language.table import UNKNOWN, wrapped_cells
 from ..language.vocabulary import Vocabulary
 from .rivals import ALIKE, LITTLE, called
 
@@ -55,7 +55,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     wrong = [called(entry["ids"]) for entry in first["tied"] if _wrong(entry, first, content, words)]
     return [
         TRIED.format(left=size(amount(first, key), words.unit)),
-        *(aligned([head, *rows]) if rows else []),
+        *(wrapped_cells([head, *rows]) if rows else []),
         WRONG.format(counted=counted) if stands else NEVER,
         *([f"Wrong while the motor stands, though likely: {listing(wrong)}."] if wrong else []),
         *([SAME.format(listing(alike))] if alike else []),

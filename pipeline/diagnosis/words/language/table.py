@@ -1,5 +1,7 @@
 """Rows of cells → the lines of a table, its columns under one another."""
 
+import textwrap
+
 from ....ground.wrapped_lines import WIDE
 
 UNKNOWN, GAPS = "–", (3, 2)  # what an older file does not hold; spaces between columns, and where a page is too narrow
@@ -12,6 +14,23 @@ def aligned(rows: list[list[str]], room: int = ROOM) -> list[str]:
     usual, narrow = GAPS
     gap = usual if sum(wide) + usual * (len(wide) - 1) <= room else narrow
     return [(" " * gap).join(map(str.ljust, row, wide)).rstrip() for row in rows]
+
+
+def wrapped_cells(rows: list[list[str]]) -> list[str]:
+    """As `aligned`, but no wider than a page: the words of the widest column go on in lines of their own."""
+    columns = list(zip(*rows, strict=True))
+    wide = [max(map(len, column)) for column in columns]
+    over = sum(wide) + GAPS[1] * (len(wide) - 1) - ROOM
+    if over <= 0:
+        return aligned(rows)
+    place = wide.index(max(wide))
+    most = max(wide[place] - over, *(len(word) for cell in columns[place] for word in cell.split()))
+    lines = []
+    for row in rows:
+        first, *others = textwrap.wrap(row[place], most, break_long_words=False, break_on_hyphens=False) or [""]
+        lines.append([first if at == place else cell for at, cell in enumerate(row)])
+        lines += [[other if at == place else "" for at in range(len(row))] for other in others]
+    return aligned(lines)
 
 
 def within(rows: list[list[str]], cell: int) -> list[str]:

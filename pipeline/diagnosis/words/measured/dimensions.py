@@ -11,7 +11,7 @@ from ...document.made_keys import amount, amount_or_none
 from ..held_out import holdout
 from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing, number, said_unit, size, times
-from ..language.table import UNKNOWN, aligned
+from ..language.table import UNKNOWN, wrapped_cells
 from ..language.vocabulary import Vocabulary
 from . import exactness, tolerances
 
@@ -170,7 +170,7 @@ def table(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[
     if not moved:
         return ["No dimension moved by a hundredth of its tolerance: only the zero of the reading did."]
     rows = [_row(content, name, words) for name in moved if name not in but]
-    lines = [*aligned([HEAD, *rows]), "`moved by` counts tolerances."] if rows else []
+    lines = [*wrapped_cells([HEAD, *rows]), "`moved by` counts tolerances."] if rows else []
     if stayed := [name_of(name) for name, sigma in sigmas.items() if sigma < HARDLY]:
         lines.append(f"Stayed (moved by less than a hundredth of the tolerance): {listing(stayed)}.")
     if content["verdict"] == "parameters" and moved_in_vain(content, words):

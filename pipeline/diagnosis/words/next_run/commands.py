@@ -4,6 +4,7 @@ import shlex
 from pathlib import Path
 
 from ....ground.command import command
+from ....ground.complaint import key_name
 from ....ground.errors import BadInput
 from ....run.folder import read_run
 from ....run.table.recording_source import mapping_of, own_log
@@ -71,12 +72,19 @@ def remark(old: Path, words: Vocabulary) -> str:
 
 
 def _columns(old: Path, words: Vocabulary) -> list[str]:
-    """The columns of a recording; that of the load is needed where the run.yaml of `old` has no constant one."""
+    """The columns of a recording as run.yaml of `old` calls them; that of the load where it says no constant one."""
+    channels = ["time_s", words.driver, words.channel, *([words.load] if words.load else [])]
     try:
-        constant = words.load in read_run(old).rig
+        run = read_run(old)
     except BadInput:
-        constant = False
-    return ["time_s", words.driver, words.channel, *([words.load] if words.load and not constant else [])]
+        return channels
+    columns = {name: channel.column for name, channel in run.channels.items() if channel.column is not None}
+    return [_called(columns.get(name, name)) for name in channels if name in run.channels or name not in run.rig]
+
+
+def _called(column: str | int) -> str:
+    """A column by its name, or by its index from 0."""
+    return f"column {column}" if isinstance(column, int) else key_name(column)
 
 
 def block(commands: list[str], old: Path, words: Vocabulary) -> list[str]:
