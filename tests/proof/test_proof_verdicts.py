@@ -50,6 +50,7 @@ def still(samples):
     return samples.assign(motor_turns=first["motor_turns"], displacement_mm=first["displacement_mm"])
 
 
+@pytest.mark.long
 def test_each_case_takes_the_cpu_seconds_of_its_own_process(recorded, tmp_path):
     said = ask([recorded("short-1", short), recorded("faint-1", faint)], tmp_path / "out")
     assert said["status"] == REFUSED and list(said["seconds"]) == ["short-1", "faint-1"]

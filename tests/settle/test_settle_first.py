@@ -101,6 +101,7 @@ def test_files_of_somebody_else_approve_nothing(text, tmp_path):
     assert Answers(tmp_path).question() is None and not Answers(tmp_path).approve("x")
 
 
+@pytest.mark.long
 def test_from_nothing_to_a_right_and_firm_verdict(place):
     with rig(place, "--pace", "inf"):
         one = started(place)

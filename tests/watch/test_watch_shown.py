@@ -86,6 +86,7 @@ def test_a_ramp_of_many_samples_is_drawn_as_a_ramp(tmp_path: Path):
 
 
 @CHROMIUM
+@pytest.mark.long
 def test_the_rate_is_that_at_which_samples_come_where_the_rig_goes_at_another_pace_than_its_clock(tmp_path: Path):
     """It said 100, the rig's own rate, while capture said 498 samples/s."""
     run, setup = folder(tmp_path), ROOT / "pipeline/rig/setups/small.yaml"

@@ -99,6 +99,7 @@ def program(name, *arguments):
     return subprocess.run(command, capture_output=True, text=True, check=True, timeout=300).stdout
 
 
+@pytest.mark.long
 def test_the_page_says_that_it_is_no_name(diagnosed):
     _, page, path = diagnosed
     content = json.loads(path.read_text())
@@ -110,6 +111,7 @@ def test_the_page_says_that_it_is_no_name(diagnosed):
     assert "same both ways: 0." in flowing and "adopted" not in flowing.partition("What to do")[0]
 
 
+@pytest.mark.long
 def test_adopted_it_leaves_nothing_to_name(diagnosed, tmp_path):
     folder, _, path = diagnosed
     assert "x_transmission: The transmission errs" in " ".join(program("adopt", path, folder).split())
