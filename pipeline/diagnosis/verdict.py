@@ -10,7 +10,7 @@ from ..run.description import Run
 from .choice import chance
 from .choice.outcome import Study, rms
 from .document.bounds import at_bound
-from .document.content import Verdict
+from .document.content import Relative, Verdict
 from .document.rounded import DIGITS, tidy
 from .facts.beyond_seen import beyond_seen
 from .facts.detectable import detectable
@@ -78,7 +78,7 @@ def systematic(study: Study, state: State) -> tuple[Array, list[str]]:
     return np.asarray(table[whole].T @ solution), [min(left, key=lambda name: left[name])]
 
 
-def relative(study: Study) -> dict[str, Any]:
+def relative(study: Study) -> Relative:
     """What each simulator leaves, over the reading itself, both rms, after the filter that is stated with them."""
     problem, below_hz = study.problem, study.problem.system.stated_below_hz
     first, step_s, rows = problem.drivers.first, problem.drivers.step_s, problem.rows
@@ -86,10 +86,10 @@ def relative(study: Study) -> dict[str, Any]:
     def size(signal: Array) -> float:
         return rms(residual_band.within(signal, first, step_s, below_hz)[:rows])
 
-    states = (("nominal", study.nominal), ("calibrated", study.base), ("explained", study.state))
-    left, whole = {name: size(problem.measured - problem.simulate(at)) for name, at in states}, size(problem.measured)
+    states, whole = (study.nominal, study.base, study.state), size(problem.measured)
+    nominal, calibrated, explained = (size(problem.measured - problem.simulate(at)) / whole for at in states)
     averages = f"averages of {step_s * 1e3:.3g} ms, then {residual_band.words(below_hz, step_s)}"
-    return {**{name: value / whole for name, value in left.items()}, "filter": averages}
+    return {"nominal": nominal, "calibrated": calibrated, "explained": explained, "filter": averages}
 
 
 def own_alone(study: Study) -> bool:

@@ -1,6 +1,6 @@
 """What is said of a string's life as JSON, with units in the names."""
 
-from typing import Any, TypedDict
+from typing import TypedDict
 
 import numpy as np
 import pandas as pd
@@ -47,6 +47,38 @@ class AnswerSaid(TypedDict):
     laws: list[LawSaid]
 
 
+class JumpSaid(TypedDict):
+    """A jump of the zero between two runs: before which run, how far, and whether it was taken off."""
+
+    run: str
+    jump_mm: float | None
+    taken_off: bool
+
+
+class LifespanSaid(TypedDict):
+    """All of lifespan.json; what is counted in strokes says so in its name."""
+
+    string: str
+    runs: list[str]
+    strokes_seen: int
+    last_stroke: int
+    strokes_of_another_range: list[int]
+    load_n: float | None
+    strokes_of_another_load: list[int]
+    zero_jumps: list[JumpSaid]
+    tares: list[str]
+    zeros_not_compared: list[str]
+    starts_anew: list[str]
+    level: float
+    first: str | None
+    questions: dict[str, AnswerSaid]
+    recalibrate_after_strokes: int | None
+    ask_again_after_strokes: int | None
+    limits_of_this: str
+    absent: dict[str, str]  # by the indicator: why it is not there
+    indicators: dict[str, list[float | None]]  # a value a stroke, by its name with its unit
+
+
 def laws(choice: Choice | None) -> list[LawSaid]:
     """The laws by falling weight: formula, weight, error of their forecasts of left-out strokes, best parameters."""
     if choice is None:
@@ -86,7 +118,7 @@ def answer(question: Answer, level: float) -> AnswerSaid:
     }
 
 
-def lifespan(health: Health, answers: list[Answer], level: float) -> dict[str, Any]:
+def lifespan(health: Health, answers: list[Answer], level: float) -> LifespanSaid:
     """Content of lifespan.json."""
     table = health.strokes
     columns = ["stroke", *(name + end for name in INDICATORS for end in ("", "_error"))]

@@ -14,6 +14,7 @@ Source: Ardizzone et al., "Guided Image Generation with Conditional Invertible N
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -27,7 +28,7 @@ from .parts.condition_columns import conditions
 from .parts.conditions import Conditions
 from .parts.networks.coupling import InvertibleNet
 from .parts.networks.secant import FLATTEST, NEAREST, SECANTS, STEEPEST
-from .parts.networks.training import minimise, read_weights, repeatable, tensor, write_weights
+from .parts.networks.training import SavedNetwork, minimise, read_weights, repeatable, tensor, write_weights
 from .parts.scaling import Scaling
 from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
 
@@ -109,7 +110,7 @@ class Cinn:
     def save(self, path: Path) -> None:
         """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
         scalings = [self.inputs.mean, self.inputs.std, self.outputs.mean, self.outputs.std]
-        saved = {
+        saved: SavedNetwork = {
             "settings": values(self.settings),
             "box": self.box.saved(),
             "conditions": self.conditions.saved(),
@@ -122,7 +123,8 @@ class Cinn:
     def load(self, path: Path) -> None:
         """Take over what a file holds."""
         saved = read_weights(path)
-        self.settings = Settings(**saved["settings"])
+        settings: Any = saved["settings"]
+        self.settings = Settings(**settings)
         self.box, self.conditions = Box.from_saved(saved["box"]), Conditions.from_saved(saved["conditions"])
         self.shift_mm = saved["shift_mm"]
         scalings = [values.numpy() for values in saved["scalings"]]

@@ -20,7 +20,7 @@ Source: Liu, Wei, Gao and Gong, "Kinematic Modeling of Twisted String Actuator B
 """
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import pandas as pd
 import torch
@@ -31,7 +31,7 @@ from ..ground.kinematics import Array
 from .about import About
 from .parts.condition_columns import contraction_and_conditions, twist_and_conditions
 from .parts.networks.coupling import InvertibleNet
-from .parts.networks.training import minimise, read_weights, repeatable, tensor, write_weights
+from .parts.networks.training import SavedNetwork, minimise, read_weights, repeatable, tensor, write_weights
 from .parts.scaling import Scaling
 from .parts.settings import Batch, Blocks, Clamp, Drawn, Epochs, Layers, Rate, Width, checked, values
 
@@ -94,7 +94,7 @@ class Inn:
     def save(self, path: Path) -> None:
         """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
         scalings = [self.inputs.mean, self.inputs.std, self.outputs.mean, self.outputs.std]
-        saved = {
+        saved: SavedNetwork = {
             "settings": values(self.settings),
             "scalings": [torch.from_numpy(values) for values in scalings],
             "weights": self.network.state_dict(),
@@ -104,7 +104,8 @@ class Inn:
     def load(self, path: Path) -> None:
         """Take over the settings, scalings and weights of a file."""
         saved = read_weights(path)
-        self.settings = Settings(**saved["settings"])
+        settings: Any = saved["settings"]
+        self.settings = Settings(**settings)
         scalings = [values.numpy() for values in saved["scalings"]]
         self.inputs, self.outputs = Scaling(*scalings[:2]), Scaling(*scalings[2:])
         with repeatable(0):

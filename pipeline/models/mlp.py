@@ -9,6 +9,7 @@ Source: Rumelhart, Hinton and Williams, Nature 323, 1986; SiLU: Elfwing, Uchibe 
 import math
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -20,7 +21,7 @@ from ..ground.kinematics import Array
 from .about import About
 from .parts.condition_columns import contraction_and_conditions, twist_and_conditions
 from .parts.conditions import Conditions
-from .parts.networks.training import minimise, read_weights, repeatable, tensor, write_weights
+from .parts.networks.training import SavedNetwork, minimise, read_weights, repeatable, tensor, write_weights
 from .parts.scaling import Scaling
 from .parts.settings import Batch, Epochs, Layers, Rate, Width, checked, values
 
@@ -77,7 +78,7 @@ class Mlp:
     def save(self, path: Path) -> None:
         """Write settings, scalings and weights as plain values and tensors (they load without running code)."""
         scalings = [values for scaling in self.scalings for values in (scaling.mean, scaling.std)]
-        saved = {
+        saved: SavedNetwork = {
             "settings": values(self.settings),
             "conditions": self.conditions.saved(),
             "scalings": [torch.from_numpy(values) for values in scalings],
@@ -88,7 +89,8 @@ class Mlp:
     def load(self, path: Path) -> None:
         """Take over the settings, scalings and weights of a file."""
         saved = read_weights(path)
-        self.settings = Settings(**saved["settings"])
+        settings: Any = saved["settings"]
+        self.settings = Settings(**settings)
         self.conditions = Conditions.from_saved(saved["conditions"])
         scalings = [values.numpy() for values in saved["scalings"]]
         self.scalings = [Scaling(*scalings[:2]), Scaling(*scalings[2:])]

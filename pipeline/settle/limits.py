@@ -1,9 +1,8 @@
 """What a person allows: how far, how fast, under which load and how long; and what the rig's own limits leave of it."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 from ..ground.errors import BadInput
 from ..ground.strict_yaml import parse_yaml
@@ -15,11 +14,20 @@ PAIRS, NUMBERS = ("turns", "load_n"), ("turns_per_s", "seconds")
 ALL = ("turns", "turns_per_s", "seconds")  # what nothing moves unattended without
 
 
+class Given(TypedDict, total=False):
+    """Limits as a person writes them: a range in turns, turns/s, s, and a range in N."""
+
+    turns: list[float]
+    turns_per_s: float
+    seconds: float
+    load_n: list[float]
+
+
 @dataclass(frozen=True)
 class Allowed:
     """Limits that a person gave; an entry that is not there leaves the rig's own."""
 
-    given: Mapping[str, Any]
+    given: Given
 
     @staticmethod
     def read(text: str) -> "Allowed":
@@ -31,7 +39,8 @@ class Allowed:
             good = key in PAIRS and isinstance(value, list) and len(value) == 2 and all(map(_number, value))
             if not (good and value[0] <= value[1]) and not (key in NUMBERS and _number(value) and value > 0):
                 raise BadInput(OPTION, str(key), "is no limit, or not of its form", f"write it as in {EXAMPLE}")
-        return Allowed(content)
+        given: Any = content
+        return Allowed(given)
 
     def check_unattended(self, rig: Limits) -> None:
         """Raise BadInput where something is missing that nothing may move unattended without."""

@@ -92,7 +92,7 @@ class Loop:
 
     def _written(self, step: Step, proposed: ProposedRun) -> Step:
         """A proposed step with its run, drawn before it is made, and with the limits under which it was proposed."""
-        step = step.at("proposed", proposal={**step.proposal, "limits": dict(self.motor.allowed.given)})
+        step = step.at("proposed", proposal={**step.proposal, "limits": {**self.motor.allowed.given}})
         self.place.write_run(step.number, proposed)
         if "curves" in proposed:
             self._draw(step)

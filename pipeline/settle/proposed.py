@@ -1,11 +1,12 @@
 """A run that could be made, and the verdict that it follows, as the files of a step hold them."""
 
 from collections.abc import Sequence
-from typing import Any, NotRequired, TypedDict, cast
+from typing import NotRequired, TypedDict, cast
 
 import numpy as np
 
 from ..capture.motion_program import LegJson
+from .limits import Given
 
 
 class Curves(TypedDict):
@@ -48,7 +49,7 @@ class ProposedRun(_Begins, total=False):
     raises: bool
     curves: Curves
     runs: Sequence[str]
-    limits: dict[str, Any]  # that a person gave when it was proposed
+    limits: Given  # that a person gave when it was proposed
     turns_per_s2: float  # of the rig's ramps, as it declared them when the run was proposed
 
 

@@ -14,9 +14,6 @@ DOCUMENTS = {
         f"diagnosis.document.made_keys.{name}": "any typed part, read by a key that ends in the reading's unit"
         for name in ("amount", "amount_or_none", "by_name", "extent", "interval", "put")
     },
-    "models.parts.diagnosed.diagnosed_run.Simulator": "what its `saved` writes, its `from_saved` alone reads",
-    "models.parts.networks.training.read_weights": "weights and settings, of each network's own kinds",
-    "models.parts.networks.training.write_weights": "weights and settings, of each network's own kinds",
     "rig.authors.interface.HiddenEffect": "parameters of a law by another hand, never installed",
     "rig.effects.make": "an effect's parameters as a set-up's file has them, which it checks",
 }

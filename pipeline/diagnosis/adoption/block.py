@@ -101,7 +101,7 @@ def bare(text: str, path: Path) -> str:
     return _checked(lambda: without_block(without_block(text, ORIGIN), KEY), wanted, path, "taken out", mend)
 
 
-def _checked(make: Callable[[], str], wanted: dict[str, Any], path: Path, done: str, mend: str) -> str:
+def _checked(make: Callable[[], str], wanted: dict[str, object], path: Path, done: str, mend: str) -> str:
     """The text that `make` gives where it says what is wanted, and that is a run; else raises BadInput."""
     try:
         made = make()

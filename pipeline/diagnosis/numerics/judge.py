@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import NotRequired, TypedDict
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from ...ground.command import command
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array
 from .recogniser import OF_ALL, OF_EXPLANATION, Recogniser
+from .recogniser import Content as RecogniserJson
 from .recogniser import read as recogniser_of
 
 HERE = Path(__file__).parent
@@ -37,6 +38,17 @@ class Weighed:
 
     ids: tuple[str, ...]
     signs: dict[str, float]
+
+
+class JudgeJson(TypedDict):
+    """What a judge's file holds: knots of every sign, and weights, as `Judge` has them; each without a unit."""
+
+    knots: dict[str, list[float]]
+    names: list[str]
+    weights: list[float]
+    of_none: list[float]
+    of_signature: NotRequired[list[float]]
+    recogniser: NotRequired[RecogniserJson]
 
 
 @dataclass(frozen=True)
@@ -129,7 +141,7 @@ def signature_table(weighed: list[Weighed]) -> Array:
     return table
 
 
-def read(content: dict[str, Any]) -> Judge:
+def read(content: JudgeJson) -> Judge:
     """A judge from the content of its file."""
     judge = Judge(content["knots"], content["names"], np.array(content["weights"]), np.array(content["of_none"]))
     if "recogniser" not in content:

@@ -40,11 +40,11 @@ class ToCompare:
         return None if self.unseen is None else max(known)
 
 
-def _part(content: Any, key: str) -> dict[str, Any]:
+def _part(content: Any, key: str) -> dict[str, object]:
     part = content.get(key)
     return part if isinstance(part, dict) else {}
 
 
-def _size(part: dict[str, Any], key: str) -> float | None:
+def _size(part: dict[str, object], key: str) -> float | None:
     value: Any = part.get(key)
     return float(value) if is_number(value) and value > 0.0 else None

@@ -43,12 +43,12 @@ class _Doubt(Form):
 
 class _Rival(Form):
     ids: list[str]
-    parameters: dict[str, dict[str, Any]]
+    parameters: dict[str, dict[str, object]]
     simulation: list[Any]  # each is checked where it acts
 
 
 class _Fit(Form):
-    heldout: dict[str, Any] | None = None
+    heldout: dict[str, object] | None = None
 
 
 class _Read(Form):

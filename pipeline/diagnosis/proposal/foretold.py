@@ -1,6 +1,6 @@
 """Each run that could be made next, with what each explanation that ties, or nearly does, foretells of it."""
 
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -45,7 +45,9 @@ def rivals(study: Study) -> list[Explanation]:
     return [study.sets[0], study.explanation(max(others, key=lambda ids: likely[ids]))]
 
 
-def curves(study: Study, run: Run, proposal: Proposal, sets: list[Explanation]) -> dict[str, Any]:
+def curves(
+    study: Study, run: Run, proposal: Proposal, sets: list[Explanation]
+) -> dict[str, list[float] | dict[str, list[float]]]:
     """Time in s, motion and load of a proposed run, and each reading, as lists of at most POINTS numbers."""
     problem, before = study.problem, len(study.problem.record)
     record = appended(problem.record, proposal.legs)

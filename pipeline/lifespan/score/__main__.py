@@ -4,7 +4,6 @@ import argparse
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -27,6 +26,7 @@ SHARES = (0.25, 0.5, 0.75)  # of the strokes to the limit
 NUMBERS = (15, 30, 60)  # strokes
 LEVELS = (0.9, 0.5, 0.3, 0.7, 0.8, 0.95)  # the first is the interval of the table
 OURS = "this forecast"
+Row = dict[str, str | float]  # of the table, by its columns; strokes are counts
 
 
 def loses(truth: pd.DataFrame, loss: float) -> float:
@@ -65,15 +65,15 @@ def held(left: Left, level: float, true: float, censored: bool) -> float:
     return 1.0 if span.low <= true and np.isinf(span.high) else np.nan
 
 
-def row(method: str, left: Left, true: float, censored: bool) -> dict[str, Any]:
+def row(method: str, left: Left, true: float, censored: bool) -> Row:
     """One forecast against the truth."""
     span = left.span(LEVELS[0])
-    scored = {"method": method, "state": span.state, "left": true, "censored": censored, "median": span.median,
+    scored: Row = {"method": method, "state": span.state, "left": true, "censored": censored, "median": span.median,
              "low": span.low, "high": span.high}  # fmt: skip
     return scored | {f"held_{level:.0%}": held(left, level, true, censored) for level in LEVELS}
 
 
-def asked(string_health: Health, truth: pd.DataFrame, loss: float, drift_mm: float) -> Iterator[dict[str, Any]]:
+def asked(string_health: Health, truth: pd.DataFrame, loss: float, drift_mm: float) -> Iterator[Row]:
     """Rows of one string: both questions, at every cut, by us and by every peer."""
     last = float(truth["stroke"].iloc[-1])
     for question, limit in (("stroke_loss", loss), ("model_error", drift_mm)):
@@ -85,7 +85,7 @@ def asked(string_health: Health, truth: pd.DataFrame, loss: float, drift_mm: flo
             young = replace(string_health, strokes=string_health.strokes[string_health.strokes["stroke"] <= strokes])
             answer: Answer = stroke_loss(young, loss) if question == "stroke_loss" else model_error(young, drift_mm)
             true, censored = end - strokes, bool(np.isinf(when))
-            about = {"string": string_health.string, "question": question, "cut": cut, "seen": strokes}
+            about: Row = {"string": string_health.string, "question": question, "cut": cut, "seen": strokes}
             yield about | row(OURS, answer.left, true, censored)
             for name in PEERS:
                 yield about | row(name, peer(name, answer.n, answer.values, limit), true, censored)
@@ -100,7 +100,7 @@ def score(folder: Path, loss: float, drift_mm: float) -> pd.DataFrame:
         truth = pd.read_parquet(path, columns=["run", "stroke", "stroke_mm"])
     except (OSError, ValueError) as error:
         raise BadInput(path, "file", "is not what the endurance rig writes", "write the folder again") from error
-    rows: list[dict[str, Any]] = []
+    rows: list[Row] = []
     for run, lived in steps(truth.groupby("run", sort=True), "string"):
         rows += asked(health([read(folder / str(run))]), lived.sort_values("stroke"), loss, drift_mm)
     return pd.DataFrame(rows)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import minimize
 
-from ...diagnosis.numerics.judge import OF_SIGNATURE, Judge, Weighed, none_of, signature_table
+from ...diagnosis.numerics.judge import OF_SIGNATURE, Judge, JudgeJson, Weighed, none_of, signature_table
 from ...diagnosis.numerics.recogniser import OF_ALL, OF_EXPLANATION, Recogniser
 from ...diagnosis.numerics.recogniser import signs as signature_signs
 from ...diagnosis.numerics.recogniser import written as recogniser_written
@@ -115,19 +115,15 @@ def listening(judge: Judge, lessons: list[Lesson]) -> Judge:
     return replace(deaf, recogniser=taught(lessons), of_signature=weights)
 
 
-def content(judge: Judge) -> dict[str, object]:
+def content(judge: Judge) -> JudgeJson:
     """A judge as the content of its file."""
-    return {
+    entries: JudgeJson = {
         "knots": judge.knots,
         "names": judge.names,
         "weights": [float(f"{value:.4g}") for value in judge.weights],
         "of_none": [float(f"{value:.4g}") for value in judge.of_none],
-        **(
-            {
-                "of_signature": [float(f"{value:.4g}") for value in judge.of_signature],
-                "recogniser": recogniser_written(judge.recogniser),
-            }
-            if judge.recogniser
-            else {}
-        ),
     }
+    if judge.recogniser:
+        entries["of_signature"] = [float(f"{value:.4g}") for value in judge.of_signature]
+        entries["recogniser"] = recogniser_written(judge.recogniser)
+    return entries

@@ -2,7 +2,7 @@
 
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import pandas as pd
@@ -20,6 +20,28 @@ NUDGE_TURNS = 0.02  # by which a way is moved to see how what acts changes with 
 WAVE_S, LEAST_STEPS = 4.0, 12  # period of the nudges: slow for a sensor, and quick for what remembers whole strokes
 STEEPEST = 0.7  # of the slope of the simulator in which nothing acts, that what acts may take away
 MARGIN = 0.01  # of the range of twist that was seen, by which an answer may leave it
+
+
+class SavedAct(TypedDict):
+    """A mechanism at work: a set of its nonlinear parameters each time it acts, and its terms' coefficients."""
+
+    id: str
+    nonlinear: list[dict[str, float]]
+    coefficients: list[float]
+
+
+class SavedSimulator(TypedDict):
+    """A run's simulator as its file holds it; `run` is a run.yaml's content, `known` its training points by column."""
+
+    verdict: str
+    named: list[list[str]]
+    values: list[float]
+    zero_mm: float
+    level_mm: float
+    alone: tuple[list[float], float]
+    acts: list[SavedAct]
+    run: dict[str, object]
+    known: dict[str, list[object]]
 
 
 @dataclass(frozen=True)
@@ -116,15 +138,25 @@ class Simulator:
         state = State(np.array(self.values), np.array([self.zero_mm]), self.acts)
         return problem.simulate(state) - self.base_mm(turns, motion.load_n)
 
-    def saved(self) -> dict[str, Any]:
+    def saved(self) -> SavedSimulator:
         """Plain values for a file."""
-        own = {name: getattr(self, name) for name in ("verdict", "named", "values", "zero_mm", "level_mm", "alone")}
-        acts = [asdict(act) for act in self.acts]
-        return {**own, "acts": acts, "run": self.run.model_dump(), "known": self.known.to_dict("list")}
+        acts: list[Any] = [asdict(act) for act in self.acts]
+        return {
+            "verdict": self.verdict,
+            "named": self.named,
+            "values": self.values,
+            "zero_mm": self.zero_mm,
+            "level_mm": self.level_mm,
+            "alone": self.alone,
+            "acts": acts,
+            "run": self.run.model_dump(),
+            "known": self.known.to_dict("list"),
+        }
 
     @classmethod
-    def from_saved(cls, saved: dict[str, Any]) -> "Simulator":
+    def from_saved(cls, saved: SavedSimulator) -> "Simulator":
         """The simulator that `saved` wrote."""
         acts = tuple(Act(act["id"], tuple(act["nonlinear"]), tuple(act["coefficients"])) for act in saved["acts"])
         own = {"run": Run.model_validate(saved["run"]), "known": pd.DataFrame(saved["known"]), "acts": acts}
-        return cls(**{**saved, **own})
+        made: dict[str, Any] = {**saved, **own}
+        return cls(**made)

@@ -10,27 +10,40 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import NotRequired, TypedDict
 
 import torch
+from pydantic import JsonValue
 from torch import Tensor, nn
 
 from ....ground.progress import steps
+from ..box import SavedBox
 from ..saved import read_bytes, write_bytes
 
 log = logging.getLogger(__name__)
 
 
-def write_weights(path: Path, content: dict[str, Any]) -> None:
+class SavedNetwork(TypedDict):
+    """A network as its file holds it: settings, mean and spread of each side's columns, and weights by layer."""
+
+    settings: dict[str, JsonValue]
+    scalings: list[Tensor]
+    weights: dict[str, Tensor]
+    conditions: NotRequired[dict[str, list[object]]]
+    box: NotRequired[SavedBox]
+    shift_mm: NotRequired[float]
+
+
+def write_weights(path: Path, content: SavedNetwork) -> None:
     """Write a network's settings, scalings and weights with their check sum, whole or not at all."""
     packed = io.BytesIO()
     torch.save(content, packed)
     write_bytes(path, packed.getvalue())
 
 
-def read_weights(path: Path) -> dict[str, Any]:
+def read_weights(path: Path) -> SavedNetwork:
     """What `write_weights` wrote; raises BadInput for a damaged file, anything for a model of another kind."""
-    content: dict[str, Any] = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
+    content: SavedNetwork = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
     return content
 
 
