@@ -8,7 +8,6 @@ import os
 from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 from ..ground.unfinished import NAMES, NOTE
 from .stream import Outcome
@@ -25,7 +24,7 @@ def note(
     outcome: Outcome | None = None,
 ) -> None:
     """Write it, over an earlier one; it waits for no disk, and a folder that is full keeps no rig waiting."""
-    content: dict[str, Any] = {"started_utc": began.astimezone(UTC).isoformat(), "columns": list(columns)}
+    content: dict[str, object] = {"started_utc": began.astimezone(UTC).isoformat(), "columns": list(columns)}
     if ended is not None and outcome is not None:
         content |= {"ended_utc": ended.astimezone(UTC).isoformat()}
         content |= {"exit_status": outcome.status, "fault": outcome.fault, "ended_by": outcome.ended_by}
@@ -41,7 +40,7 @@ def propose(folder: Path, likely: str) -> None:
     _put(folder, {**(content if isinstance(content, dict) else {}), NAMES: likely})
 
 
-def _put(folder: Path, content: dict[str, Any]) -> None:
+def _put(folder: Path, content: dict[str, object]) -> None:
     temporary = folder / f".{NAME}.{os.getpid()}"
     with suppress(OSError):
         try:

@@ -20,7 +20,7 @@ def _channel(channel: str, role: Role | None) -> Any:
     """A channel as a column's name where that says it all, else with its keys, and a gap for what the log hides."""
     if role is None:
         return GAP
-    whole: dict[str, Any] = {"column": role.column, "unit": role.unit or GAP}
+    whole: dict[str, object] = {"column": role.column, "unit": role.unit or GAP}
     if role.unit == "count":
         whole["counts_per_turn"] = GAP
     whole |= {"scale": int(role.scale)} if role.scale != 1.0 else {}

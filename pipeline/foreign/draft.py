@@ -1,7 +1,6 @@
 """A mapping drafted from a foreign file: what its header and numbers tell, and what a person has to fill in."""
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -73,7 +72,7 @@ def _channel(channel: str, role: Role | None, free: list[str | int]) -> list[str
     if role is None:
         names = ", ".join(key_name(column) for column in free[:SHOWN_COLUMNS]) or "its columns: no other has numbers"
         return [f"  {channel}:", _filled("column", f"one of {names}", 4), _filled("unit", unit, 4)]
-    settings: dict[str, Any] = {"column": role.column, "unit": role.unit, "scale": role.scale}
+    settings: dict[str, object] = {"column": role.column, "unit": role.unit, "scale": role.scale}
     settings = {key: value for key, value in settings.items() if value is not None and (key, value) != ("scale", 1.0)}
     check = f"  # check: {'; '.join(role.why)}" if role.why else ""
     if role.unit is not None and role.unit != "count":

@@ -123,7 +123,7 @@ class Hello:
         return [("t_us", "<u4"), *((channel.name, INTEGERS[channel.type]) for channel in self.channels)]
 
 
-def _get(content: dict[str, Any], key: str, kind: type) -> Any:
+def _get(content: dict[str, object], key: str, kind: type) -> Any:
     value = content.get(key)
     if not isinstance(value, kind) or isinstance(value, bool):
         raise ValueError(f"{key}: is missing or is not of type {kind.__name__}")
@@ -132,8 +132,8 @@ def _get(content: dict[str, Any], key: str, kind: type) -> Any:
     return value
 
 
-def _number(content: dict[str, Any], key: str, default: float | None = None) -> float:
-    value = content.get(key, default)
+def _number(content: dict[str, object], key: str, default: float | None = None) -> float:
+    value: Any = content.get(key, default)
     try:
         number = math.nan if isinstance(value, (bool, str)) or value is None else float(value)
     except (TypeError, OverflowError):

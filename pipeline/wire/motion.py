@@ -112,7 +112,7 @@ class Limits:
         return 2.0 * math.sqrt(way / self.turns_per_s2)
 
 
-def _number(content: dict[str, Any], key: str, least: float, most: float) -> float:
+def _number(content: dict[str, object], key: str, least: float, most: float) -> float:
     value = content.get(key)
     if isinstance(value, bool) or not isinstance(value, int | float) or not least <= value <= most:
         raise ValueError(f"program.{key}: is missing or is not a number from {least:g} to {most:g}")

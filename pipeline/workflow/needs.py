@@ -11,7 +11,7 @@ BESIDE_MB = 300  # of memory, beside a job on a node: Snakemake, which starts it
 FURTHER = {"mem_mb": "more_mb", "runtime": "more_min"}
 
 
-class Needs(dict[str, dict[str, Any]]):
+class Needs(dict[str, dict[str, Callable[..., int]]]):
     """By rule, what its `resources:` say; `materials` holds the runs of each material.
 
     A job that is tried again is given as much again. A job of a material is given more for each further run of it.

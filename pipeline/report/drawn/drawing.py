@@ -40,7 +40,7 @@ def wrapped(figure: Figure, *sentences: str) -> str:
 
 def save(figure: Figure, stem: Path, mark: MadeBy | None = None) -> None:
     """Write a figure as png and pdf, without dates; what is no result says so in a line of text on the figure."""
-    metadata: dict[str, Any] = {}
+    metadata: dict[str, dict[str, str]] = {}
     if mark is not None:
         metadata = {".png": {"Description": sentence(mark)}, ".pdf": {"Subject": sentence(mark)}}
         if warning(mark):
