@@ -1,9 +1,11 @@
+import signal
+
 import snakemake.exceptions
 from snakemake.exceptions import WorkflowError
 
 from pipeline.ground.errors import BadInput
 from pipeline.report.end_of_job.stale_reports import remove_stale, rewrite, unmade
-from pipeline.report.end_of_job.failures import told, without
+from pipeline.report.end_of_job.failures import STOPPED, told, without
 from pipeline.report.left_out import noted_in
 
 
@@ -21,6 +23,19 @@ snakemake.exceptions.LockException = Busy
 
 # Without a shared file system nothing of the results is here.
 ELSEWHERE = f"what was made lies in the storage: {workflow.storage_settings.default_storage_prefix}" if COPY else ""
+
+
+# A person's Ctrl-C ends the jobs as well, and their errors are no failures.
+ASKED_TO_STOP = []
+
+
+def stop(number, frame):
+    ASKED_TO_STOP.append(number)
+    signal.default_int_handler(number, frame)
+
+
+if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    signal.signal(signal.SIGINT, stop)
 
 
 # What the workflow does and says when it starts, fails and ends: of what it was asked for, what is whole, no more.
@@ -69,7 +84,7 @@ onerror:
     failed = [
         (" ".join([job.rule.name, *map(str, job.wildcards)]), str(job.log)) for job in workflow.scheduler.failed
     ]
-    print(told(failed, left(), workflow.execution_settings.keep_going))
+    print(STOPPED if ASKED_TO_STOP else told(failed, left(), workflow.execution_settings.keep_going))
     KNOWN.forget_intact()
     end([str(file) for job in last for file in job.output])
 

@@ -59,6 +59,29 @@ def test_a_killed_snakemake_leaves_no_job_behind(few):
     assert not jobs_in(project.folder)
 
 
+def test_ctrl_c_is_said_in_a_sentence_and_the_same_command_goes_on(few):
+    """It ended in tracebacks of the jobs, as if they had failed."""
+    settings = few.folder / "pipeline/config/ci.yaml"
+    usual = settings.read_text()
+    slow = yaml.safe_load(usual)
+    slow["models"]["inn"]["settings"]["epochs"] = 3000
+    settings.write_text(yaml.safe_dump(slow))
+    shutil.rmtree(few.folder / "processed" / "synthetic" / "inn", ignore_errors=True)
+    pipe = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    run = subprocess.Popen(few.command(), cwd=few.folder, start_new_session=True, **pipe)
+    deadline_s = time.monotonic() + 120
+    while not jobs_in(few.folder) and run.poll() is None and time.monotonic() < deadline_s:
+        time.sleep(0.05)
+    assert run.poll() is None, run.communicate()[0][-3000:]
+    os.killpg(run.pid, signal.SIGINT)  # a terminal sends it to every process of the command
+    words, _ = run.communicate(timeout=120)
+    settings.write_text(usual)
+    assert run.returncode != 0 and "Stopped by Ctrl-C. What is made is kept:" in words, words[-3000:]
+    assert "Not all was made" not in words and not jobs_in(few.folder)
+    done = few.snakemake()
+    assert done.returncode == 0 and "Stopped by" not in done.stdout + done.stderr, done.stdout + done.stderr
+
+
 def jobs_in(folder):
     """Training programs at work in a folder."""
     done = subprocess.run(["pgrep", "-f", "pipeline.stages.train"], capture_output=True, text=True)

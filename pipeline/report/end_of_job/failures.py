@@ -7,6 +7,7 @@ ALL_ELSE = "All else that was asked for is made. Left out until mended:"
 FAILS = "Until then the main job ends as failed. Nothing else went wrong, whatever Snakemake says below."
 LAST = "left_out"  # the rule that fails where a run was left out, after everything else
 ELSE = "What other runs need is made with --keep-going."
+STOPPED = "Stopped by Ctrl-C. What is made is kept: the same command goes on from there."
 
 
 def reasons(log: Path) -> list[str]:
