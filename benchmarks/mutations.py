@@ -20,7 +20,7 @@ VERDICT = "tests/diagnosis/choice/test_outcome.py tests/diagnosis/choice/test_co
 TARGETS = {
     "strokes": (
         {"run/strokes.py", "run/standstills.py", "run/turning.py", "run/clean_motion.py"},
-        "tests/run/test_strokes.py tests/run/test_row_groups.py",
+        " ".join(f"tests/run/test_{of}.py" for of in ("strokes", "coarse_strokes", "clean_motion", "row_groups")),
     ),
     "dataset": (
         {"stages/dataset.py", "stages/points.py", "stages/splits.py"},

@@ -60,8 +60,8 @@ class Motion:
     @cached_property
     def step_s(self) -> float:
         """The usual time from one sample to the next: the median."""
-        ends = (self.rows.spans, self.length - 1)
-        return quantiles.median(lambda: (self.steps_s(a, min(b, ends[1])) for a, b in ends[0] if a < ends[1]), ends[1])
+        last = self.length - 1
+        return quantiles.median(lambda: (self.steps_s(first, min(stop, last)) for first, stop in self.rows.spans), last)
 
     @cached_property
     def reach(self) -> int:

@@ -37,8 +37,6 @@ def _slow(motion: Motion, legs: Places) -> Spans:
 def _jitter(motion: Motion, slow: Spans, legs: Places, span: float) -> Spans:
     """What lies between slow spans and is no motion, unless its leg is made of such steps and moves all the same."""
     fast, size = spans.between(slow, motion.length), schemas.ROW_GROUP
-    if not len(slow) or not len(fast):
-        return fast[:0]
     low = spans.reduced(motion.smooth, fast, size, np.minimum, np.inf)
     high = spans.reduced(motion.smooth, fast, size, np.maximum, -np.inf)
     small = np.minimum(fast[high - low < PHASE_REVERSAL * span / 2], motion.length - 1)

@@ -38,7 +38,12 @@ def _after_stands(points: Places, holding: Spans, reach: int, length: int) -> Pl
     for first, last in holding.tolist():
         begin, end = np.searchsorted(points, [first - reach, last + reach])
         moved[begin:end] = last
-    return np.clip(moved, 0, length - 1)
+    return np.minimum(moved, length - 1)
+
+
+def _changes(stroke: Places, phase: Phases) -> NDArray[np.bool_]:
+    """Where another stroke or another phase begins, the first place too; shape (places,)."""
+    return np.append(True, (np.diff(stroke) != 0) | (phase[1:] != phase[:-1]))[: len(stroke)]
 
 
 def _stretches(motion: Motion) -> tuple[Places, Places, Phases]:
@@ -56,15 +61,14 @@ def _stretches(motion: Motion) -> tuple[Places, Places, Phases]:
     # one stand, one name: noise at the edge of the band must not cut it
     rests = spans.reduced(resting, holding, schemas.ROW_GROUP, np.add, 0.0) / np.diff(holding)[:, 0] > 0.5
     up, rises = (np.diff(motion.smooth_at(points)) > 0 for points in (legs, strokes))
-    first = np.unique(np.concatenate([legs[:-1], strokes[:-1], holding.ravel()]))
+    first = np.unique(np.concatenate([legs[:-1], holding.ravel()]))  # where a stroke turns a leg does too
     first = first[first < motion.length]
     stroke = np.searchsorted(strokes[:-1][rises], first, side="right")
     phase = np.where(up[np.searchsorted(legs[:-1], first, side="right") - 1], "winding", "unwinding").astype(object)
-    if len(holding):
-        stand = np.searchsorted(holding[:, 0], first, side="right") - 1
-        held = (stand >= 0) & (first < holding[stand, 1])
-        phase[held] = np.where(rests[stand[held]], "rest", "hold")
-    change = np.append(True, (np.diff(stroke) != 0) | (phase[1:] != phase[:-1]))
+    ends = np.searchsorted(holding.ravel(), first, side="right")  # of stands, up to each: an odd number within one
+    held = (ends % 2).astype(bool)
+    phase[held] = np.where(rests[ends[held] // 2], "rest", "hold")
+    change = _changes(stroke, phase)
     return first[change], stroke[change], phase[change]
 
 
@@ -94,8 +98,7 @@ def stretches(stroke: Places, phase: Phases) -> pd.DataFrame:
     The number of a sample's stroke is a count, its phase a word; both of shape (samples,). One row for each stretch,
     with the columns of `schemas.STROKES` that need no motion.
     """
-    change = np.append(True, (np.diff(stroke) != 0) | (phase[1:] != phase[:-1]))[: len(stroke)]
-    first = np.flatnonzero(change)
+    first = np.flatnonzero(_changes(stroke, phase))
     last = np.append(first, len(stroke))[1:] - 1
     return pd.DataFrame({"stroke": stroke[first], "phase": phase[first], "first_sample": first, "last_sample": last})
 

@@ -12,7 +12,7 @@ Indices = NDArray[np.intp]
 
 def _extremes(pieces: Iterable[Array]) -> Iterator[tuple[int, float]]:
     """Places and values of the first sample, of every local extreme and of the last sample: nothing else can turn."""
-    before, direction, at, value = np.zeros(0), 0.0, -1, 0.0
+    before, direction, at = np.zeros(0), 0.0, -1
     for piece in pieces:
         motion = np.concatenate([before, piece])
         if at < 0:
@@ -21,12 +21,12 @@ def _extremes(pieces: Iterable[Array]) -> Iterator[tuple[int, float]]:
         step = np.diff(motion)
         moving = np.flatnonzero(step)
         signs = np.sign(step[moving])
-        turned = np.diff(signs, prepend=direction or (signs[0] if len(signs) else 0.0)) != 0
+        turned = np.diff(signs, prepend=direction or signs[:1]) != 0
         extremes = moving[turned]
         yield from zip((begin + extremes).tolist(), motion[extremes].tolist(), strict=True)
         direction = float(signs[-1]) if len(signs) else direction
-        at, value, before = at + len(piece), float(motion[-1]), motion[-1:]
-    yield at, value
+        at, before = at + len(piece), motion[-1:]
+    yield at, float(before[0])
 
 
 def turning_points(motion: Array | Iterable[Array], reversal: float) -> Indices:
@@ -53,4 +53,4 @@ def turning_points(motion: Array | Iterable[Array], reversal: float) -> Indices:
     if not points:
         return np.array([0, index])
     points[0] = 0  # what comes before the first point is less than a reversal: it belongs to the first leg
-    return np.unique([0, *points, index])
+    return np.unique([*points, index])

@@ -19,22 +19,18 @@ def in_order(parts: Iterable[Part], firsts: Whole, sent: int) -> Iterator[Part]:
     """
     least = np.minimum.accumulate(np.append(firsts, sent)[::-1])[::-1][1:]  # after each part
     held: list[Part] = []
-    low = sent  # the least number that is held
     for part, later in zip(parts, least.tolist(), strict=True):
         if part[0][0] >= sent:
             continue
         held.append(part)
-        low = min(low, int(part[0][0]))
-        if low >= later:
+        if min(numbers[0] for numbers, _ in held) >= later:
             continue
         numbers, samples = joined(held)
-        if (np.diff(numbers) < 0).any():
-            order = np.argsort(numbers, kind="stable")
-            numbers, samples = numbers[order], samples[order]
+        order = np.argsort(numbers, kind="stable")
+        numbers, samples = numbers[order], samples[order]
         stop = int(np.searchsorted(numbers, later))
         yield numbers[:stop], samples[:stop]
         held = [(numbers[stop:], samples[stop:])] if stop < len(numbers) else []
-        low = int(numbers[stop]) if stop < len(numbers) else sent
 
 
 def joined(parts: list[Part]) -> Part:

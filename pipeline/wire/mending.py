@@ -26,14 +26,11 @@ def steps_between(pieces: Iterable[tuple[Whole, NDArray[np.uint32]]]) -> Iterato
 
     Each given has the shape (samples,), each made (steps,).
     """
-    number = t_us = None
-    for numbers, stamps in pieces:
-        if number is None or t_us is None:
-            steps, apart = steps_of(stamps, int(stamps[0]))[1:], np.diff(numbers)
-        else:
-            steps, apart = steps_of(stamps, t_us), np.diff(numbers, prepend=number)
-        number, t_us = int(numbers[-1]), int(stamps[-1])
-        yield steps.astype(np.float64), usual_steps(apart)
+    before, at = np.zeros(0, np.int64), np.zeros(0, np.uint32)  # the last number so far, and its stamp
+    for more, later in pieces:
+        numbers, stamps = np.append(before, more), np.append(at, later)
+        yield steps_of(stamps, int(stamps[0]))[1:].astype(np.float64), usual_steps(np.diff(numbers))
+        before, at = numbers[-1:], stamps[-1:]
 
 
 def usual_steps(apart: Whole) -> Array:
@@ -73,7 +70,7 @@ class _Tally:
         """The usual step; a clock that ticks at every fifth sample has steps five times too long."""
         upto = np.cumsum(self.times)
         rising = int(upto[-1])
-        low, high = self.ratios[np.searchsorted(upto, [(rising - 1) // 2, rising // 2], side="right")].tolist()
+        low, high = (float(self.ratios[np.searchsorted(upto, rising / 2, side)]) for side in ("left", "right"))
         return (low + high) / 2.0 * rising / (rising + self.repeated)
 
 
@@ -92,10 +89,10 @@ class Mending:
         for steps, apart in pieces():
             tally.enter(steps, apart)
         wrong = tally.backward + tally.repeated
-        if tally.count < 2 or not len(tally.ratios) or no_clock(tally.count + 1, tally.backward, tally.repeated):
+        if not len(tally.ratios) or no_clock(tally.count + 1, tally.backward, tally.repeated):
             return Mending()
         usual_us = tally.usual_us
-        may_leap = tally.count > 2 and (wrong or max(tally.ends) > LEAP * usual_us)
+        may_leap = wrong or max(tally.ends) > LEAP * usual_us
         ends = _leaping(pieces(), usual_us, tally.count) if may_leap else {}
         counted = {
             "backward_time_stamps": tally.backward,
@@ -148,7 +145,7 @@ def _leaping(pieces: Iterable[Steps], usual_us: float, count: int) -> dict[int, 
             if place <= end < place + len(steps):
                 ends[end] = (float(steps[end - place]), float(expected[end - place]))
                 steps[end - place] = -np.inf
-        most, place = max(most, steps.max(initial=-np.inf)), place + len(steps)
+        most, place = steps.max(initial=most), place + len(steps)
     leaps: dict[int, float] = {}
     for end, other in ((0, count - 1), (count - 1, 0)):
         step_us, expected_us = ends[end]
