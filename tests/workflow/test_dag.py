@@ -191,7 +191,7 @@ def test_a_models_fingerprint_covers_what_it_finds_by_name_at_run_time():
     }
     by_name = {"mechanisms/creep.py", "mechanisms/backlash.py", "systems/twisted_string.py"}
     assert by_name < files["diagnosed"] and not by_name & files["spline"]
-    assert "parts/diagnosed_run.py" in files["diagnosed"] and "models/spline.py" not in files["diagnosed"]
+    assert "diagnosed/diagnosed_run.py" in files["diagnosed"] and "models/spline.py" not in files["diagnosed"]
 
 
 def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
