@@ -29,7 +29,7 @@ TARGETS = {
     "wire": ({"wire/frames.py", "wire/cobs.py", "wire/hello.py", "wire/growing_account.py", "wire/stamps.py"}, WIRE),
     "pieces": (
         {"wire/mending.py", "wire/in_order.py", "wire/recording.py"},
-        "tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
+        "tests/wire/test_wire_mending.py tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
     ),
     "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/recalibration.py"}, DECISION),
     "verdict": ({"diagnosis/choice/outcome.py", "diagnosis/choice/compare.py"}, VERDICT),
@@ -75,6 +75,8 @@ def tried(program: Path, name: str, out: Path, count: int, seed: int) -> list[tu
             cosmic_ray(program, "init", str(config), str(session))
         sessions.append(session)
     sample(sessions, count, seed)
+    if subprocess.run(command.split(), cwd=ROOT, capture_output=True).returncode:
+        sys.exit(f"{name}: its tests fail without a mutant, so that each one would be killed: {command}")
     results = []
     for module, session in zip(sorted(modules), sessions, strict=True):
         cosmic_ray(program, "exec", str(session.with_suffix(".toml")), str(session))
