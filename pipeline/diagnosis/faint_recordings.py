@@ -43,5 +43,5 @@ def unforeseen(problem: Problem, state: State) -> float:
     if row is None:
         return float("inf")
     unseen = np.arange(len(problem.record)) >= row
-    left = problem.measured - problem.simulate(state)
-    return rms((left - foretold(problem, problem, state, unseen).added)[unseen])
+    residual = problem.measured - problem.simulate(state)
+    return rms((residual - foretold(problem, problem, state, unseen).added)[unseen])

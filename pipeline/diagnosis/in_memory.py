@@ -50,15 +50,15 @@ def diagnosed(
     fine = own_rate.to_score(recorded)
     to_polish = own_rate.to_polish(recorded, fine)
     say("held out")  # first: a study is large, and this one is let go before the other begins
-    held = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine, to_polish)[0])
+    unseen_errors = optional("the strokes held out", name, lambda: heldout.held_out(problem, fine, to_polish)[0])
     study = engine.study(problem, say)
     faint_recordings.refuse_faint(study, recorded[0].place)
     study = polish.polished(study, to_polish)
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(study, runs[0]))
-    content = verdict.diagnosis(study, fine, held, runs, experiment, without)
-    if held:
-        content["without_last_strokes"] = without_last.written(problem, held)
+    content = verdict.diagnosis(study, fine, unseen_errors, runs, experiment, without)
+    if unseen_errors:
+        content["without_last_strokes"] = without_last.written(problem, unseen_errors)
     if experiment and content["next_run"]:
         readings = optional("how far its readings part", name, lambda: apart.apart(study, runs[0], experiment))
         content["next_run"] |= {"apart": tidy(readings)} if readings else {}
@@ -91,8 +91,8 @@ def diagnosed(
 def missed(study: Study, content: Verdict, ending: str) -> float:
     """What the simulator misses a stroke by that no fit has seen, its single samples' noise averaged: rms, its unit."""
     noise = amount(content["fit"], f"noise_floor_{ending}")
-    known = amount_or_none(content["fit"]["heldout"] or {}, f"explained_{ending}")
-    unseen = noise if known is None else float(known)
+    unseen_error = amount_or_none(content["fit"]["heldout"] or {}, f"explained_{ending}")
+    unseen = noise if unseen_error is None else float(unseen_error)
     return math.hypot(told_floor(study), math.sqrt(max(unseen**2 - noise**2, 0.0)))
 
 
@@ -103,15 +103,15 @@ def of_run_yaml(study: Study, runs: list[Run]) -> Evidence:
     it has adopted: rms in the channel's unit, with the zero of the reading at its best.
     """
     problem, channel = study.problem, runs[0].system.channel
-    known: Evidence = {"tolerances_given": sorted(runs[0].tolerance)}
+    evidence: Evidence = {"tolerances_given": sorted(runs[0].tolerance)}
     scale = runs[0].channels[channel].scale if channel in runs[0].channels else 1.0
     if scale != 1.0:
-        known["scale_given"] = scale
+        evidence["scale_given"] = scale
     adopted = of_run(runs[0])
     if len(runs) == 1 and adopted["parameters"]:
         predicted = at_its_best_zero(problem, adopted, Path("run.yaml"), runs[0].run)
-        put(known, f"adopted_{channel.rpartition('_')[2]}", rms(problem.measured - predicted))
-    return known
+        put(evidence, f"adopted_{channel.rpartition('_')[2]}", rms(problem.measured - predicted))
+    return evidence
 
 
 def steps_of(recorded: list[RecordedRun]) -> float:

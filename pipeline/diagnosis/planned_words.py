@@ -32,20 +32,20 @@ def of_outside(plan: Plan, path: Path | None) -> list[str]:
     return [f"{path}: {asks}diagnose both recordings together, and predict with that"]
 
 
-def of_columns(plan: Plan, made: PlannedColumns, options: SimulateOptions) -> list[str]:
+def of_columns(plan: Plan, planned: PlannedColumns, options: SimulateOptions) -> list[str]:
     """What is said of the columns of a plan, a sentence or two an entry."""
     called, channel = Vocabulary.of(plan.run.system), plan.run.system.channel
     unit, inside, ending = called.unit, plan.inside(), channel.rpartition("_")[2]
-    expected = expected_error(made.width, inside)
-    if made.diagnosis is None or made.width is None:
-        words = [no_band(str(made.place), shlex.quote(str(options.run_dir)), options.simulation is None)]
+    expected = expected_error(planned.width, inside)
+    if planned.diagnosis is None or planned.width is None:
+        words = [no_band(str(planned.place), shlex.quote(str(options.run_dir)), options.simulation is None)]
     else:
-        gaps = [curve - plan.predicted for curve in made.rivals.values()]
-        words = in_one_number(made.width, inside, gaps, len(plan.tied), channel, unit)
-        words += of_band(made.width, inside, f"low_{ending}", f"high_{ending}", called)
-        words += of_rivals(plan.predicted, made.rivals, inside, channel, unit)
+        gaps = [curve - plan.predicted for curve in planned.rivals.values()]
+        words = in_one_number(planned.width, inside, gaps, len(plan.tied), channel, unit)
+        words += of_band(planned.width, inside, f"low_{ending}", f"high_{ending}", called)
+        words += of_rivals(plan.predicted, planned.rivals, inside, channel, unit)
         slow = plan.outside.too_slow_below if plan.outside else 0.0
-        words += of_half_speed(made.diagnosis, slow, ending, plan.problem.drivers.units.motion, unit)
+        words += of_half_speed(planned.diagnosis, slow, ending, plan.problem.drivers.units.motion, unit)
     gap = plan.changed_by_recording(expected)
     return [*words, *([] if gap is None else [of_state(gap, expected, called, _after_recording(options))])]
 

@@ -24,19 +24,19 @@ def black_box(
     plan: Plan | None,
     folder: Path,
     simulator: Simulator,
-    held: Sequence[RecordedRun] = (),
+    read_already: Sequence[RecordedRun] = (),
 ) -> tuple[dict[str, Array], list[str]]:
     """Columns of a black box beside a reading, each of shape (samples,) in its unit; and what is said of them.
 
-    `problem` is what the simulator has simulated of a run in `folder`, of which a plan's rows are the last; what is
-    `held` of its recordings is not read again. Raises BadInput where a diagnosis does not hold what that takes.
+    `problem` is what the simulator has simulated of a run in `folder`, of which a plan's rows are the last; what was
+    `read_already` of its recordings is not read again. Raises BadInput where a diagnosis does not hold what that takes.
     """
     place, diagnosis = (simulator.source, simulator.given) if simulator.given is not None else adopted_diagnosis(run)
     again = f"{command('diagnose')} {shlex.quote(str(folder))} --out DIR"
     mend = f"diagnose again, {again}, and give its diagnosis.json by --simulation"
     if diagnosis is None:
         raise BadInput(place, RESIDUAL, "needs the diagnosis.json that was adopted, and there is none", mend)
-    answer = residual(problem, diagnosis, place, recordings_of(diagnosis, place, folder, held), mend)
+    answer = residual(problem, diagnosis, place, recordings_of(diagnosis, place, folder, read_already), mend)
     answer = answer.within(plan.inside()) if plan else answer
     columns = dict(zip(columns_of(run.system.channel), (answer.added, answer.low, answer.high), strict=True))
     return columns, of_residual(answer, run.system.channel, problem.drivers.units.reading)

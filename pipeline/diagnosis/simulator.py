@@ -25,9 +25,9 @@ class Simulator:
     given: Verdict | None = None
 
     @classmethod
-    def of(cls, run: Run, source: Path, given: Verdict | None = None) -> "Simulator":
+    def of(cls, run: Run, source: Path, diagnosis: Verdict | None = None) -> "Simulator":
         """What simulates a run: the diagnosis that is given, or what its run.yaml has adopted."""
-        return cls(of_run(run) if given is None else to_simulate(given, run.run), source, given)
+        return cls(of_run(run) if diagnosis is None else to_simulate(diagnosis, run.run), source, diagnosis)
 
     @classmethod
     def read(cls, run: Run, folder: Path, file: Path | None) -> "Simulator":

@@ -66,16 +66,16 @@ def systematic(study: Study, state: State) -> tuple[Array, list[str]]:
     linear = Linear(problem, state, white(study.floor), {}, np.vstack(list(columns.values())))
     table, target = linear.table[:-1], (problem.measured - problem.simulate(state))[: problem.rows]
     whole = np.concatenate([linear.calibration, linear.extra])
-    known = table[linear.calibration]
-    left: dict[str, float] = {}
+    calibration_columns = table[linear.calibration]
+    energy_by_driver: dict[str, float] = {}
     at = len(linear.calibration)
     for name, group in columns.items():
-        part = np.vstack([known, table[at : at + len(group)]])
+        part = np.vstack([calibration_columns, table[at : at + len(group)]])
         at += len(group)
         solution = np.linalg.lstsq(part.T, target, rcond=1e-8)[0]
-        left[name] = float(np.mean(np.square(target - part.T @ solution)))
+        energy_by_driver[name] = float(np.mean(np.square(target - part.T @ solution)))
     solution = np.linalg.lstsq(table[whole].T, target, rcond=1e-8)[0]
-    return np.asarray(table[whole].T @ solution), [min(left, key=lambda name: left[name])]
+    return np.asarray(table[whole].T @ solution), [min(energy_by_driver, key=lambda name: energy_by_driver[name])]
 
 
 def relative(study: Study) -> Relative:
@@ -118,7 +118,7 @@ def diagnosis(
     """The content of `diagnosis.json`; `fine` is the problem at the recording's own rate."""
     problem = study.problem
     unit = problem.system.channel.rpartition("_")[2]
-    known = intervals(problem, study.state, study.noise).at_least(study.spreads)
+    bands = intervals(problem, study.state, study.noise).at_least(study.spreads)
     named = study.verdict in ("explained", "ambiguous")
     mismatch: dict[str, Any] | None = None
     pattern: dict[str, Any] | None = None
@@ -161,13 +161,13 @@ def diagnosis(
         "run": runs[0].run,
         "verdict": study.verdict,
         "mismatch": mismatch,
-        "mechanisms": listed(study, fine, known, unit) if named else [],
+        "mechanisms": listed(study, fine, bands, unit) if named else [],
         "alternatives": [list(other.ids) for other in study.sets[1:]] if study.verdict == "ambiguous" else [],
         "next_experiment": None,
         "next_run": experiment.entry(runs[0], float(np.ptp(problem.record.load)) == 0.0) if experiment else None,
         "parameters": {
             name: {"nominal": by_name[name].nominal, **as_entry(interval)}
-            for name, interval in known.parameters.items()
+            for name, interval in bands.parameters.items()
         }
         | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
         "fit": fit,
@@ -190,11 +190,11 @@ def diagnosis(
         own = {"mechanisms": listed(study, fine, intervals(problem, study.best, study.noise), unit)}
         content["of_your_own"] = own | {"simulation": entries(study.best.acts, problem.drivers)}
     tidied: Verdict = cast(Verdict, tidy(content))  # numbers alone were rounded
-    tidied |= {"simulation": content["simulation"], "uncertainty": doubts(problem, study.state, known.covariance, unit)}
+    tidied |= {"simulation": content["simulation"], "uncertainty": doubts(problem, study.state, bands.covariance, unit)}
     if study.closest:
         tidied["closest"] = named_simulator(problem, study.closest, list(study.best_ids), unit)
     if study.verdict == "ambiguous":
         tidied["rivals"] = rivals(study, unit)
-    for name, interval in known.parameters.items():
+    for name, interval in bands.parameters.items():
         tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
     return spoken(without_zero_effects(tidied, unit), problem.system)

@@ -32,8 +32,8 @@ def adopted_effects(problem: Problem, run: Run, ending: str) -> list[AdoptedEffe
     for act, effect in effects_of(problem, run):
         widest, worth = loops.widest(problem, effect), rms(effect)
         parameters = parameters_of(problem, act, (1.0, 1.0), {}, widest.width / 2 if widest else None)
-        known: MechanismEntry = {"id": act.id, "parameters": parameters}
-        entry = with_made(known, {f"rms_{ending}": {"value": worth, "low": worth, "high": worth}})
+        entry_without_rms: MechanismEntry = {"id": act.id, "parameters": parameters}
+        entry = with_made(entry_without_rms, {f"rms_{ending}": {"value": worth, "low": worth, "high": worth}})
         opened = with_made(Loop(), {f"width_{ending}": widest.width, system.driver: widest.motion}) if widest else None
         by_id = {act.id: effect}
         span, trend = extents.spans(by_id)[act.id], extents.trends(by_id)[act.id]

@@ -56,10 +56,10 @@ def dimensions(content: Verdict) -> list[str]:
     evidence = content.get("evidence")
     sigmas = evidence.get("moved_sigma") if isinstance(evidence, dict) else None
     moved = {name: abs(sigma) for name, sigma in sigmas.items() if is_number(sigma)} if isinstance(sigmas, dict) else {}
-    known = fitted(content, "")
+    dimension_by_name = fitted(content, "")
     changes = []
-    for name in sorted(known, key=lambda name: -moved.get(name, 0.0))[:MOST]:
-        parameter, unit = known[name], said_unit(unit_of(name))
+    for name in sorted(dimension_by_name, key=lambda name: -moved.get(name, 0.0))[:MOST]:
+        parameter, unit = dimension_by_name[name], said_unit(unit_of(name))
         if moved.get(name, 0.0) >= HARDLY:
             first = f"{number(parameter['nominal'], 6)}{' (assumed)' if assumed(name) else ''}"
             changes.append(f"{name_of(name)} {first} → {number(parameter['fitted'], 4)} {unit}".rstrip())
@@ -70,7 +70,7 @@ def dimensions(content: Verdict) -> list[str]:
         f"{program_name('simulate')} takes these dimensions. The values that you gave in run.yaml stay. Change one of "
         "them, and the fitted ones count no more."
     )
-    far = [f"the {name_of(name)}" for name in known if moved.get(name, 0.0) >= BESIDE]
+    far = [f"the {name_of(name)}" for name in dimension_by_name if moved.get(name, 0.0) >= BESIDE]
     if far and any(sigma > LEAVES for sigma in moved.values()):
         lines.append(
             f"Measure {listing(far)} again: calibration moved {'it' if len(far) == 1 else 'them'} by more than "
@@ -90,12 +90,12 @@ def outdated(content: Verdict, run: Run) -> str:
     channel = run.channels.get(run.system.channel)
     scale_now = channel.scale if channel else 1.0
     scale_then = float(then) if then is not None and is_number(then) else 1.0
-    known, differences = fitted(content, ""), []
+    dimension_by_name, differences = fitted(content, ""), []
     for parameter in run.system.parameters(run):
-        if parameter.name in known and not math.isclose(
-            parameter.nominal, known[parameter.name]["nominal"], rel_tol=1e-4, abs_tol=1e-9
+        if parameter.name in dimension_by_name and not math.isclose(
+            parameter.nominal, dimension_by_name[parameter.name]["nominal"], rel_tol=1e-4, abs_tol=1e-9
         ):
-            was, now = number(known[parameter.name]["nominal"], 6), number(parameter.nominal, 6)
+            was, now = number(dimension_by_name[parameter.name]["nominal"], 6), number(parameter.nominal, 6)
             differences.append(
                 f"a {name_of(parameter.name)} of {was} {said_unit(unit_of(parameter.name))}, and run.yaml says {now}"
             )
@@ -130,9 +130,11 @@ def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
     Of a run that went after others in the diagnosis that is said too.
     """
     fit, verdict = content.get("fit"), content.get("verdict")
-    held = fit.get("heldout") if isinstance(fit, dict) else None
+    unseen_errors = fit.get("heldout") if isinstance(fit, dict) else None
     values = (
-        [held.get(f"{name}_{words.ending}") for name in ("calibrated", "explained")] if isinstance(held, dict) else []
+        [unseen_errors.get(f"{name}_{words.ending}") for name in ("calibrated", "explained")]
+        if isinstance(unseen_errors, dict)
+        else []
     )
     if not is_of(content, run) or verdict not in ("explained", "ambiguous"):
         return []

@@ -61,8 +61,8 @@ def adopted(text: str, entries: Sequence[Included], path: Path, origin: list[Ado
     wanted = {**content, KEY: entries, **({ORIGIN: origin} if keep else {})}
 
     def make() -> str:
-        made = with_block(text, entries)
-        return with_block(made, origin or [], ORIGIN) if keep else made
+        with_effects = with_block(text, entries)
+        return with_block(with_effects, origin or [], ORIGIN) if keep else with_effects
 
     mend = f"put the block of simulation.yaml beside the diagnosis in its place by hand, under the key {KEY}"
     return _checked(make, wanted, path, "replaced", mend)
@@ -104,11 +104,11 @@ def bare(text: str, path: Path) -> str:
 def _checked(make: Callable[[], str], wanted: dict[str, object], path: Path, done: str, mend: str) -> str:
     """The text that `make` gives where it says what is wanted, and that is a run; else raises BadInput."""
     try:
-        made = make()
-        right = parse_yaml(made, path) == wanted
+        new_text = make()
+        right = parse_yaml(new_text, path) == wanted
     except (BadInput, yaml.YAMLError):
         right = False
     if not right:
         raise BadInput(path, KEY, f"stands where it cannot be {done} without changing other text", mend)
     parse_run(wanted, path)
-    return made
+    return new_text

@@ -87,12 +87,12 @@ def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Expl
     """
     if any(map(is_outside, chosen.ids)):
         return []  # what has no physics may leave something
-    left = chosen.energy - floor**2
+    excess_energy = chosen.energy - floor**2
     least = max(LEAST_EFFECT * floor, INEXACT * search.mismatch(floor)) ** 2
     complete = [
         explanation
         for explanation in search.all_of(len(chosen.ids) + 1)[:TRIED]
-        if chosen.energy - explanation.energy >= max(COMPLETED * left, least)
+        if chosen.energy - explanation.energy >= max(COMPLETED * excess_energy, least)
         and explanation.cost <= chosen.cost - LEAST_MORE
     ]
     return [

@@ -87,19 +87,19 @@ def decide(
     """The verdict, from what is left after calibration and after the best explanation, and from the judge."""
     sets = judged.sets
     seen = slice(0, problem.rows)
-    left = {
+    rms_by_state = {
         name: rms((problem.measured - problem.simulate(state))[seen])
         for name, state in (("nominal", nominal), ("base", base), ("best", best))
     }
     floor, jerks = noise.floor, 0.0
     if random:
         quiet = chance.floor_at_rest(problem, best, noise.floor)
-        jerks = float(np.sqrt(max(left["best"] ** 2 - quiet**2, 0.0)))
+        jerks = float(np.sqrt(max(rms_by_state["best"] ** 2 - quiet**2, 0.0)))
         floor, random = (quiet, random) if jerks >= LEAST_EFFECT * quiet else (floor, {})
-    mismatch = float(np.sqrt(max(left["base"] ** 2 - floor**2, 0.0)))
-    remainder = float(np.sqrt(max(left["best"] ** 2 - noise.floor**2, 0.0)))
+    mismatch = float(np.sqrt(max(rms_by_state["base"] ** 2 - floor**2, 0.0)))
+    remainder = float(np.sqrt(max(rms_by_state["best"] ** 2 - noise.floor**2, 0.0)))
     share = 1.0 - remainder**2 / max(mismatch**2, 1e-300)
-    better = left["nominal"] ** 2 - left["base"] ** 2
+    better = rms_by_state["nominal"] ** 2 - rms_by_state["base"] ** 2
     new = {id_: nonlinear for id_, nonlinear in random.items() if id_ not in {act.id for act in problem.included}}
     if new:
         together: dict[tuple[str, ...], Explanation] = {}
@@ -154,8 +154,8 @@ def _likely_beside(likely: dict[tuple[str, ...], float], random: Iterable[str]) 
 def bare(problem: Problem, noise: Noise) -> float:
     """What calibration would leave of a recording without what its `run.yaml` adopted, rms, noise taken off."""
     without = replace(problem, included=problem.beside)
-    left = rms((problem.measured - without.simulate(calibrate(without, noise)))[: problem.rows])
-    return float(np.sqrt(max(left**2 - noise.floor**2, 0.0)))
+    bare_rms = rms((problem.measured - without.simulate(calibrate(without, noise)))[: problem.rows])
+    return float(np.sqrt(max(bare_rms**2 - noise.floor**2, 0.0)))
 
 
 def surely(noise: Noise) -> float:

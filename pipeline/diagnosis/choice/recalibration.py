@@ -33,8 +33,10 @@ def _line(problem: Problem, term: Term) -> bool:
     rows = slice(0, problem.rows)
     motion = problem.drivers.motion[rows]
     signal = np.broadcast_to(term.signal, len(problem.drivers.motion))[rows]
-    left = signal - np.polyval(np.polyfit(motion - motion.mean(), signal, LINES[term.port]), motion - motion.mean())
-    return bool(np.sqrt(np.mean(left**2)) <= STRAIGHT * np.sqrt(np.mean(signal**2)))
+    off_the_line = signal - np.polyval(
+        np.polyfit(motion - motion.mean(), signal, LINES[term.port]), motion - motion.mean()
+    )
+    return bool(np.sqrt(np.mean(off_the_line**2)) <= STRAIGHT * np.sqrt(np.mean(signal**2)))
 
 
 def only_calibration(effect: Array, dimensions: Linear) -> bool:
@@ -42,8 +44,8 @@ def only_calibration(effect: Array, dimensions: Linear) -> bool:
 
     `dimensions` is the simulator linearised with nothing acting in it. Shape (samples,), in the reading's unit.
     """
-    left = beyond(effect, dimensions)
-    return bool(np.sqrt(np.mean(effect**2)) > TAKEN_BACK * np.sqrt(np.mean(left**2)))
+    beyond_dimensions = beyond(effect, dimensions)
+    return bool(np.sqrt(np.mean(effect**2)) > TAKEN_BACK * np.sqrt(np.mean(beyond_dimensions**2)))
 
 
 def beyond(effect: Array, dimensions: Linear) -> Array:

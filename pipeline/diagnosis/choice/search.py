@@ -54,12 +54,12 @@ class Search:
     def _explanation(self, ids: tuple[str, ...], keys: tuple[Key, ...], fit: Fit) -> Explanation:
         return Explanation(ids, keys, fit, self._cost(keys, fit), self.linear.plain(fit.columns).energy)
 
-    def _best(self, id_: str, given: tuple[Key, ...]) -> tuple[Key, ...]:
+    def _best(self, id_: str, others_keys: tuple[Key, ...]) -> tuple[Key, ...]:
         """The best candidates of a mechanism beside given ones; sudden events are added one by one, all of one sign."""
         chosen: tuple[Key, ...] = ()
         cost = np.inf
         for _ in range(mechanisms()[id_].steps):
-            keys = (*given, *chosen)
+            keys = (*others_keys, *chosen)
             misfits, active = self.linear.scan(keys, id_)
             free = sum(self.free[other] for other, _ in keys) + self.free[id_]
             costs = misfits + self.penalty * (active + free)
@@ -67,7 +67,7 @@ class Search:
                 costs[number] = np.inf
             for number in np.argsort(costs, kind="stable")[: SIGNS_TRIED if chosen else 1]:
                 more = (*chosen, (id_, int(number)))
-                if not chosen or costs[number] >= cost - LEAST_GAIN or self._one_sign(given, more):
+                if not chosen or costs[number] >= cost - LEAST_GAIN or self._one_sign(others_keys, more):
                     break
             else:
                 break
@@ -76,9 +76,9 @@ class Search:
             chosen, cost = more, float(costs[number])
         return chosen
 
-    def _one_sign(self, given: tuple[Key, ...], events: tuple[Key, ...]) -> bool:
+    def _one_sign(self, others_keys: tuple[Key, ...], events: tuple[Key, ...]) -> bool:
         """Whether events of one mechanism all go one way, as what drives them does."""
-        fit = self.linear.fit(self.linear.columns_of((*given, *events)))
+        fit = self.linear.fit(self.linear.columns_of((*others_keys, *events)))
         signs = np.sign(fit.coefficients[-sum(len(self.linear.index[key]) for key in events) :])
         return bool(np.all(signs >= 0) or np.all(signs <= 0))
 
@@ -97,9 +97,9 @@ class Search:
         else:
             order = list(ids)
         for id_ in order:
-            given = tuple(key for other, keys in chosen.items() if other != id_ for key in keys)
+            others_keys = tuple(key for other, keys in chosen.items() if other != id_ for key in keys)
             if len(self.linear.catalogue[id_]) > 1 or id_ not in chosen:
-                chosen[id_] = self._best(id_, given)
+                chosen[id_] = self._best(id_, others_keys)
         keys = tuple(key for id_ in ids for key in chosen[id_])
         self.fits[ids] = keys, self.linear.fit(self.linear.columns_of(keys))
         return self.fits[ids]

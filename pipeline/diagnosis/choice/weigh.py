@@ -22,11 +22,14 @@ def candidates(search: Search) -> list[Explanation]:
     """The explanations that are weighed: the best of every size that was searched."""
     by_ids: dict[tuple[str, ...], Explanation] = {}
     for size, most in zip(SIZES, (SINGLES, PAIRS, TRIPLES), strict=True):
-        known = sorted(
+        of_this_size = sorted(
             (explanation for explanation in search.known if len(explanation.ids) == size),
             key=lambda explanation: explanation.cost,
         )
-        for explanation in [*known[:most], *sorted(known, key=lambda explanation: explanation.energy)[:BY_ENERGY]]:
+        for explanation in [
+            *of_this_size[:most],
+            *sorted(of_this_size, key=lambda explanation: explanation.energy)[:BY_ENERGY],
+        ]:
             by_ids[explanation.ids] = explanation
     return list(by_ids.values())
 
@@ -80,8 +83,8 @@ def worth(smaller: Explanation, larger: Explanation) -> float:
 
 def completes(smaller: Explanation, larger: Explanation, floor: float) -> float:
     """The share of what the smaller explanation leaves beyond the noise that the larger one takes away."""
-    left = max(smaller.energy - floor**2, LEAST_LEFT * floor**2)
-    return float(np.clip((smaller.energy - larger.energy) / left, -1.0, 2.0))
+    excess_energy = max(smaller.energy - floor**2, LEAST_LEFT * floor**2)
+    return float(np.clip((smaller.energy - larger.energy) / excess_energy, -1.0, 2.0))
 
 
 def cost(difference: float) -> float:
@@ -92,11 +95,11 @@ def cost(difference: float) -> float:
 def signs(search: Search, explanation: Explanation, rivals: list[Explanation], floor: float) -> dict[str, float]:
     """The signs of one explanation beside the others; costs compressed, shares and sizes as logarithms."""
     whole = max(amplitude(search.nothing.energy, floor), 1e-12)
-    left = amplitude(explanation.energy, floor)
+    remainder = amplitude(explanation.energy, floor)
     sign_by_name = {
         "mismatch_floors": float(np.log(whole / floor + 0.01)),
-        "left_share": float(np.log(left / whole + 0.003)),
-        "left_floors": float(np.log(left / floor + 0.02)),
+        "left_share": float(np.log(remainder / whole + 0.003)),
+        "left_floors": float(np.log(remainder / floor + 0.02)),
         "numbers": float(explanation.fit.active),
         "gain": cost(search.nothing.cost - explanation.cost),
     }
@@ -104,11 +107,11 @@ def signs(search: Search, explanation: Explanation, rivals: list[Explanation], f
         group = [other for other in rivals if len(other.ids) == size] or [search.nothing]
         sign_by_name[f"behind_{size}"] = cost(explanation.cost - min(other.cost for other in group))
         least = amplitude(min(other.energy for other in group), floor)
-        sign_by_name[f"left_behind_{size}"] = float(np.arcsinh(30.0 * (left - least) / whole))
+        sign_by_name[f"left_behind_{size}"] = float(np.arcsinh(30.0 * (remainder - least) / whole))
     sign_by_name |= _parts(search, explanation, rivals, floor, whole)
     sign_by_name |= _more(explanation, rivals, floor, whole)
     own, together = sizes(search, explanation)
-    sign_by_name["left_of_own"] = float(np.log(left / own + 0.003)) if own > 0.0 else 0.0
+    sign_by_name["left_of_own"] = float(np.log(remainder / own + 0.003)) if own > 0.0 else 0.0
     return sign_by_name | {"cancels": cancelled(own, together)}
 
 

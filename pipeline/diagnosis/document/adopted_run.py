@@ -26,6 +26,6 @@ def as_list(experiment: str) -> list[str]:
     return lines + [END.split(sentence)[0] for sentence in after if not sentence.startswith(DROPPED)]
 
 
-def in_one_line(held: str | list[str] | None) -> str | None:
+def in_one_line(protocol: str | list[str] | None) -> str | None:
     """A run of a run.yaml in one line, be it a list or, as earlier, a paragraph."""
-    return " ".join(held) if isinstance(held, list) else held
+    return " ".join(protocol) if isinstance(protocol, list) else protocol

@@ -56,11 +56,12 @@ def interval(part: Mapping[str, object], key: str) -> Interval:
     return cast(Interval, value)  # a JSON object: nothing at run time tells one form of it from another
 
 
-def with_made(part: AnyPart, made: Mapping[str, Made], before: str = "") -> AnyPart:
+def with_made(part: AnyPart, by_made_key: Mapping[str, Made], before: str = "") -> AnyPart:
     """The part with what stands under made keys, before its own entry `before`, else last: as in the file."""
     place = list(part).index(before) if before in part else len(part)
     first, last = ({key: part[key] for key in keys} for keys in (list(part)[:place], list(part)[place:]))
-    return cast(AnyPart, {**first, **made, **last})  # a type names no made key; a part may have them all the same
+    # a type names no made key; a part may have them all the same
+    return cast(AnyPart, {**first, **by_made_key, **last})
 
 
 def put(part: Mapping[str, object], key: str, value: Made) -> None:

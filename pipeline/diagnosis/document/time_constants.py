@@ -16,12 +16,12 @@ def time_constants_s(entry: WithParameters) -> list[float]:
     and the longest that a recording could show (`fastest_s`, `slowest_s`) are no constants of the effect itself.
     """
     strengths: dict[float, float] = {}
-    for name, known in entry["parameters"].items():
+    for name, quantity in entry["parameters"].items():
         match = BRANCH_S.search(name)
-        if match and known["value"]:
+        if match and quantity["value"]:
             seconds = float(match[1])
-            strengths[seconds] = strengths.get(seconds, 0.0) + abs(known["value"])
+            strengths[seconds] = strengths.get(seconds, 0.0) + abs(quantity["value"])
     least = CARRIES * sum(strengths.values())
     kept = sorted(seconds for seconds, strength in strengths.items() if strength >= least)
-    others = {name: known for name, known in entry["parameters"].items() if name not in COULD_SHOW}
-    return kept or sorted(float(known["value"]) for known in others.values() if known.get("unit") == "s")
+    others = {name: quantity for name, quantity in entry["parameters"].items() if name not in COULD_SHOW}
+    return kept or sorted(float(quantity["value"]) for quantity in others.values() if quantity.get("unit") == "s")

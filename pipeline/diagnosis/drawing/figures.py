@@ -52,15 +52,17 @@ def title(content: Verdict, holds: bool = False, misses: bool = False) -> str:
     unsettled = content["verdict"] == "explained" and settled_otherwise(content)
     partly = content["verdict"] == "explained" and misses
     word = NOT_SETTLED if unsettled else STILL_MISSING if partly else content["verdict"]
-    head, held = f"{name}: {word}", included(content)
+    head, adopted_ids = f"{name}: {word}", included(content)
     ids = [entry["id"] for entry in content["mechanisms"]]
-    kept = _kept(content, held)
+    kept = _kept(content, adopted_ids)
     if holds and len(f"{name}: {kept}") <= WIDE:
         return f"{name}: {kept}"
     if not ids:
-        subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(held)}"
+        subtitle = f"beside what run.yaml has adopted: {TOGETHER.join(adopted_ids)}"
         return (
-            f"{head}\n{subtitle if len(subtitle) <= WIDE else f'beside {len(held)} adopted effects'}" if held else head
+            f"{head}\n{subtitle if len(subtitle) <= WIDE else f'beside {len(adopted_ids)} adopted effects'}"
+            if adopted_ids
+            else head
         )
     others = content["alternatives"]
     best = TOGETHER.join(ids)
@@ -72,14 +74,14 @@ def title(content: Verdict, holds: bool = False, misses: bool = False) -> str:
     return f"{head}\n{best}, {more}"
 
 
-def _kept(content: Verdict, held: list[str]) -> str:
-    """That what is adopted, `held`, still explains the recording; that this is no test where it was fitted to it."""
-    adopted = f"adopted {TOGETHER.join(held)}"
+def _kept(content: Verdict, adopted_ids: list[str]) -> str:
+    """That `adopted_ids` still explain the recording; that this is no test where it was fitted to it."""
+    adopted = f"adopted {TOGETHER.join(adopted_ids)}"
     if holdout.against_advice(content):
-        return f"{adopted}, against the advice of {'its' if len(held) == 1 else 'their'} verdict"
+        return f"{adopted}, against the advice of {'its' if len(adopted_ids) == 1 else 'their'} verdict"
     if holdout.status(content) == holdout.SEEN:
         return f"{adopted}, fitted to this recording"
-    return f"{adopted} still hold{'s' * (len(held) == 1)}"
+    return f"{adopted} still hold{'s' * (len(adopted_ids) == 1)}"
 
 
 def warning(content: Verdict, words: Vocabulary) -> str:
@@ -110,9 +112,9 @@ def as_adopted(study: Study, verdict: Verdict) -> Array | None:
     came = [adoption["dimensions"] for adoption in verdict.get("adopted", []) if adoption.get("dimensions")][-1:]
     if not came or f"adopted_{problem.system.channel.rpartition('_')[2]}" not in verdict["evidence"]:
         return None
-    held: dict[str, Dimension] = {name: {"value": dimension["fitted"]} for name, dimension in came[0].items()}
+    dimensions: dict[str, Dimension] = {name: {"value": dimension["fitted"]} for name, dimension in came[0].items()}
     run = str(verdict["run"])
-    content: Simulated = {"parameters": held, "simulation": verdict["simulation"]}
+    content: Simulated = {"parameters": dimensions, "simulation": verdict["simulation"]}
     return at_its_best_zero(problem, content, Path("run.yaml"), run)
 
 
@@ -150,14 +152,16 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
         maps.colorbar(image, ax=axes, label=unit, pad=0.01)
     signs = map_signs(drivers, simulations["calibrated"])
     maps.legend(handles=signs, loc="outside lower center", ncols=len(signs), fontsize=7, frameon=False)
-    ranked, held = middle.subplots(1, 2, width_ratios=[3, 2])
+    ranked, unseen_axes = middle.subplots(1, 2, width_ratios=[3, 2])
     compared, single = noises(content, vocabulary)
     noise_band = amount(content["evidence"], f"floor_{ending}")  # the noise of the legends
     panels.ranking(ranked, content, ending, compared)
     floor_here = amount(content["fit"], f"noise_floor_{ending}")
     skip = int("as adopted" in simulations)
     names = other_name(content), closest(content)
-    panels.held_out(held, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, *names)
+    panels.held_out(
+        unseen_axes, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, *names
+    )
     ripple = next(
         (own["pitch_turns"] for act in study.state.acts for own in act.nonlinear if "pitch_turns" in own), 0.0
     )

@@ -76,16 +76,16 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     unknown = content.get("verdict") == "unknown"
     shown = sorted(others, key=lambda each: (bool(each["ids"]), each["standing"] in KEPT, share_of(each)))  # from below
     floor = amount(content["evidence"], f"floor_{ending}")
-    left = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
+    left_floors = [max(rivals.left_of(explanation, content, ending) / floor, 1e-3) for explanation in shown]
     standing_of = [_standing(each, shown[-1], unknown) for each in shown]
     colours = [STANDINGS[standing][0] for standing in standing_of]
     faces = ["white" if colour == MORE else colour for colour in colours]
     edges = [OTHER if colour == MORE else colour for colour in colours]
-    axes.hlines(range(len(shown)), 1.0, left, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
-    axes.scatter(left, range(len(shown)), c=faces, edgecolors=edges, linewidths=1.5, s=48, zorder=2.5)
+    axes.hlines(range(len(shown)), 1.0, left_floors, colors=colours, lw=2.5)  # a ratio's base is 1: the noise
+    axes.scatter(left_floors, range(len(shown)), c=faces, edgecolors=edges, linewidths=1.5, s=48, zorder=2.5)
     with_discrepancy = [
         min(left_with_discrepancy(explanation, ending) / floor, rms)
-        for explanation, rms in zip(shown, left, strict=True)
+        for explanation, rms in zip(shown, left_floors, strict=True)
     ]
     decide = not rivals.all_below_noise(content, ending)
     if decide:
@@ -94,7 +94,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     alone = fill(ADOPTED_ROW.format(rivals.called(included(content))), TITLE_WIDE) if adopted else rivals.called([])
     names = [rivals.called(explanation["ids"]) if explanation["ids"] else alone for explanation in shown]
     axes.set_yticks(range(len(shown)), names, fontsize=7)
-    for place, (explanation, rms) in enumerate(zip(shown, left, strict=True)):
+    for place, (explanation, rms) in enumerate(zip(shown, left_floors, strict=True)):
         beside = briefly(explanation) or (probability.not_weighed(explanation["ids"]) if weighed else "")
         too = explanation["ids"] and decide and not weighed and with_discrepancy[place] <= rivals.NOISY < rms
         beside = beside or AS_GOOD * bool(too and explanation["standing"] not in KEPT)
@@ -126,7 +126,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
     axes.legend(handles=handles, fontsize=6.5, frameon=False, loc="upper center", bbox_to_anchor=(0.4, -0.17), ncols=2)
     axes.set(
         xscale="log",
-        xlim=(0.5 * min(1.0, *left, *(with_discrepancy if decide else [])), 2.6 * max(2.0, *left)),
+        xlim=(0.5 * min(1.0, *left_floors, *(with_discrepancy if decide else [])), 2.6 * max(2.0, *left_floors)),
         xlabel="rms left ÷ noise",
     )
     plain(axes.xaxis)
@@ -149,7 +149,7 @@ def plain(axis: Axis) -> None:
 
 
 def held_out(
-    axes: Axes, held: HeldOut | None, floor: float, ending: str, unit: str, noise: str = "noise",
+    axes: Axes, errors: HeldOut | None, floor: float, ending: str, unit: str, noise: str = "noise",
     title: str = "Error on unseen strokes", skip: int = 0, without: str = "", closest: str = "",
 ) -> None:  # fmt: skip
     """Error on the strokes that were held out, with the floor, called `noise`; `ending` is that of the keys.
@@ -159,11 +159,11 @@ def held_out(
     the last error is its then.
     """
     axes.set_title(fill(title, TITLE_WIDE), fontsize=10)
-    if not held:
+    if not errors:
         axes.text(0.5, 0.5, "too few strokes to hold any out", ha="center", transform=axes.transAxes)
         axes.set(xticks=[], yticks=[])
         return
-    values = [amount(held, f"{name}_{ending}") for name in ("nominal", "calibrated", "explained")]
+    values = [amount(errors, f"{name}_{ending}") for name in ("nominal", "calibrated", "explained")]
     names = list(SHADES)[skip : 2 if values[2] == values[1] else 3]  # what is the same is drawn once
     values, places = values[skip : skip + len(names)], range(len(names))
     hollow = [bool(without or closest) and name == NAMED for name in names]

@@ -54,8 +54,8 @@ def gone_off(study: Study, ending: str) -> Evidence:
     time_s, off = problem.record.time_s[: problem.rows], np.zeros(problem.rows, bool)
     for each in study.gone_off:
         off |= (time_s >= each.at_s) & (time_s <= each.at_s + each.lasts_s)
-    left = (problem.measured - problem.simulate(study.base))[: problem.rows]
-    return with_made(Evidence(excursions=entries), {f"between_{ending}": rms(left[~off])})
+    residual = (problem.measured - problem.simulate(study.base))[: problem.rows]
+    return with_made(Evidence(excursions=entries), {f"between_{ending}": rms(residual[~off])})
 
 
 def evidence(study: Study) -> Evidence:

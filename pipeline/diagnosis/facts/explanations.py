@@ -65,12 +65,12 @@ def explanations(study: Study, ending: str, calibrated: float) -> list[Explanati
         elif not first or len(explanation.ids) > len(first.ids):
             standing = "not needed"
         entry: ExplanationEntry = {"ids": list(explanation.ids), "standing": standing}
-        left, allowed = (
+        searched_rms, allowed = (
             math.sqrt(max(each.energy, 0.0)) for each in (explanation, search.with_discrepancy(explanation))
         )
-        put(entry, f"left_{ending}", left if explanation.ids else calibrated)
+        put(entry, f"left_{ending}", searched_rms if explanation.ids else calibrated)
         if not explanation.ids:
-            put(entry, f"approximated_{ending}", left)
+            put(entry, f"approximated_{ending}", searched_rms)
         entry["probability"] = probability(study, explanation.ids)
         put(entry, f"with_discrepancy_{ending}", allowed)
         if first and explanation.ids and explanation is not first:
@@ -103,8 +103,8 @@ def left_out(study: Study) -> list[LeftOut]:
 
 def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[Cause] | None:
     """What counts most against an explanation beside the best one; None where the judge did not weigh both."""
-    known = {weighed.ids: weighed for weighed in study.judged.weighed}
-    rival, first = (known.get(study.without_chance(each)) or known.get(each) for each in (ids, best))
+    weighed_by_ids = {weighed.ids: weighed for weighed in study.judged.weighed}
+    rival, first = (weighed_by_ids.get(study.without_chance(each)) or weighed_by_ids.get(each) for each in (ids, best))
     return aspects.chief(study.problem.judge, rival, first) if rival and first and rival is not first else None
 
 

@@ -19,7 +19,9 @@ def look_alikes(study: Study, ending: str) -> Evidence:
     if not ids:
         return {}
     dimensions = Linear(problem, study.base, white(1.0), {})
-    left = {id_: rms(beyond(discrepancy.effect(problem, study.state, id_)[: problem.rows], dimensions)) for id_ in ids}
+    beyond_rms = {
+        id_: rms(beyond(discrepancy.effect(problem, study.state, id_)[: problem.rows], dimensions)) for id_ in ids
+    }
     moved = {
         problem.parameters[i].name: float(
             (study.base.values[i] - problem.parameters[i].nominal) / problem.parameters[i].sigma
@@ -27,4 +29,4 @@ def look_alikes(study: Study, ending: str) -> Evidence:
         for i in problem.movable
     }
     alone: Evidence = {"moved_alone_sigma": moved}
-    return with_made(alone, {f"beyond_dimensions_{ending}": left}, "moved_alone_sigma")
+    return with_made(alone, {f"beyond_dimensions_{ending}": beyond_rms}, "moved_alone_sigma")

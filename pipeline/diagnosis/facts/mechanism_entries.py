@@ -69,7 +69,7 @@ def parameters_of(
     return parameters
 
 
-def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[MechanismEntry]:
+def listed(study: Study, fine: Problem, bands: Intervals, unit: str) -> list[MechanismEntry]:
     """All that is named; `fine` is the problem at the recording's own rate, `unit` the ending of the channel."""
     problem, entries_ = study.problem, []
     for act in study.best.acts:
@@ -81,7 +81,7 @@ def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[Mec
             size = Interval(*(study.random_rms * end for end in (1.0, *RANDOM_ENDS)))
         else:
             own_rate = rms(effect_of(fine, study.best, act)) / (rms(effect) or 1.0)
-            own = known.sizes[act.id]
+            own = bands.sizes[act.id]
             size = Interval(*(own_rate * end for end in (own.value, own.low, own.high)))
         loop = loops.widest(problem, effect)
         relative = (size.low / size.value, size.high / size.value) if size.value else (1.0, 1.0)
@@ -89,7 +89,7 @@ def listed(study: Study, fine: Problem, known: Intervals, unit: str) -> list[Mec
         entry: MechanismEntry = {
             "id": act.id,
             "confidence": confidence(study, act.id),
-            "parameters": parameters_of(problem, act, relative, known.half_widths, half_loop),
+            "parameters": parameters_of(problem, act, relative, bands.half_widths, half_loop),
             "location": locate.box(effect, problem),
         }
         entries_.append(made_keys.with_made(entry, {f"rms_{unit}": as_entry(size)}, "parameters"))

@@ -48,11 +48,11 @@ def not_kept(study: Study, ending: str) -> list[NotKept]:
             "instead": list(instead.ids) if instead else None,
             "stands": _stands(study, instead) if instead else None,
         }
-        left = {
+        left_by_key = {
             f"left_{ending}": _left(instead) if instead else None,
             f"beside_{ending}": _left(beside) if beside else None,
         }
-        entries.append(with_made(entry, left, "stands"))
+        entries.append(with_made(entry, left_by_key, "stands"))
     return entries
 
 

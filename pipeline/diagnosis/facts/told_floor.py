@@ -17,8 +17,8 @@ def told_floor(study: Study) -> float:
     """The floor of the values that were compared, in the reading's unit."""
     problem = study.problem
     states = (study.base, study.best)
-    left = min(rms(robust((problem.measured - problem.simulate(state))[: problem.rows])) for state in states)
-    return study.floor if study.floor <= ABOVE * left else left
+    least_rms = min(rms(robust((problem.measured - problem.simulate(state))[: problem.rows])) for state in states)
+    return study.floor if study.floor <= ABOVE * least_rms else least_rms
 
 
 def told_fine_floor(own: float, fine: Problem, study: Study) -> float:

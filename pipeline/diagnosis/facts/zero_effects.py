@@ -35,11 +35,11 @@ def without_zero_effects(content: Verdict, ending: str) -> Verdict:
             shown.append(made_of)
         elif set(explanation["ids"]) != ids:
             shown.append(explanation)
-    made = content | {"mechanisms": kept, "alternatives": others}
+    tidied = content | {"mechanisms": kept, "alternatives": others}
     if content["mismatch"]:
         driven = {**content["mismatch"], "driver": [mechanisms()[entry["id"]].driver for entry in kept]}
-        made["mismatch"] = cast(Mismatch, driven)  # the drivers become words last
-    made["evidence"] = content["evidence"] | {"explanations": shown, "idle": idle}
+        tidied["mismatch"] = cast(Mismatch, driven)  # the drivers become words last
+    tidied["evidence"] = content["evidence"] | {"explanations": shown, "idle": idle}
     if content["verdict"] == "ambiguous" and not others:
-        made |= {"verdict": "explained", "next_run": None}
-    return made
+        tidied |= {"verdict": "explained", "next_run": None}
+    return tidied

@@ -32,9 +32,10 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Included]:
             terms = mechanism.terms(drivers, nonlinear)
             values = act.coefficients[at : at + len(terms)]
             at += len(terms)
-            held = {term.name: value for term, value in zip(terms, values, strict=True) if value != 0.0}
+            coefficients = {term.name: value for term, value in zip(terms, values, strict=True) if value != 0.0}
             parameters = {
-                drivers.units.name(name): float(f"{value:.{DIGITS}g}") for name, value in {**nonlinear, **held}.items()
+                drivers.units.name(name): float(f"{value:.{DIGITS}g}")
+                for name, value in {**nonlinear, **coefficients}.items()
             }
             included.append({"id": act.id, "parameters": parameters})
     return included
@@ -52,12 +53,12 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     A run that was diagnosed together with others may have a zero of the motor of its own, which is added. The zero of
     the reading is that of one recording: it comes only with its own run.
     """
-    known = content.get("parameters", {})
+    parameters = content.get("parameters", {})
     runs = content.get("run")
     number = runs.index(run) + 1 if isinstance(runs, list) and run in runs else 0
     own, zero = f"_{number}" if number > 1 else None, f"zero_{number}_" if number else "zero"
     fitted_values = {}
-    for name, entry in known.items() if isinstance(known, dict) else []:
+    for name, entry in parameters.items() if isinstance(parameters, dict) else []:
         nominal: Any = entry.get("nominal") if isinstance(entry, dict) else None
         value: Any = entry.get("value") if isinstance(entry, dict) else None
         if (
@@ -66,7 +67,7 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
             or not (is_number(nominal) and is_number(value))
         ):
             continue
-        other = known.get(f"{name}{own}", {}) if own else {}
+        other = parameters.get(f"{name}{own}", {}) if own else {}
         more = other.get("value", 0.0) if isinstance(other, dict) else 0.0
         total = float(value) + (float(more) if is_number(more) else 0.0)
         fitted_values[name] = {"nominal": float(nominal), "fitted": float(f"{total:.{DIGITS}g}")}
@@ -91,20 +92,20 @@ def adoptions(content: Verdict, where: str, run: str = "", against: Sequence[str
         if not isinstance(ids, list) or not all(isinstance(id_, str) and id_ in mechanisms() for id_ in ids):
             problem = f"holds {short(ids)}, which is no list of mechanisms of the library"
             raise BadInput(where, "mechanisms, alternatives", problem, "give a diagnosis.json as it was made")
-    made: Adoption = {"effects": effects, "verdict": content["verdict"], "tied": tied}
+    adoption: Adoption = {"effects": effects, "verdict": content["verdict"], "tied": tied}
     if against:
-        made["against_advice"] = list(against)
-    made["diagnosis"] = where
+        adoption["against_advice"] = list(against)
+    adoption["diagnosis"] = where
     runs, experiment = content.get("run"), content.get("next_experiment")
     if runs:
-        made["runs"] = [runs] if isinstance(runs, str) else runs
+        adoption["runs"] = [runs] if isinstance(runs, str) else runs
     dimensions = fitted(content, run)
     if dimensions:
-        made["dimensions"] = dimensions
+        adoption["dimensions"] = dimensions
     if isinstance(experiment, str) and tied:
         useless = [f"{NO_USE}: no run that was tried decides"]
-        made["next_experiment"] = useless if NO_USE in experiment else as_list(experiment)
-    return [*before, made]
+        adoption["next_experiment"] = useless if NO_USE in experiment else as_list(experiment)
+    return [*before, adoption]
 
 
 def is_number(value: Any) -> bool:
@@ -117,17 +118,17 @@ def checked(entry: Any, field: str, where: str) -> tuple[str, dict[str, float]]:
     mend = "paste the entry as a diagnosis gives it"
     if not isinstance(entry, dict) or not set(entry) <= {"id", "parameters"}:
         raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
-    id_, given = entry.get("id"), entry.get("parameters", {})
-    if not isinstance(id_, str) or not isinstance(given, dict):
+    id_, parameters = entry.get("id"), entry.get("parameters", {})
+    if not isinstance(id_, str) or not isinstance(parameters, dict):
         raise BadInput(where, field, f"is {short(entry)}, not an id with its parameters", mend)
     if id_ not in mechanisms():
         mend = f"use one of {', '.join(mechanisms())}"
         raise BadInput(where, f"{field}.id", f"{short(id_)} is not a mechanism of the library", mend)
-    for name, value in given.items():
+    for name, value in parameters.items():
         if not is_number(value):
             problem = f"is {short(value)}, not a number"
             raise BadInput(where, f"{field}.parameters.{key_name(name)}", problem, mend)
-    return id_, given
+    return id_, parameters
 
 
 def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[Act, ...]:
@@ -137,31 +138,31 @@ def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[
         raise BadInput(where, "simulation", f"is {short(content)}, not a list", "paste the list of a diagnosis.json")
     for number, entry in enumerate(content):
         field = f"simulation[{number}]"
-        id_, given = checked(entry, field, where)
+        id_, parameters = checked(entry, field, where)
         mechanism = mechanisms()[id_]
         mend = "paste the entry as a diagnosis gives it"
         options = mechanism.candidates(drivers) or ([dict.fromkeys(mechanism.units, 0.0)] if mechanism.units else [])
         if not options:
             raise BadInput(where, f"{field}.id", f"{id_!r} has no place in this rig or this recording", "remove it")
         name_of = drivers.units.name
-        more = [name for name in mechanism.optional if name_of(name) in given]
+        more = [name for name in mechanism.optional if name_of(name) in parameters]
         orders = [[name for name in nonlinear if name not in mechanism.optional] + more for nonlinear in options]
         names = [{name_of(name) for name in order} for order in orders] or [set()]
-        fitting = [keys for keys in names if keys <= set(given)]
+        fitting = [keys for keys in names if keys <= set(parameters)]
         if not fitting:
             raise BadInput(where, f"{field}.parameters", f"lacks one of {', '.join(sorted(names[0]))}", mend)
         keys = max(fitting, key=len)
         order = next(order for order in orders or [[]] if {name_of(name) for name in order} == keys)
-        nonlinear = {name: float(given[name_of(name)]) for name in order}
+        nonlinear = {name: float(parameters[name_of(name)]) for name in order}
         try:
             terms = mechanism.terms(drivers, nonlinear)
         except (ArithmeticError, LookupError, ValueError) as error:
             problem = f"cannot act in {id_!r} ({type(error).__name__}: {short(str(error))})"
             raise BadInput(where, f"{field}.parameters", problem, mend) from None
-        unknown = set(given) - keys - {name_of(term.name) for term in terms}
+        unknown = set(parameters) - keys - {name_of(term.name) for term in terms}
         if unknown:
-            known = ", ".join(name_of(name) for name in [*order, *(term.name for term in terms)])
+            parameter_names = ", ".join(name_of(name) for name in [*order, *(term.name for term in terms)])
             wrong = key_name(sorted(unknown)[0])
-            raise BadInput(where, f"{field}.parameters.{wrong}", f"is not one of {known}", mend)
-        acts.append(Act(id_, (nonlinear,), tuple(float(given.get(name_of(term.name), 0.0)) for term in terms)))
+            raise BadInput(where, f"{field}.parameters.{wrong}", f"is not one of {parameter_names}", mend)
+        acts.append(Act(id_, (nonlinear,), tuple(float(parameters.get(name_of(term.name), 0.0)) for term in terms)))
     return tuple(acts)

@@ -57,8 +57,8 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
     """
     from ...ground.regression import boosted_trees  # seconds to import, and asked only where something is left
 
-    left, inputs = problem.measured - problem.simulate(state), signals(problem.drivers)
-    predict = boosted_trees(inputs[~unseen], left[~unseen], SEED)
+    residual, inputs = problem.measured - problem.simulate(state), signals(problem.drivers)
+    predict = boosted_trees(inputs[~unseen], residual[~unseen], SEED)
     added = predict(inputs)
     return Foretold(
         added if fine is problem else predict(signals(fine.drivers)),
@@ -72,11 +72,11 @@ def follows(drivers: Drivers, signal: Array) -> str:
 
     Shape (samples,), in any unit.
     """
-    left: dict[str, float] = {}
+    energy_by_driver: dict[str, float] = {}
     for name, columns in generic.groups(drivers).items():
         if name == "time" or not len(columns):
             continue
         table = np.vstack([np.ones(len(signal)), columns]).T
         solution = np.linalg.lstsq(table, signal, rcond=1e-8)[0]
-        left[name] = float(np.mean(np.square(signal - table @ solution)))
-    return min(left, key=lambda name: left[name])
+        energy_by_driver[name] = float(np.mean(np.square(signal - table @ solution)))
+    return min(energy_by_driver, key=lambda name: energy_by_driver[name])

@@ -48,8 +48,8 @@ class Steps:
         coefficients = [value for act in self.acts for value in act.coefficients]
         stands = np.concatenate([linear.begin[linear.calibration], coefficients])
         ways = np.abs(whole.coefficients - stands)
-        known = slice(self.problem.runs, len(linear.calibration))  # dimensions; a zero is exactly linear
-        ways[known] = 0.5 * (linear.high - linear.low)[linear.calibration][known]
+        dimensions = slice(self.problem.runs, len(linear.calibration))  # a zero is exactly linear
+        ways[dimensions] = 0.5 * (linear.high - linear.low)[linear.calibration][dimensions]
         ways[: self.problem.runs] = np.inf
         while self.reach > SHORTEST:
             near = self.reach * ways

@@ -91,8 +91,10 @@ class Intervals:
         `spreads` has the standard deviations, by parameter, each in its own unit.
         """
         wide = {
-            name: Interval(known.value, min(known.low, known.value - reach), max(known.high, known.value + reach))
-            for name, known in self.parameters.items()
+            name: Interval(
+                interval.value, min(interval.low, interval.value - reach), max(interval.high, interval.value + reach)
+            )
+            for name, interval in self.parameters.items()
             for reach in [Z90 * spreads.get(name, 0.0)]
         }
         return replace(self, parameters=wide)
@@ -114,13 +116,13 @@ def intervals(problem: Problem, state: State, noise: Noise) -> Intervals:
     extra = np.ascontiguousarray(np.vstack([*shaped, smooth]))
     linear = Linear(problem, state, noise, {act.id: list(act.nonlinear) for act in acts}, extra)
     keys: tuple[Key, ...] = tuple((act.id, number) for act in acts for number in range(len(act.nonlinear)))
-    known, free = len(linear.calibration), linear.extra[sum(map(len, shaped)) :]
+    calibrated, free = len(linear.calibration), linear.extra[sum(map(len, shaped)) :]
     own = np.concatenate([linear.columns_of(keys), linear.extra[: sum(map(len, shaped))]])
-    coefficients = np.concatenate([np.array(linear.at)[:known], *(np.array(act.coefficients) for act in acts)])
+    coefficients = np.concatenate([np.array(linear.at)[:calibrated], *(np.array(act.coefficients) for act in acts)])
     coefficients = np.concatenate([coefficients, np.zeros(len(own) - len(coefficients))])
     prior = np.ones(len(own))
-    prior[:known] = 0.0  # calibration has its own in the products; half a nonlinear value is one sigma
-    effects, at = [], known
+    prior[:calibrated] = 0.0  # calibration has its own in the products; half a nonlinear value is one sigma
+    effects, at = [], calibrated
     for act in acts:
         part = np.arange(at, at + len(act.coefficients))
         at += len(act.coefficients)

@@ -66,7 +66,7 @@ class Linear(Products):
             )
             moved = float(state.values[index] - parameter.nominal)
             columns.add(tangent.slopes[parameter.name][:rows], least, most, parameter.sigma, moved)
-        self.calibration = known = np.arange(len(columns))
+        self.calibration = calibration = np.arange(len(columns))
         self.index: dict[Key, np.ndarray] = {}
         for id_, options in catalogue.items():
             beside = [(nonlinear, tangent) for nonlinear in options]
@@ -81,14 +81,14 @@ class Linear(Products):
         self.extra = columns.free(np.zeros((0, rows)) if extra is None else extra, np.inf)
         self.deviations = {id_: columns.free(ways, 1.0) for id_, ways in (deviations or {}).items()}
         self.low, self.high, sigma, self.at = columns.numbers()
-        target = (problem.measured - tangent.predicted)[:rows] + self.at[known] @ columns.table[known]
+        target = (problem.measured - tangent.predicted)[:rows] + self.at[calibration] @ columns.table[calibration]
         for act in state.acts:
             if act in problem.included:
                 continue
             for term, coefficient in problem.act_terms(act):
                 target = target + coefficient * column(problem, term, tangent)[:rows]
         self.begin = np.zeros(len(columns))  # calibration starts where it stands, the rest at nothing
-        self.begin[known] = np.clip(self.at[known], self.low[known], self.high[known])
+        self.begin[calibration] = np.clip(self.at[calibration], self.low[calibration], self.high[calibration])
         prior = np.where(np.isfinite(sigma), 1.0 / np.square(sigma), 0.0)
         columns.add(target, 0.0, 0.0, np.inf)
         self.hold(columns.table, prior, noise, problem.drivers.first[:rows])
@@ -117,10 +117,10 @@ class Linear(Products):
         """
         blocks = [self.index[id_, number] for number in range(len(self.catalogue[id_]))]
         starts, counts = np.array([block[0] for block in blocks]), np.array([len(block) for block in blocks])
-        columns, known = self.columns_of(keys), len(self.calibration)
+        columns, calibrated = self.columns_of(keys), len(self.calibration)
         begin = self.begin.copy()
         begin[columns] = self.fit(columns).coefficients  # near to where each of them ends
-        misfit, active = scan(self.gram, self.moment, columns, starts, counts, self.low, self.high, begin, known)
+        misfit, active = scan(self.gram, self.moment, columns, starts, counts, self.low, self.high, begin, calibrated)
         return self.square + misfit, active
 
     def raw_energy(self, columns: np.ndarray, solution: Array) -> float:

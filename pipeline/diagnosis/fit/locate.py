@@ -18,18 +18,18 @@ def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int,
     """Rectangle of an (strokes, turns) table with at least `needed` energy in the fewest samples."""
     best, place = 1e300, (0, energy.shape[0] - 1, 0, energy.shape[1] - 1)
     for a in range(energy.shape[0]):
-        held, size = np.zeros(energy.shape[1]), np.zeros(energy.shape[1])
+        energy_by_turn, size = np.zeros(energy.shape[1]), np.zeros(energy.shape[1])
         for b in range(a, energy.shape[0]):
-            held += energy[b]
+            energy_by_turn += energy[b]
             size += samples[b]
-            if held.sum() < needed:
+            if energy_by_turn.sum() < needed:
                 continue
             c, inside, count = 0, 0.0, 0.0
             for d in range(energy.shape[1]):
-                inside += held[d]
+                inside += energy_by_turn[d]
                 count += size[d]
-                while inside - held[c] >= needed and c < d:
-                    inside -= held[c]
+                while inside - energy_by_turn[c] >= needed and c < d:
+                    inside -= energy_by_turn[c]
                     count -= size[c]
                     c += 1
                 if inside >= needed and count < best:

@@ -39,14 +39,14 @@ def linearised(problem: Problem, state: State, unclipped: bool = False) -> Linea
         operators = problem.ports(tuple(act for act in state.acts if not clips(problem, act)))[1]
         before = problem.read(clean, added, operators)
     slopes = {"sensor": np.ones_like(before)}
-    known: dict[tuple[str, float], Array] = {}  # two ports may be one place of the system
+    slope_by_step: dict[tuple[str, float], Array] = {}  # two ports may be one place of the system
     for port, step in STEPS.items():
         if port in problem.system.ports:
             place = problem.system.ports[port]
-            if (place, step) not in known:
+            if (place, step) not in slope_by_step:
                 moved = {**added, place: added.get(place, nothing) + step}
-                known[place, step] = (problem.reading(state.values, moved, operators) - before) / step
-            slopes[port] = known[place, step]
+                slope_by_step[place, step] = (problem.reading(state.values, moved, operators) - before) / step
+            slopes[port] = slope_by_step[place, step]
     for index in problem.movable:
         values = state.values.copy()
         step = 1e-3 * problem.parameters[index].sigma

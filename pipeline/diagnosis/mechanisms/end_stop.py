@@ -48,8 +48,8 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     def clipped(reading: Array) -> Array:
         stop = reading[0] + nonlinear["stop_mm"]
         beyond, soft = nonlinear["side"] * (reading - stop), nonlinear["soft_mm"]
-        held = hinge(beyond, 0.0, soft) if soft > 0.0 else np.maximum(beyond, 0.0)
-        return np.asarray(-nonlinear["side"] * held)
+        beyond_stop = hinge(beyond, 0.0, soft) if soft > 0.0 else np.maximum(beyond, 0.0)
+        return np.asarray(-nonlinear["side"] * beyond_stop)
 
     return [Term("share_held", "sensor", clipped, "1", LEAST_HELD, 1.4)]
 

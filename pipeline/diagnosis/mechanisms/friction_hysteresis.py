@@ -53,8 +53,8 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
     """
     if drivers.velocity is None:
         return []
-    known = [*drag(drivers), np.ones_like(drivers.motion)]
-    if leaves(residual, [*known, *drag_along(drivers)]) > ALONG * leaves(residual, known):
+    drag_columns = [*drag(drivers), np.ones_like(drivers.motion)]
+    if leaves(residual, [*drag_columns, *drag_along(drivers)]) > ALONG * leaves(residual, drag_columns):
         return []
     return [{**kind, "loaded": float(drivers.loaded), **travelled(drivers)} for kind in _dry(drivers)]
 

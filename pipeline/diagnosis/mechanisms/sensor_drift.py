@@ -33,9 +33,9 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
         return []
     whole_s = float(f"{drivers.elapsed_s[-1]:.6g}")
     laws = [{"whole_s": whole_s, "warming_s": float(f"{share * whole_s:.6g}")} for share in WARMINGS]
-    known = [*drag(drivers), *drag_along(drivers)]
-    drifting = min(leaves(residual, [*known, warming(drivers, law)]) for law in laws)
-    return laws if drifting <= CLEARLY * leaves(residual, [*known, np.ones_like(drivers.motion)]) else []
+    drag_columns = [*drag(drivers), *drag_along(drivers)]
+    drifting = min(leaves(residual, [*drag_columns, warming(drivers, law)]) for law in laws)
+    return laws if drifting <= CLEARLY * leaves(residual, [*drag_columns, np.ones_like(drivers.motion)]) else []
 
 
 def warming(drivers: Drivers, nonlinear: Nonlinear) -> Array:

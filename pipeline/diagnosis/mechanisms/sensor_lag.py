@@ -27,9 +27,9 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
     """
     if drivers.velocity is None:
         return []
-    known = [*drag(drivers), *drag_along(drivers), np.ones_like(drivers.motion)]
-    without = leaves(residual, known)
-    worth = without - leaves(residual, [*known, scaled(_jerk(drivers))])
+    drag_columns = [*drag(drivers), *drag_along(drivers), np.ones_like(drivers.motion)]
+    without = leaves(residual, drag_columns)
+    worth = without - leaves(residual, [*drag_columns, scaled(_jerk(drivers))])
     return [{}] if worth >= max(LEAST_SHARE * without, LEAST_WORTH**2 * float(np.mean(residual**2))) else []
 
 

@@ -35,8 +35,8 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
     """
     if not geared(drivers):
         return []
-    travel, known = travelled(drivers), plain(drivers)
-    without, beside = leaves(residual, known), leaves(residual, [*known, *curve(drivers, travel)])
+    travel, plain_columns = travelled(drivers), plain(drivers)
+    without, beside = leaves(residual, plain_columns), leaves(residual, [*plain_columns, *curve(drivers, travel)])
     return [travel] if without - beside >= LEAST_SHARE * without else []
 
 

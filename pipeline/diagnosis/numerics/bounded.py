@@ -107,13 +107,13 @@ def fitted(
 def scan(
     gram: Array,
     moment: Array,
-    given: NDArray[np.intp],
+    chosen: NDArray[np.intp],
     starts: NDArray[np.intp],
     counts: NDArray[np.intp],
     low: Array,
     high: Array,
     start: Array,
-    known: int,
+    calibrated: int,
 ) -> tuple[Array, NDArray[np.intp]]:
     """Misfit (less the target's square) and active columns of fits on given columns and each of several blocks.
 
@@ -122,10 +122,10 @@ def scan(
     """
     misfit, active = np.empty(starts.size), np.empty(starts.size, np.intp)
     for block in range(starts.size):
-        columns = np.concatenate((given, starts[block] + np.arange(counts[block])))
+        columns = np.concatenate((chosen, starts[block] + np.arange(counts[block])))
         solution, misfit[block] = fitted(gram, moment, columns, low[columns], high[columns], start[columns])
         active[block] = 0
-        for p in range(known, columns.size):
+        for p in range(calibrated, columns.size):
             if np.abs(solution[p]) * np.sqrt(gram[columns[p], columns[p]]) > 1.0:
                 active[block] += 1
     return misfit, active

@@ -137,9 +137,9 @@ def estimate(
         for _inner in range(2):
             guess = from_covariance(covariance)
             signals = coloured(draws, guess.ar, guess.innovation)[:, SETTLED:]
-            left = rest(signals)
+            residuals = rest(signals)
             gap = np.mean(
-                [autocovariance(a, order) - trimmed(b, order, trim) for a, b in zip(signals, left, strict=True)], 0
+                [autocovariance(a, order) - trimmed(b, order, trim) for a, b in zip(signals, residuals, strict=True)], 0
             )
             swallowed = float(gap[0] / max(guess.floor**2, 1e-300))
             covariance = seen + gap

@@ -83,14 +83,14 @@ class Products:
         wanted = [*dict.fromkeys(columns.tolist()), len(self.table) - 1]
         new = [column for column in wanted if column not in self._kept]
         if new:
-            known, rows = len(self._kept), self.table[new]
-            self._kept |= {column: known + place for place, column in enumerate(new)}
+            before, rows = len(self._kept), self.table[new]
+            self._kept |= {column: before + place for place, column in enumerate(new)}
             kept = list(self._kept)
             grown = np.empty((len(kept), len(kept)))
             for start in range(0, len(kept), TOGETHER):
                 part = slice(start, start + TOGETHER)
-                grown[known:, part] = rows @ self.table[kept[part]].T
-            grown[:known, :known], grown[:known, known:] = self._raw, grown[known:, :known].T
+                grown[before:, part] = rows @ self.table[kept[part]].T
+            grown[:before, :before], grown[:before, before:] = self._raw, grown[before:, :before].T
             self._raw = grown
 
     def raw(self, columns: np.ndarray) -> tuple[Array, Array, float]:

@@ -113,12 +113,12 @@ def whiten_from(columns: Array, ar: Array, first: NDArray[np.intp], start: int, 
         count = 1
         while count < CACHED and at + count < stop and first[at + count] > 0:
             count += 1
-        known = min(first[at], order, at)
+        earlier = min(first[at], order, at)
         for j in range(columns.shape[0]):
-            before[: order - known] = 0.0
-            kept, given = before[order - known : order + count], columns[j, at - known : at + count]
-            for i in range(known + count):
-                kept[i] = given[i]
+            before[: order - earlier] = 0.0
+            kept, signal = before[order - earlier : order + count], columns[j, at - earlier : at + count]
+            for i in range(earlier + count):
+                kept[i] = signal[i]
             predicted[:count] = 0.0
             for k in range(0, order, 6):
                 a, b, c, d, e, f = taps[k], taps[k + 1], taps[k + 2], taps[k + 3], taps[k + 4], taps[k + 5]

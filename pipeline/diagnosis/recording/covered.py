@@ -58,8 +58,11 @@ def paces(recorded: Sequence[RecordedRun]) -> Paces:
     In the motion's unit per second.
     """
     samples, strokes = [each.samples for each in recorded], [each.strokes for each in recorded]
-    known = Recorded(samples, strokes, recorded[0].run.system.driver)
-    return {"strokes_per_s": [min(known.speeds), max(known.speeds)], "fastest_per_s": known.fastest}
+    all_recorded = Recorded(samples, strokes, recorded[0].run.system.driver)
+    return {
+        "strokes_per_s": [min(all_recorded.speeds), max(all_recorded.speeds)],
+        "fastest_per_s": all_recorded.fastest,
+    }
 
 
 def reversals(recorded: Sequence[RecordedRun]) -> dict[str, dict[str, list[list[float]]]]:

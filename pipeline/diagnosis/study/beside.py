@@ -43,14 +43,14 @@ def left_by(problem: Problem, state: State, table: Array) -> float:
 
     `table` has the shape (columns, rows), in any unit.
     """
-    left = (problem.measured - problem.simulate(state))[: problem.rows]
+    residual = (problem.measured - problem.simulate(state))[: problem.rows]
     table = np.vstack([table, np.ones(problem.rows)])
     with_it, alone = 0.0, 0.0
     for rows in np.array_split(np.arange(problem.rows), STRETCHES):
         fit = np.delete(np.arange(problem.rows), rows)
-        solution = np.linalg.lstsq(table[:, fit].T, left[fit], rcond=None)[0]
-        with_it += float(np.sum(np.square(left[rows] - solution @ table[:, rows])))
-        alone += float(np.sum(np.square(left[rows] - np.median(left[fit]))))
+        solution = np.linalg.lstsq(table[:, fit].T, residual[fit], rcond=None)[0]
+        with_it += float(np.sum(np.square(residual[rows] - solution @ table[:, rows])))
+        alone += float(np.sum(np.square(residual[rows] - np.median(residual[fit]))))
     return float(np.sqrt(with_it / alone)) if alone else 1.0
 
 

@@ -127,8 +127,8 @@ def with_homes(problem: Problem, say: Progress) -> Study:
     """The procedure with one simulator; twice where a break between runs may mislead it."""
     if not (problem.homed and problem.stays):
         return studied_once(problem, say)
-    held = studied_once(motor_zeros.held(problem), say)
-    return studied_once(problem, say) if motor_zeros.moved(problem, held) else held
+    with_held_zeros = studied_once(motor_zeros.held(problem), say)
+    return studied_once(problem, say) if motor_zeros.moved(problem, with_held_zeros) else with_held_zeros
 
 
 def studied_once(problem: Problem, say: Progress) -> Study:

@@ -80,8 +80,8 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
     row = first_held_out(problem)
     if row is None:
         return None, None
-    unseen, held = (sampled.record.time_s >= problem.record.time_s[row] for sampled in (fine, to_polish))
-    studied = polished(study(problem.until(row)), to_polish.until(int(np.argmax(held))))
+    unseen, polish_unseen = (sampled.record.time_s >= problem.record.time_s[row] for sampled in (fine, to_polish))
+    studied = polished(study(problem.until(row)), to_polish.until(int(np.argmax(polish_unseen))))
 
     def error(state: State, added: Array | float = 0.0) -> float:
         residual = fine.measured - fine.simulate(state) - added

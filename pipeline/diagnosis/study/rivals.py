@@ -22,11 +22,11 @@ def rivals(study: Study, ending: str) -> list[Rival]:
 
     Each is refitted through the simulator: the search's straight lines miss the recording where dimensions moved far.
     """
-    problem, made = study.problem, []
+    problem, simulators = study.problem, []
     for explanation in study.sets[1:]:
         state = refitted(study, explanation)
-        made.append(named_simulator(problem, state, list(explanation.ids), ending))
-    return made
+        simulators.append(named_simulator(problem, state, list(explanation.ids), ending))
+    return simulators
 
 
 def named_simulator(problem: Problem, state: State, ids: list[str], ending: str) -> Rival:

@@ -19,10 +19,10 @@ def single_floor(study: Study, fine: Problem, recorded: list[RecordedRun], floor
     count, ending = samples_of(recorded), study.problem.system.channel.rpartition("_")[2]
     if study.problem.system.working_hz is None or len(fine.record) == count:
         return {}
-    known: dict[str, float] = {"scored_step_s": fine.drivers.step_s}
+    evidence: dict[str, float] = {"scored_step_s": fine.drivers.step_s}
     if count > SCORED_SAMPLES or study.problem.system.differentiates:
-        return known
+        return evidence
     single = at_own_rate(recorded, thin=False, to_fit=False)
-    left = [rms(robust(each.measured - each.simulate(study.best))) for each in (single, fine)]
-    taken_off = math.sqrt(max(left[0] ** 2 - left[1] ** 2, 0.0))
-    return known | {f"single_floor_{ending}": math.hypot(floor, taken_off)}
+    robust_rms = [rms(robust(each.measured - each.simulate(study.best))) for each in (single, fine)]
+    taken_off = math.sqrt(max(robust_rms[0] ** 2 - robust_rms[1] ** 2, 0.0))
+    return evidence | {f"single_floor_{ending}": math.hypot(floor, taken_off)}

@@ -40,8 +40,10 @@ def long_run_variance(signal: Array) -> float:
 
 def too_sure(problem: Problem, noise: Noise, state: State) -> float:
     """How many times farther, squared, what a state leaves moves a fit than the noise alone would."""
-    left = (problem.measured - problem.simulate(state))[: problem.rows]
-    return long_run_variance(whiten(left[None], noise.ar, problem.drivers.first[: problem.rows])[0] / noise.innovation)
+    residual = (problem.measured - problem.simulate(state))[: problem.rows]
+    return long_run_variance(
+        whiten(residual[None], noise.ar, problem.drivers.first[: problem.rows])[0] / noise.innovation
+    )
 
 
 def tempered(studied: Study, fine: Problem) -> Study:
