@@ -26,7 +26,7 @@ def lines(simulated: SimulatedRecording, folder: Path) -> list[str]:
     every_s = problem.drivers.step_s * round(len(simulated.predicted) / len(shown))
     of_means = f", of averages of {number(every_s)} s" * (len(shown) < len(simulated.predicted))
     set_at_first = system.free_zero and not own_zero
-    to_compare = ToCompare.of(diagnosis, system.channel.rpartition("_")[2]) if diagnosis else None
+    errors = ToCompare.of(diagnosis, system.channel.rpartition("_")[2]) if diagnosis else None
     bare = simulated.without_effects
     without = None if bare is None else off(*compared(run, problem, bare))[0]
     taken = carried is None or carried.effects or carried.dimensions
@@ -38,11 +38,11 @@ def lines(simulated: SimulatedRecording, folder: Path) -> list[str]:
     return [
         computed_of(system, recorded.samples, set_at_first, carried is not None),
         f"rms error against the recording{zero}: {size(error, unit)}{of_means}",
-        *beside(at_best_zero if set_at_first else None, without, simulated.simulator.acting, to_compare, unit),
+        *beside(at_best_zero if set_at_first else None, without, simulated.simulator.acting, errors, unit),
         *means(
             at_best_zero if set_at_first else error,
             run.run,
-            to_compare,
+            errors,
             diagnosis,
             hint,
             unit,

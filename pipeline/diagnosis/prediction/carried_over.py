@@ -48,8 +48,8 @@ def carried_over(
     """
     runs = content.get("run")
     if run == runs or (isinstance(runs, list) and run in runs):
-        known = "is one that the diagnosis was made of: all of it holds there, and so does its motor's zero"
-        raise BadInput(HOME, run, known, "leave it out")
+        why = "is one that the diagnosis was made of: all of it holds there, and so does its motor's zero"
+        raise BadInput(HOME, run, why, "leave it out")
     parts: dict[tuple[bool, bool], Simulated] = {(True, True): content}
     if content["parameters"]:
         parts[True, False] = cast(Simulated, {**content, "parameters": {}})
@@ -59,10 +59,10 @@ def carried_over(
     tried: dict[tuple[bool, bool], tuple[Simulated, Home | None]] = {
         kept: homed(problem, part, path, run, coarse) if homes else (part, None) for kept, part in parts.items()
     }
-    left = {
+    error_by_part = {
         kept: home.left if home else left_of_first(problem, part, path, run) for kept, (part, home) in tried.items()
     }
-    best = min(left, key=lambda kept: left[kept])
-    if left[best] >= CLEARLY * left[True, True]:
+    best = min(error_by_part, key=lambda kept: error_by_part[kept])
+    if error_by_part[best] >= CLEARLY * error_by_part[True, True]:
         best = True, True
-    return CarriedOver(*tried[best], *best, left)
+    return CarriedOver(*tried[best], *best, error_by_part)

@@ -36,8 +36,8 @@ class ToCompare:
     @property
     def expected(self) -> float | None:
         """What to expect of another recording of the same rig: the error on unseen strokes, or the noise if more."""
-        known = [size for size in (self.noise, self.unseen) if size is not None]
-        return None if self.unseen is None else max(known)
+        sizes = [size for size in (self.noise, self.unseen) if size is not None]
+        return None if self.unseen is None else max(sizes)
 
 
 def _part(content: Any, key: str) -> dict[str, object]:

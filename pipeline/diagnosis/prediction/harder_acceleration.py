@@ -25,19 +25,19 @@ def accelerated(system: System, samples: pd.DataFrame) -> Array:
     return np.abs(uniform_filter1d(own, averaged(system, samples), mode="nearest"))
 
 
-def with_harder(known: Outside, system: System, plan: pd.DataFrame, recorded: Sequence[pd.DataFrame]) -> Outside:
+def with_harder(beyond: Outside, system: System, plan: pd.DataFrame, recorded: Sequence[pd.DataFrame]) -> Outside:
     """What a plan leaves of what was recorded, with the rows that are accelerated harder than any recorded one."""
     if not system.differentiates:
-        return known
+        return beyond
     planned, hardest = accelerated(system, plan), max(float(accelerated(system, table).max()) for table in recorded)
     limit, unit = (1.0 + ROOM) * hardest, f"{unit_of(system.driver)}/s²"
     rows = planned > limit
     if not rows.any():
-        return known
+        return beyond
     why = f"the hardest that was recorded, {hardest:.3g}, and {100.0 * ROOM:.0f} %"
     asks = (
         f"accelerations of up to {float(planned.max()):.3g} {unit} (inside up to {up_to(limit)}: {why}). A corner of a "
         "motion is such a jump of its speed"
     )
     mend = f"round the corners, so that nothing accelerates by more than {up_to(limit)} {unit}"
-    return replace(known, rows=known.rows | rows, asks=[*known.asks, asks], mends=[*known.mends, mend])
+    return replace(beyond, rows=beyond.rows | rows, asks=[*beyond.asks, asks], mends=[*beyond.mends, mend])

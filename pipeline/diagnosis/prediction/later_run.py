@@ -40,9 +40,9 @@ def simulated_before(content: Simulated, run: str, folder: Path) -> list[Recorde
 
 def before_of(content: Simulated, run: str, beside: Sequence[RecordedRun]) -> list[RecordedRun]:
     """As `simulated_before`, of the recordings of its joint diagnosis that were read `beside` it."""
-    held = {each.run.run: each for each in beside}
+    recorded_by_run = {each.run.run: each for each in beside}
     names = names_before(content, run)
-    return [held[name] for name in names] if all(name in held for name in names) else []
+    return [recorded_by_run[name] for name in names] if all(name in recorded_by_run for name in names) else []
 
 
 def predicted_after(

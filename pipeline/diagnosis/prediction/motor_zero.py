@@ -53,7 +53,7 @@ def homed(
     def at(value: float) -> Simulated:
         return cast(Simulated, {**content, "parameters": {**content["parameters"], name: {"value": value}}})
 
-    def left(value: float) -> Array:
+    def residual_at(value: float) -> Array:
         return problem.measured - simulated(problem, at(value), path, run)
 
     def of_first(value: float) -> float:
@@ -69,7 +69,7 @@ def homed(
         ends = max(best - step, float(places[0])), min(best + step, float(places[-1]))
         best = float(minimize_scalar(of_first, bounds=ends, method="bounded", options={"xatol": 1e-3 * step}).x)
     before = value_of(content, name, path, parameter.nominal)
-    error, error_before = (_rest(problem, left(value), first) for value in (best, before))
+    error, error_before = (_rest(problem, residual_at(value), first) for value in (best, before))
     at_bound = abs(best - parameter.nominal) > 0.99 * reach
     return at(best), Home(best, before, error, error_before, at_bound, of_first(best))
 
@@ -79,8 +79,8 @@ def left_of_first(problem: Problem, content: Simulated, path: Path, run: str) ->
 
     Rms, in the reading's unit. Raises BadInput where the simulator gives no number.
     """
-    left = (problem.measured - simulated(problem, content, path, run))[_first_stroke(problem)]
-    return float(np.std(left) if problem.system.free_zero else np.sqrt(np.mean(np.square(left))))
+    residual = (problem.measured - simulated(problem, content, path, run))[_first_stroke(problem)]
+    return float(np.std(residual) if problem.system.free_zero else np.sqrt(np.mean(np.square(residual))))
 
 
 def _first_stroke(problem: Problem) -> NDArray[np.bool_]:
@@ -89,8 +89,8 @@ def _first_stroke(problem: Problem) -> NDArray[np.bool_]:
     return np.arange(len(stroke)) <= int(np.flatnonzero(stroke == stroke[stroke > 0].min())[-1])
 
 
-def _rest(problem: Problem, left: Array, first: NDArray[np.bool_]) -> float:
+def _rest(problem: Problem, residual: Array, first: NDArray[np.bool_]) -> float:
     """Error after the first stroke, or of all where there is no more, rms, about the zero of the first second."""
     time_s = problem.record.time_s
     rows = ~first if not first.all() else first
-    return float(np.sqrt(np.mean(np.square(left[rows] - np.median(left[time_s - time_s[0] <= TARE_S])))))
+    return float(np.sqrt(np.mean(np.square(residual[rows] - np.median(residual[time_s - time_s[0] <= TARE_S])))))

@@ -56,15 +56,15 @@ class Plan:
         """Where it leaves what was recorded; None where nothing was."""
         if self.recorded is None:
             return None
-        known, acting = mechanisms(), [entry["id"] for entry in self.content["simulation"]]
-        remembers = any(known[id_].remembers_turns for id_ in acting if id_ in known)
+        library, acting = mechanisms(), [entry["id"] for entry in self.content["simulation"]]
+        remembers = any(library[id_].remembers_turns for id_ in acting if id_ in library)
         likely = dict.fromkeys([*acting, *(id_ for ids in self.tied for id_ in ids)])
-        paced = [id_ for id_ in likely if id_ in known and known[id_].paced]
+        paced = [id_ for id_ in likely if id_ in library and library[id_].paced]
         all_recorded = [self.recorded, *self.beside]
         tables, strokes = [each.samples for each in all_recorded], [each.strokes for each in all_recorded]
         recorded = Recorded(tables, strokes, self.run.system.driver)
-        left = outside(self.run, self.samples, recorded, remembers, paced)
-        return with_harder(left, self.run.system, self.samples, tables)
+        beyond = outside(self.run, self.samples, recorded, remembers, paced)
+        return with_harder(beyond, self.run.system, self.samples, tables)
 
     @cached_property
     def problem(self) -> Problem:
@@ -84,8 +84,8 @@ class Plan:
     @cached_property
     def begun(self) -> Problem | None:
         """What sets the zero: the beginning of the recording. None where the zero is known, or nothing sets it."""
-        known = self.zero or not self.run.system.free_zero
-        return None if known else beginning(self.recorded)
+        zero_known = self.zero or not self.run.system.free_zero
+        return None if zero_known else beginning(self.recorded)
 
     @property
     def zero(self) -> str:

@@ -143,9 +143,9 @@ def _moved(content: Verdict, direction: int) -> Simulated:
         moves = doubt["moves"]
         step = SMALL * moves[direction] if direction < len(moves) else 0.0
         if "id" not in doubt:
-            held = parameters.get(doubt["name"])
-            if isinstance(held, dict) and is_number(held.get("value")):
-                held["value"] += step
+            dimension = parameters.get(doubt["name"])
+            if isinstance(dimension, dict) and is_number(dimension.get("value")):
+                dimension["value"] += step
             continue
         acting = [entry for entry in simulation if isinstance(entry, dict) and entry.get("id") == doubt["id"]]
         if doubt.get("entry", 0) < len(acting):  # what came out with no strength is not in it

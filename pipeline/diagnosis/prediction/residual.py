@@ -65,8 +65,8 @@ class BlackBox:
         listened_to = tuple(name for name in names if name != "load" or loaded)
         from ...ground.regression import boosted_trees  # seconds to import
 
-        left = _stacked([lesson.left for lesson in lessons], rows)
-        predict = boosted_trees(np.column_stack([recorded[name] for name in listened_to]), left, SEED)
+        residuals = _stacked([lesson.left for lesson in lessons], rows)
+        predict = boosted_trees(np.column_stack([recorded[name] for name in listened_to]), residuals, SEED)
         near = cKDTree(_in_ranges(recorded, recorded, listened_to))
         return cls(recorded, listened_to, span, predict, near)
 
@@ -77,8 +77,8 @@ class BlackBox:
         """
         columns = told_of(drivers, self.span)
         inside = np.ones(len(drivers.motion), bool)
-        for name, known in self.recorded.items():
-            low, high = float(known.min()), float(known.max())
+        for name, recorded_driver in self.recorded.items():
+            low, high = float(recorded_driver.min()), float(recorded_driver.max())
             room = ROOM * max(high - low, abs(high) * ROOM)
             inside &= (columns[name] >= low - room) & (columns[name] <= high + room)
         apart = self.near.query(_in_ranges(columns, self.recorded, self.told), p=np.inf, distance_upper_bound=NEAR)[0]
@@ -147,13 +147,13 @@ def residual(problem: Problem, content: Verdict, path: Path, recorded: list[Reco
     working = [make_problem([each], to_fit=False) for each in recorded]
     lessons, earlier = ([_lesson(*pair, simulator, path) for pair in zip(working, recorded, strict=True)]
                         for simulator in (content, before))  # fmt: skip
-    known = [set(told_of(each.drivers, 1.0)) for each in (*working, problem)]
-    names = [name for name in told_of(problem.drivers, 1.0) if all(name in each for each in known)]
+    driver_names = [set(told_of(each.drivers, 1.0)) for each in (*working, problem)]
+    names = [name for name in told_of(problem.drivers, 1.0) if all(name in each for each in driver_names)]
     seen = [each.record.time_s < seen_s[run] for each, run in zip(working, runs, strict=True)]
     whole = BlackBox.fitted(lessons, [np.ones_like(mask) for mask in seen], names)
     part = BlackBox.fitted(earlier, seen, names)
-    left = [_left_of_unseen(each, part, before, path, seen_s[each.run.run]) for each in recorded]
-    alone, with_it = (np.concatenate([each[place] for each in left]) for place in (0, 1))
+    unseen_residuals = [_left_of_unseen(each, part, before, path, seen_s[each.run.run]) for each in recorded]
+    alone, with_it = (np.concatenate([each[place] for each in unseen_residuals]) for place in (0, 1))
     half_width = float(np.quantile(np.abs(with_it), NINE_OF_TEN))
     added, inside = whole.added(problem.drivers)
     return Residual(added, inside, half_width, rms(with_it), rms(alone), tuple(runs))
@@ -162,9 +162,9 @@ def residual(problem: Problem, content: Verdict, path: Path, recorded: list[Reco
 def _lesson(problem: Problem, recorded: RecordedRun, simulator: Simulated, path: Path) -> Lesson:
     """What a simulator leaves of a run at its working rate, about its zero where only the first second told that."""
     run = recorded.run.run
-    left = problem.measured - tared(problem, simulator, path, run)
+    residual_of_run = problem.measured - tared(problem, simulator, path, run)
     unknown = problem.system.free_zero and not has_zero(simulator, problem.system, run)
-    return Lesson(problem, left - np.median(left) if unknown else left)
+    return Lesson(problem, residual_of_run - np.median(residual_of_run) if unknown else residual_of_run)
 
 
 def _left_of_unseen(

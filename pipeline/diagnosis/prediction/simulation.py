@@ -68,10 +68,10 @@ def of_run(run: Run) -> Simulated:
 
     Dimensions are those of run.yaml where none were adopted, or where one has been measured again since.
     """
-    held: dict[str, Dimension] = (
+    adopted_parameters: dict[str, Dimension] = (
         {} if measured_since(run) else {name: {"value": dimension.fitted} for name, dimension in _adopted(run).items()}
     )
-    content: Simulated = {"run": run.run, "parameters": held, "simulation": run.simulation}
+    content: Simulated = {"run": run.run, "parameters": adopted_parameters, "simulation": run.simulation}
     acting = {entry["id"] for entry in run.simulation}
     against = [each.against_advice[0] for each in run.adopted if each.against_advice and acting & set(each.effects)]
     return content | {"against_advice": against} if against else content
@@ -93,11 +93,11 @@ def _adopted(run: Run) -> dict[str, Fitted]:
     with_some = [adopted for adopted in run.adopted if adopted.dimensions]
     if not with_some or not run.simulation:
         return {}
-    runs, held = with_some[-1].runs or [], with_some[-1].dimensions or {}
+    runs, dimensions = with_some[-1].runs or [], with_some[-1].dimensions or {}
     number = runs.index(run.run) + 1 if run.run in runs else 0
-    kept = {name: fitted for name, fitted in held.items() if not name.startswith("zero")}
+    kept = {name: fitted for name, fitted in dimensions.items() if not name.startswith("zero")}
     own = "zero_" if len(runs) == number == 1 else f"zero_{number}_"
-    zeros = {name: fitted for name, fitted in held.items() if number and name.startswith(own)}
+    zeros = {name: fitted for name, fitted in dimensions.items() if number and name.startswith(own)}
     return kept | {name.replace("zero_1_", "zero_"): fitted for name, fitted in zeros.items()}
 
 

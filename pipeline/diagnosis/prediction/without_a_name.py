@@ -14,8 +14,8 @@ def to_simulate(content: Simulated, run: str) -> Simulated:
 
     Another run keeps the dimensions alone: what no verdict names was seen to go wrong elsewhere.
     """
-    closest, known = cast(Verdict, content).get("closest"), content.get("run", "")
-    if not closest or run not in ([known] if isinstance(known, str) else known):
+    closest, own_runs = cast(Verdict, content).get("closest"), content.get("run", "")
+    if not closest or run not in ([own_runs] if isinstance(own_runs, str) else own_runs):
         return content
     parameters = {**content["parameters"], **closest["parameters"]}
     return {**content, "parameters": parameters, "simulation": closest["simulation"]}
@@ -31,8 +31,8 @@ def said_of_no_name(content: Simulated, ending: str) -> list[str]:
         return [f"{AGAINST}: {advised.rstrip('.')}" for advised in content.get("against_advice", [])]
     ids = " + ".join(closest["ids"])
     comes = "come closest and are no names" if len(closest["ids"]) > 1 else "comes closest and is no name"
-    known = ToCompare.of(cast(Verdict, content), ending)
-    if known.noise and known.unseen and known.unseen <= AT_NOISE * known.noise:
+    errors = ToCompare.of(cast(Verdict, content), ending)
+    if errors.noise and errors.unseen and errors.unseen <= AT_NOISE * errors.noise:
         return [
             f"{ids} {comes}: the verdict is unknown, and its page says why. Of strokes that no fit had seen hardly "
             "more than the noise is left; of other motions nothing says how well it does"

@@ -36,11 +36,11 @@ def read(content: Verdict, runs: list[str], path: Path, mend: str) -> tuple[Simu
 
     Raises BadInput where the diagnosis has none, with `mend`, or where it is none.
     """
-    held = content.get(KEY)
-    if held is None:
+    earlier_simulator = content.get(KEY)
+    if earlier_simulator is None:
         problem = "is not in it: an earlier program wrote it, or the recording has too few strokes to hold any back"
         raise BadInput(path, KEY, problem, mend)
-    form = formed(_Read, held, path, mend, KEY)
+    form = formed(_Read, earlier_simulator, path, mend, KEY)
     if len(form.seen_s) != len(runs):
         raise BadInput(path, f"{KEY}.seen_s", f"holds {len(form.seen_s)} numbers for {len(runs)} runs", mend)
     simulator: Simulated = {

@@ -82,17 +82,17 @@ def designed(rig: Rig, gap: Gap, now: float, loads: bool, faster: bool) -> tuple
 
     `now` is the gap without a run.
     """
-    known, names, whole = parts(rig, loads, faster), list[str](), [rig.home()]
+    legs_by_part, names, whole = parts(rig, loads, faster), list[str](), [rig.home()]
     reached = gap(whole)
     while len(names) < MOST_PARTS and not decides(now, reached):
-        gained = {name: gap([*whole, *legs]) - reached for name, legs in known.items()}
-        worth = {name: gained[name] / cost_min(known[name], whole[-1][1]) for name in known}
+        gained = {name: gap([*whole, *legs]) - reached for name, legs in legs_by_part.items()}
+        worth = {name: gained[name] / cost_min(legs_by_part[name], whole[-1][1]) for name in legs_by_part}
         best = max(worth, key=lambda name: worth[name])
-        whole, reached = [*whole, *known[best]], reached + gained[best]
+        whole, reached = [*whole, *legs_by_part[best]], reached + gained[best]
         names.append(best)
         # each part once: rivals differ in more than one way
         likely = sorted(set(worth) - {best}, key=lambda name: -worth[name])
-        known = {name: known[name] for name in likely[:KEPT]}
+        legs_by_part = {name: legs_by_part[name] for name in likely[:KEPT]}
     return with_stroke("; ".join(_in_one(names)), whole, rig)
 
 

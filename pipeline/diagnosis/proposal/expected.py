@@ -55,19 +55,19 @@ def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending:
     rig, record, tied = Rig(study.problem.record), study.problem.record, study.sets[:MOST]
     others = [] if len(tied) > 1 else [study.search.explain(ids) for ids in _alike(study)]
     acting = [mechanisms()[id_] for explanation in (*tied, *others) for id_ in explanation.ids]
-    known: Expected = {"load": rig.load, "speed_per_s": rig.speed}
+    expected: Expected = {"load": rig.load, "speed_per_s": rig.speed}
     if any(mechanism.slow for mechanism in acting):
-        known["strokes"] = int(min(REPEATED, len(np.unique(record.stroke[record.stroke > 0]))))
+        expected["strokes"] = int(min(REPEATED, len(np.unique(record.stroke[record.stroke > 0]))))
     if any(mechanism.acts_at_rest for mechanism in acting):
         longest_s = max((seconds for entry in named for seconds in time_constants_s(entry)), default=0.0)
-        known["stand_s"] = 2.0 * longest_s or STAND_S
+        expected["stand_s"] = 2.0 * longest_s or STAND_S
 
-    ahead, shown = _Ahead(study, run, rig, known, ending), recorded_loop(study.problem, study.base)
-    known["recorded"] = {f"loop_{ending}": shown} if shown else {}
+    ahead, shown = _Ahead(study, run, rig, expected, ending), recorded_loop(study.problem, study.base)
+    expected["recorded"] = {f"loop_{ending}": shown} if shown else {}
 
     def foretold(explanation: Explanation) -> ExpectedExplanation:
         state = study.best if explanation is tied[0] else refitted(study, explanation)
-        which = _which(study, rig, known, state)
+        which = _which(study, rig, expected, state)
 
         def numbers(near: State) -> dict[str, float]:
             return _foretold(ahead, which, near)
@@ -87,7 +87,7 @@ def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending:
         row = foretold(other)
         if _differ(row, rows[0]) >= SEEN * study.floor:
             rows.append(row)
-    return known | {"explanations": rows}
+    return expected | {"explanations": rows}
 
 
 def _differ(row: ExpectedExplanation, other: ExpectedExplanation) -> float:
@@ -163,31 +163,31 @@ def _with_load(
     }
 
 
-def _which(study: Study, rig: Rig, known: Expected, state: State) -> list[str]:
+def _which(study: Study, rig: Rig, expected: Expected, state: State) -> list[str]:
     """Which numbers an explanation foretells, by their names without the unit."""
     acting = [mechanisms()[act.id] for act in state.acts if any(act.coefficients)]
     opens = not any(mechanism.swings or mechanism.drifts for mechanism in acting)
     other = rig.load and not study.problem.drivers.loaded and not any(mechanism.slow for mechanism in acting)
     loops = [f"loop_{kind}" for kind, (_, load) in STROKES.items() if opens and (load == 1.0 or other)]
     time_s = study.problem.record.time_s
-    far = 2.0 * known.get("stand_s", 0.0) > time_s[-1] - time_s[0] and any(mechanism.drifts for mechanism in acting)
-    stands = ["hold", "rest"] if "stand_s" in known and not far else []
-    return [*loops, *(["top"] if "strokes" in known else []), *stands]
+    far = 2.0 * expected.get("stand_s", 0.0) > time_s[-1] - time_s[0] and any(mechanism.drifts for mechanism in acting)
+    stands = ["hold", "rest"] if "stand_s" in expected and not far else []
+    return [*loops, *(["top"] if "strokes" in expected else []), *stands]
 
 
 def _foretold(ahead: _Ahead, which: list[str], state: State) -> dict[str, float]:
     """The numbers of one simulator, by their keys, in the unit of the reading."""
-    rig, known, numbers = ahead.rig, ahead.known, dict[str, float]()
+    rig, expected, numbers = ahead.rig, ahead.known, dict[str, float]()
     for kind, (slower, load) in STROKES.items():
         if f"loop_{kind}" in which:
             numbers[f"loop_{kind}_{ahead.ending}"] = ahead.loop(
                 state, [rig.home(), *rig.stroke(slower=slower, load=load)]
             )
     if "top" in which:
-        reading, _ = ahead.along(state, [rig.home(), *(rig.stroke() * known["strokes"])])
+        reading, _ = ahead.along(state, [rig.home(), *(rig.stroke() * expected["strokes"])])
         numbers[f"top_{ahead.ending}"] = float(reading[-2][-1] - reading[DWELL][-1])  # before the last way down
     if "hold" in which:
-        stand_s = known["stand_s"]
+        stand_s = expected["stand_s"]
         reading, _ = ahead.along(state, [rig.home(), *rig.stroke(dwell_s=stand_s), *rig.rest(stand_s)])
         numbers[f"hold_{ahead.ending}"] = float(reading[DWELL][-1] - reading[DWELL][0])
         numbers[f"rest_{ahead.ending}"] = float(reading[-1][-1] - reading[-1][0])

@@ -39,11 +39,11 @@ def plus_minus(
 
 def moved(problem: Problem, state: State, steps: Array) -> State:
     """A simulator with its fitted numbers moved; `steps`, of shape (numbers,), in order and units of the covariance."""
-    values, known = state.values.copy(), problem.runs + len(problem.movable)
-    values[problem.movable] += steps[problem.runs : known]
+    values, calibrated = state.values.copy(), problem.runs + len(problem.movable)
+    values[problem.movable] += steps[problem.runs : calibrated]
     own = [act for act in state.acts if act not in problem.included]
-    shapes, at = [continuous(problem, act) for act in own], known + sum(len(act.coefficients) for act in own)
-    acts, begins = [], known
+    shapes, at = [continuous(problem, act) for act in own], calibrated + sum(len(act.coefficients) for act in own)
+    acts, begins = [], calibrated
     for act, shape in zip(own, shapes, strict=True):
         coefficients = np.array(act.coefficients) + steps[begins : begins + len(act.coefficients)]
         begins += len(act.coefficients)

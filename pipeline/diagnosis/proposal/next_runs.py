@@ -120,10 +120,10 @@ def separations(
         keys = []
         for id_, number in explanation.keys:
             nonlinear = search.linear.catalogue[id_][number]
-            known = catalogue.setdefault(id_, [])
-            if nonlinear not in known:
-                known.append(nonlinear)
-            keys.append((id_, known.index(nonlinear)))
+            candidates = catalogue.setdefault(id_, [])
+            if nonlinear not in candidates:
+                candidates.append(nonlinear)
+            keys.append((id_, candidates.index(nonlinear)))
         chosen.append(tuple(keys))
     linear = Linear(longer, search.linear.state, noise, catalogue)
     gaps = []

@@ -37,15 +37,15 @@ def lines(content: Verdict) -> list[str]:
         rows = [*rows[: FEW - 1], [f"{len(rest)} more (details.txt)", percent(sum(share for _, share in rest)), ""]]
     none = content["evidence"].get("probability_of_none") or 0.0
     sets = [entry["ids"] for entry in rivals.entries(content, "named", "tied")]
-    left = max(1.0 - none - sum(share for name, share in kept if physics(tuple(name.split(" + ")))), 0.0)
+    others_share = max(1.0 - none - sum(share for name, share in kept if physics(tuple(name.split(" + ")))), 0.0)
     for entry in out[:LEFT_OUT]:
         rows.append([rivals.called(entry["ids"]), percent(share_of(entry)), "left out: see below"])
-        left = max(left - share_of(entry), 0.0)
+        others_share = max(others_share - share_of(entry), 0.0)
     following = next_best(content)
     if following:
         rows.append([following[0], percent(following[1]), "less likely"])
-        left = max(left - following[1], 0.0)
-    rows += [[OTHERS, percent(left), ""], [f"{NONE}{probability.stand_ins(sets)}", percent(none), ""]]
+        others_share = max(others_share - following[1], 0.0)
+    rows += [[OTHERS, percent(others_share), ""], [f"{NONE}{probability.stand_ins(sets)}", percent(none), ""]]
     return [*aligned(rows), *closest.stand_ins(sets), *not_named.lines(content)]
 
 
@@ -57,10 +57,10 @@ def bare(content: Verdict, words: Vocabulary) -> list[str]:
     if content["verdict"] != "ambiguous" or probability.known(content):
         return []
     sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
-    known = {tuple(sorted(each["ids"])): each for each in rivals.entries(content, "named", "tied")}
+    entry_by_ids = {tuple(sorted(each["ids"])): each for each in rivals.entries(content, "named", "tied")}
     rows = []
     for ids in sets[:KEPT]:
-        explanation = known.get(tuple(sorted(ids)))
+        explanation = entry_by_ids.get(tuple(sorted(ids)))
         rows.append([rivals.called(ids), f"leaves {rivals.left(explanation, content, words)}" if explanation else ""])
     more = [f"{len(sets) - KEPT} more (details.txt)"] if len(sets) > KEPT else []
     return [*aligned(rows), *more, NO_PERCENTAGES]
@@ -70,9 +70,11 @@ def stands_on(content: Verdict, words: Vocabulary) -> list[str]:
     """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
     sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
     moved = {name: sigma for name, sigma in sigmas.items() if sigma > 1.0 and not of_later_run(name)}
-    known = {name: tolerances.marked(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])}
+    tolerance_by_name = {
+        name: tolerances.marked(content, name, words) for name in sorted(moved, key=lambda name: -moved[name])
+    }
     again = to_measure.to_measure(content)  # the table of step 1 has the tolerances of these
-    more = {name: tolerance for name, tolerance in known.items() if tolerance and name not in again}
+    more = {name: tolerance for name, tolerance in tolerance_by_name.items() if tolerance and name not in again}
     if again:
         also = f" and of the {listing([name_of(name) for name in more])}" if more else ""
         lines = [f"All this stands on the tolerances of step 1{also}."]

@@ -36,9 +36,9 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
     energy, rows, reasons = alone**2 - floor**2, [HEAD], list[str]()
     shown = probability.likeliest(entries(content, "not enough", "beaten", "not needed"))[:CLOSEST]
     for explanation in shown:
-        left, share = amount(explanation, f"left_{ending}"), explanation.get("probability")
-        taken = min(max((alone**2 - left**2) / energy, 0.0), 1.0) if energy > 0.0 else 0.0
-        cells = [f"{100.0 * taken:.0f} %", f"{size(left, words.unit)} ({times(left / floor)})"]
+        left_rms, share = amount(explanation, f"left_{ending}"), explanation.get("probability")
+        taken = min(max((alone**2 - left_rms**2) / energy, 0.0), 1.0) if energy > 0.0 else 0.0
+        cells = [f"{100.0 * taken:.0f} %", f"{size(left_rms, words.unit)} ({times(left_rms / floor)})"]
         likely = NOT_KNOWN if share is None else percent(share)
         rows.append([called(explanation["ids"]), *cells, likely, _why_not(explanation, taken)])
         reason = not_named.reason_of(content, explanation["ids"])

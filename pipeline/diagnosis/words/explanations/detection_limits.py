@@ -16,12 +16,14 @@ ABREAST = 3  # effects in a row
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The smallest effect of each kind that would have been seen; none smaller than what is left unexplained."""
     detectable = by_name(content["fit"], f"detectable_{words.ending}")
-    held = [id_ for id_ in holdout.included(content) if id_ in detectable]
+    adopted_ids = [id_ for id_ in holdout.included(content) if id_ in detectable]
     if content["verdict"] not in UNNAMED or not detectable:
         return []
-    listed = sizes(content, words, held)
-    if held:
-        listed.append(f"Not listed, for run.yaml has adopted {'it' if len(held) == 1 else 'them'}: {listing(held)}.")
+    listed = sizes(content, words, adopted_ids)
+    if adopted_ids:
+        listed.append(
+            f"Not listed, for run.yaml has adopted {'it' if len(adopted_ids) == 1 else 'them'}: {listing(adopted_ids)}."
+        )
     unseen_here = [
         id_
         for id_, mechanism in mechanisms().items()
@@ -36,20 +38,22 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     return listed
 
 
-def sizes(content: Verdict, words: Vocabulary, held: list[str]) -> list[str]:
-    """The smallest effect of each kind but those `held`, the smallest first."""
+def sizes(content: Verdict, words: Vocabulary, adopted_ids: list[str]) -> list[str]:
+    """The smallest effect of each kind but `adopted_ids`, the smallest first."""
     detectable = by_name(content["fit"], f"detectable_{words.ending}")
-    sizes = sorted(((id_, least) for id_, least in detectable.items() if id_ not in held), key=lambda item: item[1])
+    sizes = sorted(
+        ((id_, least) for id_, least in detectable.items() if id_ not in adopted_ids), key=lambda item: item[1]
+    )
     if not sizes:
         return []
-    left = unseen.left_over(content, words)
-    larger = [(id_, size(least, words.unit)) for id_, least in sizes if least > left]
-    if not left:
+    left_rms = unseen.left_over(content, words)
+    larger = [(id_, size(least, words.unit)) for id_, least in sizes if least > left_rms]
+    if not left_rms:
         if any(adoption["tied"] for adoption in content.get("adopted", [])):
             beside = "Beside what was adopted, one more effect would have been seen from this size on (rms). That does "
             return [f"{beside}not exclude it in place of an adopted one:", *in_columns(larger)]
         return ["An effect would have been seen from this size on (rms):", *in_columns(larger)]
-    more = f"Of the errors in the table above, {size(left, words.unit)} rms is more than noise"
+    more = f"Of the errors in the table above, {size(left_rms, words.unit)} rms is more than noise"
     hides = f"{more}: effects of that size and less may hide in it."
     if not larger:
         return [hides, "A larger one would have been seen."]

@@ -25,14 +25,14 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     named = rivals.entries(content, "named")
     if not named or content["verdict"] not in ("explained", "ambiguous"):
         return []
-    known = probability.known(content)
+    has_probabilities = probability.known(content)
     kept = [*named, *probability.likeliest(rivals.entries(content, "tied"))]
     rows = numbered(content)
     return [
         *within(_rows(content, rows, words), 0),
         *(
             [f"Kept: {less_likely.numbers(list(rows)[: len(kept)])}.{_though(rows)}"]
-            if len(kept) > 1 and not known
+            if len(kept) > 1 and not has_probabilities
             else []
         ),
         *closest.stand_ins([each["ids"] for each in rows.values()]),
@@ -72,22 +72,22 @@ def others_shown(content: Verdict) -> list[ExplanationEntry]:
 
 def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first; with probabilities the last rows are of all that no other row has."""
-    known, floor = probability.known(content), amount(content["evidence"], f"floor_{words.ending}")
+    has_probabilities, floor = probability.known(content), amount(content["evidence"], f"floor_{words.ending}")
     cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "differs from 1 by"]]
     out = [entry["ids"] for entry in not_named.entries(content)]
     none_acts = rivals.entries(content, "nothing")
     most = max(rivals.left_of(each, content, words.ending) for each in [*rows.values(), *none_acts])
     farthest = max(amount_or_none(each, f"gap_{words.ending}") or 0.0 for each in rows.values())
     for number, each in rows.items():
-        left, share = rivals.left_of(each, content, words.ending), each.get("probability")
+        left_rms, share = rivals.left_of(each, content, words.ending), each.get("probability")
         gap, no_less = amount_or_none(each, f"gap_{words.ending}"), rivals.no_less(each, content, words)
-        leaves = NO_LESS if no_less else f"{of_column(left, words.unit, most)} ({times(left / floor)})"
+        leaves = NO_LESS if no_less else f"{of_column(left_rms, words.unit, most)} ({times(left_rms / floor)})"
         probable = UNKNOWN if share is None else percent(share or LEAST)
         differs = of_column(gap, words.unit, farthest) if gap is not None and number > 1 else UNKNOWN
         differs = NOTHING if number > 1 and gap is not None and gap < ROUNDED * floor else differs
         called = rivals.called(each["ids"]) + ", left out" * (each["ids"] in out)
         cells.append([_name(str(number), called), probable, leaves, differs])
-    if known:
+    if has_probabilities:
         none = content["evidence"].get("probability_of_none") or 0.0
         of_library = [share_of(each) for each in rows.values() if physics(tuple(each["ids"]))]
         stand_ins = probability.stand_ins([each["ids"] for each in rows.values()])
@@ -95,10 +95,10 @@ def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> li
         cells.append([_name(UNKNOWN, "all others of the library"), percent(rest), UNKNOWN, UNKNOWN])
         cells.append([_name(UNKNOWN, f"{chances.NONE}{stand_ins}"), percent(none), UNKNOWN, UNKNOWN])
     for alone in none_acts:
-        left = rivals.left_of(alone, content, words.ending)
-        leaves = f"{size(left, words.unit)} ({times(left / floor)})"
+        left_rms = rivals.left_of(alone, content, words.ending)
+        leaves = f"{size(left_rms, words.unit)} ({times(left_rms / floor)})"
         cells.append([_name(UNKNOWN, rivals.called([])), UNKNOWN, leaves, UNKNOWN])
-    return cells if known else [[row[0], *row[2:]] for row in cells]
+    return cells if has_probabilities else [[row[0], *row[2:]] for row in cells]
 
 
 def _name(number: str, name: str) -> str:

@@ -90,14 +90,14 @@ def _where(rows: Numbered, content: Verdict, words: Vocabulary) -> list[str]:
 
 def _nearly_as_good(rows: Numbered, words: Vocabulary) -> list[str]:
     """Of what leaves hardly more than the best one: by what it is worse all the same, or why it does not count."""
-    left = f"left_{words.ending}"
+    left_key = f"left_{words.ending}"
     nearer, balanced, unweighed = list[str](), list[int](), list[int]()
     weighed = any(each.get("probability") is not None for each in rows.values())
     for number, each in rows.items():
         if weighed and each.get("probability") is None and not each.get("balanced"):
             unweighed.append(number)
             continue
-        if each["standing"] != "beaten" or amount(each, left) > rivals.ALIKE * amount(rows[1], left):
+        if each["standing"] != "beaten" or amount(each, left_key) > rivals.ALIKE * amount(rows[1], left_key):
             continue
         if each["worse"] > 0.0:
             nearer.append(f"{number} by {times(math.sqrt(each['worse']))}")

@@ -40,7 +40,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         key=lambda each: amount(each, key),
     )
     stood = first["stands"] or {}
-    counted = listing([f"{known['count']} {phase}s" for phase, known in stood.items()])
+    counted = listing([f"{change['count']} {phase}s" for phase, change in stood.items()])
     stands = [phase for phase in STANDS if phase in stood]
     head = [
         "effect",
@@ -66,28 +66,32 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _row(entry: NotKept, first: NotKept, stands: list[str], content: Verdict, words: Vocabulary) -> list[str]:
     """In whose place an effect was tried, what is left with it, where that is wrong, and what it adds."""
-    floor, left = amount(content["evidence"], f"floor_{words.ending}"), amount(entry, f"left_{words.ending}")
+    floor, left_rms = amount(content["evidence"], f"floor_{words.ending}"), amount(entry, f"left_{words.ending}")
     best, instead = [each["id"] for each in content["mechanisms"]], entry["instead"] or []
     replaced = [id_ for id_ in best if id_ not in instead]
     place = ALONE if len(replaced) == len(best) > 1 else listing(replaced) or UNKNOWN
     if beside_it := [id_ for id_ in instead if id_ not in (entry["id"], *best)]:
         place += f", with {listing(beside_it)}"
-    leaves = NO_LESS if _helps_nothing(entry, content, words) else f"{size(left, words.unit)} ({times(left / floor)})"
-    known = wrong_by(entry, first, floor, words)
+    leaves = (
+        NO_LESS
+        if _helps_nothing(entry, content, words)
+        else f"{size(left_rms, words.unit)} ({times(left_rms / floor)})"
+    )
+    wrong_in = wrong_by(entry, first, floor, words)
     beside = amount_or_none(entry, f"beside_{words.ending}")
     saved = 0.0 if beside is None else math.sqrt(max(amount(first, f"left_{words.ending}") ** 2 - beside**2, 0.0))
-    takes = UNKNOWN if beside is None else NOTHING if saved < ADDS * floor else of_column(saved, words.unit, left)
-    return [entry["id"] or "", place, leaves, *(known.get(phase, UNKNOWN) for phase in stands), takes]
+    takes = UNKNOWN if beside is None else NOTHING if saved < ADDS * floor else of_column(saved, words.unit, left_rms)
+    return [entry["id"] or "", place, leaves, *(wrong_in.get(phase, UNKNOWN) for phase in stands), takes]
 
 
 def _helps_nothing(entry: NotKept, content: Verdict, words: Vocabulary) -> bool:
     """Whether what is left with an effect is no less than without it: by calibration alone, or by the others alone."""
-    rest, left = set(entry["instead"] or []) - {entry["id"]}, amount(entry, f"left_{words.ending}")
+    rest, left_rms = set(entry["instead"] or []) - {entry["id"]}, amount(entry, f"left_{words.ending}")
     alone = amount_or_none(content["evidence"], f"calibrated_{words.ending}")
     if not rest:
-        return alone is not None and bool(left >= LITTLE * alone)
+        return alone is not None and bool(left_rms >= LITTLE * alone)
     smaller = [each for each in content["evidence"]["explanations"] if set(each["ids"]) == rest]
-    return any(left > ALIKE * amount(each, f"left_{words.ending}") for each in smaller)
+    return any(left_rms > ALIKE * amount(each, f"left_{words.ending}") for each in smaller)
 
 
 def _not_shown(ids: list[str], words: Vocabulary) -> list[str]:
@@ -108,19 +112,19 @@ def wrong_by(entry: NotKept, first: NotKept, floor: float, words: Vocabulary) ->
     `first` is the entry of the best explanation.
     """
     return {
-        phase: size(abs(known["change"]), words.unit)
-        for phase, known in (entry["stands"] or {}).items()
+        phase: size(abs(change["change"]), words.unit)
+        for phase, change in (entry["stands"] or {}).items()
         if _contradicts(phase, entry["stands"], first, floor)
     }
 
 
 def _contradicts(phase: str, stands: dict[str, Change] | None, first: NotKept, floor: float) -> bool:
     """Whether what an effect leaves changes while the motor stands, beyond chance and more than the best one's does."""
-    known, best = (stands or {}).get(phase), (first["stands"] or {}).get(phase)
-    if known is None:
+    own_change, best = (stands or {}).get(phase), (first["stands"] or {}).get(phase)
+    if own_change is None:
         return False
-    change = abs(known["change"])
-    return bool(change > max(CLEAR * known["error"], VISIBLE * floor, MORE * abs(best["change"] if best else 0.0)))
+    change = abs(own_change["change"])
+    return bool(change > max(CLEAR * own_change["error"], VISIBLE * floor, MORE * abs(best["change"] if best else 0.0)))
 
 
 def _wrong(entry: Stood, first: NotKept, content: Verdict, words: Vocabulary) -> bool:

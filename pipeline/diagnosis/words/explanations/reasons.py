@@ -46,8 +46,8 @@ def less_often(explanation: ExplanationEntry, best: ExplanationEntry | None) -> 
 
 def chiefly(explanation: ExplanationEntry) -> str:
     """What counts most against an explanation, as a part of a sentence; nothing where no reason is known."""
-    known = explanation.get("because") or []
-    because = [cause for cause in known if abs(cause.get("log_odds", 1.0)) >= NEARLY_0] or known
+    causes = explanation.get("because") or []
+    because = [cause for cause in causes if abs(cause.get("log_odds", 1.0)) >= NEARLY_0] or causes
     seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS and not speaks_for(cause)]
     if because and not seen and speaks_for(because[0]):
         return TAUGHT.format(" and ".join(reason(cause) for cause in because if speaks_for(cause)))

@@ -37,8 +37,8 @@ def left_of(explanation: ExplanationEntry, content: Verdict, ending: str) -> flo
     """
     ids = set(explanation["ids"])
     parts = [each for each in content["evidence"]["explanations"] if each["ids"] and set(each["ids"]) < ids]
-    known = amount_or_none(content["evidence"], f"calibrated_{ending}")
-    alone = [float(known)] if known is not None else []
+    calibrated_rms = amount_or_none(content["evidence"], f"calibrated_{ending}")
+    alone = [float(calibrated_rms)] if calibrated_rms is not None else []
     own = [] if alone and not ids else [amount(explanation, f"left_{ending}")]
     return min([*own, *alone, *(amount(each, f"left_{ending}") for each in parts)])
 

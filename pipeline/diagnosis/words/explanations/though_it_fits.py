@@ -46,7 +46,7 @@ def would_be(content: Verdict, words: Vocabulary) -> list[str]:
 def constants(content: Verdict) -> list[str]:
     """The fitted numbers of what comes closest, in a line; nothing where nothing does."""
     acts = content["closest"]["simulation"] if "closest" in content else []
-    each = [f"{act['id']} {', '.join(_constant(*known) for known in act['parameters'].items())}" for act in acts]
+    each = [f"{act['id']} {', '.join(_constant(*constant) for constant in act['parameters'].items())}" for act in acts]
     head = "Fitted constants of what comes closest, which are no result (docs/physics.md has each formula)"
     return [f"{head}: {'; '.join(each)}."] if each else []
 

@@ -27,41 +27,41 @@ def within(content: Verdict, words: Vocabulary) -> str:
     Speeds are the limits of the warning that a plan gets which leaves them, rounded so that they are inside; the other
     limits lack its room.
     """
-    known = content["evidence"].get("covered")
-    if known is None:
+    covered = content["evidence"].get("covered")
+    if covered is None:
         return ""
     low, high = extent(content["evidence"], words.driver)
-    slow, fast = known.get("strokes_per_s") or known["speed_per_s"]
+    slow, fast = covered.get("strokes_per_s") or covered["speed_per_s"]
     acting = [entry["id"] for entry in content["mechanisms"]]
     likely = {*acting, *(id_ for ids in content["alternatives"] for id_ in ids)}
     library = mechanisms()
     other = fast < ALIKE * slow or any(library[id_].paced for id_ in likely if id_ in library)
-    speeds = _speeds(known, other, words) or ends(share_of_slowest(other) * slow, fast, f"{words.motion_unit}/s")
+    speeds = _speeds(covered, other, words) or ends(share_of_slowest(other) * slow, fast, f"{words.motion_unit}/s")
     parts = [span(low, high, words.motion_unit, high - low), speeds]
-    if words.load is not None and known["load"][1] > 0.0:
-        least, most = known["load"]
+    if words.load is not None and covered["load"][1] > 0.0:
+        least, most = covered["load"]
         usual = ends(0.5 * (least + most), 0.5 * (least + most), words.load_unit)
         parts.append(usual if stands_still(least, most) else ends(least, most, words.load_unit))
-    stands_s = {name: max(LONGER * amount(known, f"longest_{name}_s"), SHORT_S) for name in ("hold", "rest")}
+    stands_s = {name: max(LONGER * amount(covered, f"longest_{name}_s"), SHORT_S) for name in ("hold", "rest")}
     parts += [f"{name}s of up to {duration(longest_s)}" for name, longest_s in stands_s.items()]
     if any(library[id_].remembers_turns for id_ in acting if id_ in library):
-        parts.append(f"reversals near {_turned(known, words, high - low)}")
+        parts.append(f"reversals near {_turned(covered, words, high - low)}")
     return f"{listing(parts)} ({WIDER})"
 
 
-def _speeds(known: Covered, other: bool, words: Vocabulary) -> str:
+def _speeds(covered: Covered, other: bool, words: Vocabulary) -> str:
     """How slow and how fast a planned stroke may be, as a plan is told it; nothing where an older file lacks that."""
-    if "strokes_per_s" not in known:
+    if "strokes_per_s" not in covered:
         return ""
-    (slow, fast), unit = known["strokes_per_s"], f"{words.motion_unit}/s"
+    (slow, fast), unit = covered["strokes_per_s"], f"{words.motion_unit}/s"
     least = from_on(least_speed(slow, other))
-    most = up_to(most_speed(fast, known["fastest_per_s"], other))
+    most = up_to(most_speed(fast, covered["fastest_per_s"], other))
     return f"a speed of {least} to {most} {unit} in each stroke (its median; recorded: {ends(slow, fast, unit)})"
 
 
-def _turned(known: Covered, words: Vocabulary, whole: float) -> str:
+def _turned(covered: Covered, words: Vocabulary, whole: float) -> str:
     """The motions near which a plan may turn, at the top and at the bottom; `whole` is the recorded range."""
-    turned = known.get("turned")
+    turned = covered.get("turned")
     if not turned:
         return "recorded ones"
     places = {

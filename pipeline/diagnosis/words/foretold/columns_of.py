@@ -24,11 +24,11 @@ def not_in(content: Verdict) -> list[str]:
         rest = f" and {len(more) - NAMED} more" * (len(more) > NAMED)
         return [f"Likely too, but not in the table: {names}{rest}. Only {len(foretold)} explanations are foretold."]
     shares = [probability(content, other["ids"]) or 0.0 for other in others]
-    known = [set(each["ids"]) for each in content["evidence"]["expected"]["explanations"]]
+    id_sets = [set(each["ids"]) for each in content["evidence"]["expected"]["explanations"]]
     rivals_left = [
         each
         for each in rivals.entries(content, "beaten", "not needed")
-        if set(each["ids"]) not in known and share_of(each) > min(shares, default=1.0)
+        if set(each["ids"]) not in id_sets and share_of(each) > min(shares, default=1.0)
     ]
     if content["verdict"] != "explained" or not rivals_left:
         return []

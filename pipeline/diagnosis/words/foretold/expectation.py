@@ -35,8 +35,8 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
     is left out, unless all do: then the best explanation stands alone. What a hold and a rest show is said in words
     where no row has it.
     """
-    known = content["evidence"].get("expected")
-    if not known:
+    expected = content["evidence"].get("expected")
+    if not expected:
         return []
     weighed, out = compared(content), recorded_evidence.excluded(content, words)
     kept = columns_of.kept(content)
@@ -44,7 +44,7 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
     tables = []
     widths = [([first, *others], bare) for bare in (False, True) if not bare or content["verdict"] == "ambiguous"]
     for columns, bare in (*widths, *(([first, other], False) for other in others), ([first], False)):
-        table, remarks, parted = _table(content, known, columns, words, shown, bare)
+        table, remarks, parted = _table(content, expected, columns, words, shown, bare)
         if max(map(len, table), default=0) <= WIDE - INDENT:  # what does not fit on the page cannot tell either
             tables.append(([*table, *remarks], parted))
             if parted:
@@ -61,7 +61,7 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
 
 def _table(
     content: Verdict,
-    known: Expected,
+    expected: Expected,
     columns: list[ExpectedExplanation],
     words: Vocabulary,
     shown: set[str] | None,
@@ -72,7 +72,7 @@ def _table(
     Nothing where nobody would see a number of it. `bare`: the columns have numbers, which are said below it.
     """
     limit = SEEN * amount(content["evidence"], f"floor_{words.ending}")
-    names = {key: row for key, row in _rows(content, known, words).items() if shown is None or key in shown}
+    names = {key: row for key, row in _rows(content, expected, words).items() if shown is None or key in shown}
     cells = {key: [of_explanation(each, key, content, words) for each in columns] for key in names}
     seen = {key: any(cell is not None and abs(cell.value) >= limit for cell in row) for key, row in cells.items()}
     keys = [key for key, row in cells.items() if row[0] is not None and seen[key]]
@@ -154,26 +154,26 @@ def _is_loop(key: str) -> bool:
     return key.startswith("loop")
 
 
-def _rows(content: Verdict, known: Expected, words: Vocabulary) -> dict[str, str]:
+def _rows(content: Verdict, expected: Expected, words: Vocabulary) -> dict[str, str]:
     """What each number is of, by its key."""
     low, high = extent(content["evidence"], words.driver)
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
-    hung = words.load is not None and known["load"]
+    hung = words.load is not None and expected["load"]
     full, half, twice = (
-        f" under {quantity(share * known['load'], words.load_unit)}" * bool(hung) for share in (1.0, 0.5, 2.0)
+        f" under {quantity(share * expected['load'], words.load_unit)}" * bool(hung) for share in (1.0, 0.5, 2.0)
     )
     unit = f"{words.motion_unit}/s"
-    slow, usual = (quantity(share * known["speed_per_s"], unit) for share in (0.5, 1.0))
+    slow, usual = (quantity(share * expected["speed_per_s"], unit) for share in (0.5, 1.0))
     rows = {
-        **({} if "recorded" in known else {"loop_as_before": f"the loop of a stroke as before{full}"}),
+        **({} if "recorded" in expected else {"loop_as_before": f"the loop of a stroke as before{full}"}),
         "loop_half_speed": f"the loop at {slow}, half the usual speed of {usual}",
         "loop_half_load": f"the loop{half}",
         "loop_twice_load": f"the loop{twice}",
     }
-    if "strokes" in known:
-        rows["top"] = f"change at {top}, from the next stroke to the {known['strokes']}th"
-    if "stand_s" in known:
-        stand = duration(known["stand_s"])
+    if "strokes" in expected:
+        rows["top"] = f"change at {top}, from the next stroke to the {expected['strokes']}th"
+    if "stand_s" in expected:
+        stand = duration(expected["stand_s"])
         rows["hold"] = f"change in a hold of {stand} at {top}{full}"
         rows["rest"] = f"change in a rest of {stand} at {bottom} after it"
     return rows

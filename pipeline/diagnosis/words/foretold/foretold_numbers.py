@@ -48,8 +48,8 @@ def of_explanation(explanation: ExpectedExplanation, key: str, content: Verdict,
 
 def error(content: Verdict, words: Vocabulary) -> float:
     """What the explained simulator errs by on strokes that no fit has seen, or the noise."""
-    noise, held = amount(content["fit"], f"noise_floor_{words.ending}"), unseen.errors(content, words)
-    return float(max(held[2], noise) if held else noise)
+    noise, unseen_errors = amount(content["fit"], f"noise_floor_{words.ending}"), unseen.errors(content, words)
+    return float(max(unseen_errors[2], noise) if unseen_errors else noise)
 
 
 def compared(content: Verdict) -> list[ExpectedExplanation]:
@@ -58,10 +58,10 @@ def compared(content: Verdict) -> list[ExpectedExplanation]:
     Where one is likely, those that are not are left out. Those that only add to the best one come last of equals.
     Nothing where nothing is foretold.
     """
-    known = content["evidence"].get("expected")
-    if not known:
+    expected = content["evidence"].get("expected")
+    if not expected:
         return []
-    first, *others = known["explanations"]
+    first, *others = expected["explanations"]
     likely = [other for other in others if (probability(content, other["ids"]) or 0.0) >= LEAST]
     first_ids = set(first["ids"])
     return [
@@ -75,8 +75,8 @@ def compared(content: Verdict) -> list[ExpectedExplanation]:
 
 def probability(content: Verdict, ids: list[str]) -> float | None:
     """The probability of an explanation; None where none is known."""
-    held = [each for each in content["evidence"]["explanations"] if set(each["ids"]) == set(ids)]
-    return held[0].get("probability") if held else None
+    same_ids = [each for each in content["evidence"]["explanations"] if set(each["ids"]) == set(ids)]
+    return same_ids[0].get("probability") if same_ids else None
 
 
 def apart(first: ExpectedExplanation, other: ExpectedExplanation) -> tuple[str, str]:

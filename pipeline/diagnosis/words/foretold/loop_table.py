@@ -59,8 +59,8 @@ def _strokes(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[_Stro
         motion = low + np.array(SHARES) * (high - low)
         up, down = _both_ways(motion, way, reading, start, top, end)
         rising, falling = _both_ways(motion, way, bare, start, top, end)
-        far, known = _outside(out[start : end + 1]), half[start : end + 1][half[start : end + 1] > 0.0]
-        least = 0.0 if far else float(known.min(initial=np.inf))
+        far, half_widths = _outside(out[start : end + 1]), half[start : end + 1][half[start : end + 1] > 0.0]
+        least = 0.0 if far else float(half_widths.min(initial=np.inf))
         known_half = least if np.isfinite(least) else 0.0
         strokes.append(_Stroke(int(start), int(end), motion, up, down, far, known_half, rising - falling))
     return strokes
@@ -92,7 +92,7 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
     """
     least, kinds = ALIKE * float(np.ptp(table[channel])), list[tuple[_Stroke, list[str]]]()
     for count, stroke in enumerate(_strokes(table, words, channel), start=1):
-        alike = [numbers for known, numbers in kinds if stroke.like(known, least)]
+        alike = [numbers for kind, numbers in kinds if stroke.like(kind, least)]
         if alike:
             alike[0].append(str(count))
         else:
@@ -111,10 +111,10 @@ def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
             rows.append([name, f"{motion:.4g}", *ends, *(_gap(gap, stroke.half, words.unit) for gap in gaps)])
     more = len(kinds) - MOST
     kinds_left = "1 more stroke that differs" if more == 1 else f"{more} more strokes that differ"
-    left = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
+    not_shown = [f"{kinds_left} from these {'is' if more == 1 else 'are'} in the file"] if more > 0 else []
     without = "; the last column leaves out what the acceleration takes" if of_effects else ""
     head = f"on the way, where a loop shows (like strokes stand together; difference: {up} less {down}{without}):"
-    return [head, *aligned(rows), *left]
+    return [head, *aligned(rows), *not_shown]
 
 
 def _outside(out: Mask) -> str:

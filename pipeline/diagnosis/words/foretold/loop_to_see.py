@@ -26,11 +26,11 @@ def step(content: Verdict, words: Vocabulary, numbers: list[str], short: bool) -
 
 def _stroke(content: Verdict, words: Vocabulary) -> str:
     """The stroke to record, and what of it to compare."""
-    known = content["evidence"]["expected"]
-    slow = quantity(0.5 * known["speed_per_s"], f"{words.motion_unit}/s")
-    hung = words.load is not None and known.get("load")
-    under = f", under {quantity(known['load'], words.load_unit)}" if hung else ""
-    slower = f"loop_half_speed_{words.ending}" in known["explanations"][0]
+    expected = content["evidence"]["expected"]
+    slow = quantity(0.5 * expected["speed_per_s"], f"{words.motion_unit}/s")
+    hung = words.load is not None and expected.get("load")
+    under = f", under {quantity(expected['load'], words.load_unit)}" if hung else ""
+    slower = f"loop_half_speed_{words.ending}" in expected["explanations"][0]
     half = f"record one stroke at {slow}, half the usual speed{under}, and compare its loop"
     return half if slower else "record it again and compare"
 

@@ -72,19 +72,19 @@ def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int
     if inside.mean() < REPORTED:
         return [f"nothing to report: the plan is outside what was recorded but for {percent(inside.mean())} of it"]
     share = "the whole plan" if inside.all() else f"the {percent(inside.mean())} of the plan within what was recorded"
-    known = f"whichever of the {1 + tied} likely explanations is right" if tied else "if the explanation is right"
+    condition = f"whichever of the {1 + tied} likely explanations is right" if tied else "if the explanation is right"
     if len(gaps) < tied:
-        known = "if the best explanation is right, for the file does not say what the others foretell"
+        condition = "if the best explanation is right, for the file does not say what the others foretell"
     near = size(foretold.within(inside, gaps), unit)
-    return [f"to report: nine of ten readings are expected within {near} of {channel} over {share}, {known}"]
+    return [f"to report: nine of ten readings are expected within {near} of {channel} over {share}, {condition}"]
 
 
 def stretches(rows: Mask, time_s: Array) -> str:
     """When some rows are, as `from 14.4 to 27.4 s`; of many stretches the first. Of shape (samples,), time in s."""
     ends_s = [(f"{time_s[first]:.4g}", f"{time_s[last - 1]:.4g}") for first, last in spans.of_mask(rows)]
     times_s = [f"at {first} s" if first == last else f"{first} to {last} s" for first, last in ends_s]
-    left = len(times_s) - STRETCHES
-    more = [f"{left} stretch{'es' * (left > 1)} more"] if left > 0 else []
+    not_listed = len(times_s) - STRETCHES
+    more = [f"{not_listed} stretch{'es' * (not_listed > 1)} more"] if not_listed > 0 else []
     text = listing([*times_s[:STRETCHES], *more])
     return f"from {text}" if text and not text.startswith("at ") else text
 

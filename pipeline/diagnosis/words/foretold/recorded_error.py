@@ -26,12 +26,12 @@ def computed_of(system: System, samples: pd.DataFrame, zero: bool, carried: bool
     chosen = "the motor's zero" if system.homed else "the choice on the first stroke"
     first = [chosen] * carried + ["the zero of the reading"] * zero
     also = f"for {listing(first)}, and " if first else "only "
-    given = listing([system.driver, *load])
-    return f"{system.channel} is computed of {given}. The recorded {system.channel} is read {also}to compare:"
+    read_columns = listing([system.driver, *load])
+    return f"{system.channel} is computed of {read_columns}. The recorded {system.channel} is read {also}to compare:"
 
 
 def beside(
-    at_best_zero: float | None, bare: float | None, acting: str, known: ToCompare | None, unit: str
+    at_best_zero: float | None, bare: float | None, acting: str, errors: ToCompare | None, unit: str
 ) -> list[str]:
     """The numbers to set beside an error, a row each, all rms in the reading's `unit`; nothing where none is known.
 
@@ -41,19 +41,19 @@ def beside(
     rows = [
         ("the same, if the whole recording sets the zero", at_best_zero),
         (f"without {acting}, same dimensions", bare),
-        ("the noise of the readings", known.noise if known else None),
-        (f"strokes{_of(known)} that no fit had seen", known.unseen if known else None),
+        ("the noise of the readings", errors.noise if errors else None),
+        (f"strokes{_of(errors)} that no fit had seen", errors.unseen if errors else None),
     ]
     kept = [[f"  {name}", size(value, unit)] for name, value in rows if value is not None]
     return ["beside it, rms:", *aligned(kept)] if kept else []
 
 
-def _of(known: ToCompare | None) -> str:
-    return f" of {listing(list(known.runs))}" if known and known.runs != ("",) else ""
+def _of(errors: ToCompare | None) -> str:
+    return f" of {listing(list(errors.runs))}" if errors and errors.runs != ("",) else ""
 
 
 def means(
-    error: float, run: str, known: ToCompare | None, content: Verdict | None, hint: str, unit: str, taken: bool = True,
+    error: float, run: str, errors: ToCompare | None, content: Verdict | None, hint: str, unit: str, taken: bool = True,
     whole: bool = False, together: Sequence[str] = (),
 ) -> list[str]:  # fmt: skip
     """What the error says of a diagnosis: nothing of one that was fitted to the recording; else how far it holds.
@@ -63,32 +63,32 @@ def means(
     commands that diagnose `run` with recordings of the same string, those first that take adopted effects out; empty
     where none is known.
     """
-    if known is None:
+    if errors is None:
         return []
     if not taken:
-        return _with_mend(f"nothing of the diagnosis{_of(known)} is in this error", run, known, together, "")
+        return _with_mend(f"nothing of the diagnosis{_of(errors)} is in this error", run, errors, together, "")
     whose = holdout.whose_if_known(content) if content else ""
     others = [f"the error on strokes that no fit had seen is {whose.strip(' ()')}"] if whose else []
-    if run in known.runs:
+    if run in errors.runs:
         return [f"the simulator was fitted to {run}, so its error on {run} is no test of it", *others]
-    if known.expected is None:
+    if errors.expected is None:
         return []
     which = f"the error if the whole recording sets the zero, {size(error, unit)}," if whole else "the error"
-    ratio = f"{which} is {times(error / known.expected)} times what was to be expected ({size(known.expected, unit)})"
-    if error <= AS_EXPECTED * known.expected:
-        return [f"{ratio}: the diagnosis{_of(known)} holds in {run} too", *others]
-    poorly = f"{ratio}: the diagnosis{_of(known)} holds poorly in {run}"
-    return [*_with_mend(poorly, run, known, together, hint), *others]
+    ratio = f"{which} is {times(error / errors.expected)} times what was to be expected ({size(errors.expected, unit)})"
+    if error <= AS_EXPECTED * errors.expected:
+        return [f"{ratio}: the diagnosis{_of(errors)} holds in {run} too", *others]
+    poorly = f"{ratio}: the diagnosis{_of(errors)} holds poorly in {run}"
+    return [*_with_mend(poorly, run, errors, together, hint), *others]
 
 
-def _with_mend(fault: str, run: str, known: ToCompare, together: Sequence[str], hint: str) -> list[str]:
+def _with_mend(fault: str, run: str, errors: ToCompare, together: Sequence[str], hint: str) -> list[str]:
     """That a diagnosis holds poorly in another run, and what to do; `together` holds the commands for both, if any."""
     first_try, then = (f"{hint} ", "Else") if hint else ("", "Mend:")
     if not together:
         return [f"{fault}. {first_try}{then} diagnose {run} itself"]
     first = "take out first what was adopted, then " * (len(together) > 1)
     same = (
-        f"{run} is of the same string as {listing(list(known.runs))} (string.id), and is simulated here as if nothing "
+        f"{run} is of the same string as {listing(list(errors.runs))} (string.id), and is simulated here as if nothing "
         f"had happened to it before. {first_try}{then} {first}diagnose both together:"
     )
     return [f"{fault}. {same}", *(f"  {line}" for line in together)]

@@ -27,8 +27,8 @@ def excluded(content: Verdict, words: Vocabulary) -> list[ExpectedExplanation]:
 
 def recorded(content: Verdict, words: Vocabulary) -> float | None:
     """The loop that the recording shows, in the unit of the reading; None where it shows none, or an older file."""
-    known = content["evidence"].get("expected") or {}
-    shown = known.get("recorded", {}).get(f"loop_{words.ending}")
+    expected = content["evidence"].get("expected") or {}
+    shown = expected.get("recorded", {}).get(f"loop_{words.ending}")
     return None if shown is None else float(shown)
 
 
@@ -48,8 +48,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _loop(explanation: ExpectedExplanation, content: Verdict, words: Vocabulary) -> Number | None:
     """The loop that an explanation has in the recorded strokes, as exact as that of the next one."""
-    ahead, known = of_explanation(explanation, LOOP, content, words), explanation.get("recorded", {})
-    value = known.get(f"loop_{words.ending}")
+    ahead, loops = of_explanation(explanation, LOOP, content, words), explanation.get("recorded", {})
+    value = loops.get(f"loop_{words.ending}")
     return None if ahead is None or value is None else Number(float(value), ahead.half_width, ahead.known)
 
 

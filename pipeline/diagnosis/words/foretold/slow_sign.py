@@ -87,8 +87,8 @@ def _decision(named: str, rival: str, sign: _Sign, own: dict[str, Number | None]
 
 def _undecided(named: str, rival: str, sign: _Sign, stand: str, content: Verdict, words: Vocabulary) -> str:
     """What the rival does alone, and why nobody can say by how much the best explanation changes there."""
-    known = content["evidence"].get("covered") or {}
-    longest_s = {each: amount_or_none(known, f"longest_{each}_s") for each in STANDS}
+    covered = content["evidence"].get("covered") or {}
+    longest_s = {each: amount_or_none(covered, f"longest_{each}_s") for each in STANDS}
     longest = [f"{each}s of up to {duration(seconds)}" for each, seconds in longest_s.items() if seconds is not None]
     where = listing([f"in a {each} of {stand}" for each in sign.stands])
     short = f" (it has {listing(longest)})" if longest else ""

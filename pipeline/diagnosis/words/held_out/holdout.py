@@ -29,8 +29,8 @@ def status(content: Verdict) -> str:
     of_known_runs = [adoption for adoption in content.get("adopted", []) if adoption.get("runs")]
     if any(own & set(adoption["runs"]) for adoption in of_known_runs):
         return SEEN
-    known = {id_ for adoption in of_known_runs for id_ in adoption["effects"]}
-    return UNSEEN if set(ids) <= known else PERHAPS
+    fitted_ids = {id_ for adoption in of_known_runs for id_ in adoption["effects"]}
+    return UNSEEN if set(ids) <= fitted_ids else PERHAPS
 
 
 def other_name(content: Verdict) -> str:
@@ -60,8 +60,8 @@ def named(content: Verdict) -> str:
 
 def split(content: Verdict) -> str:
     """Which strokes were held out, as a table's head says it."""
-    held = content["fit"]["heldout"]
-    return str(held["split"]) if held else SPLIT
+    heldout = content["fit"]["heldout"]
+    return str(heldout["split"]) if heldout else SPLIT
 
 
 def settled_otherwise(content: Verdict) -> str:

@@ -54,14 +54,14 @@ def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _errors(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
     """The error of the verdict's simulator on unseen strokes, and that of a regression; None where none was asked."""
-    held = content["fit"]["heldout"]
-    without = amount_or_none(held or {}, f"without_physics_{words.ending}")
-    return None if held is None or without is None else (amount(held, f"explained_{words.ending}"), without)
+    heldout = content["fit"]["heldout"]
+    without = amount_or_none(heldout or {}, f"without_physics_{words.ending}")
+    return None if heldout is None or without is None else (amount(heldout, f"explained_{words.ending}"), without)
 
 
 def _where(content: Verdict, words: Vocabulary) -> str:
     """Where what the regression adds lies, and the driver that it follows."""
-    left = content["evidence"]["left_of_unseen"]
-    where = place(left["location"], content["evidence"], words)
+    remainder = content["evidence"]["left_of_unseen"]
+    where = place(remainder["location"], content["evidence"], words)
     lies = "it is spread over these strokes" if where == EVERYWHERE else f"most of it lies {where}"
-    return f"{lies}, and it follows {words.follows(left['driver'], content['evidence']['loaded'])}"
+    return f"{lies}, and it follows {words.follows(remainder['driver'], content['evidence']['loaded'])}"

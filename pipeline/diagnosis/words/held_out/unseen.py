@@ -21,11 +21,11 @@ NEAR = 1.5  # times the limit: a ratio below it is said to a hundredth
 
 def errors(content: Verdict, words: Vocabulary) -> tuple[float, float, float] | None:
     """Nominal, calibrated and explained error, or None where no stroke could be held out."""
-    held = content["fit"]["heldout"]
-    if not held:
+    heldout = content["fit"]["heldout"]
+    if not heldout:
         return None
     nominal, calibrated, explained = (
-        amount(held, f"{name}_{words.ending}") for name in ("nominal", "calibrated", "explained")
+        amount(heldout, f"{name}_{words.ending}") for name in ("nominal", "calibrated", "explained")
     )
     return nominal, calibrated, explained
 
@@ -139,11 +139,11 @@ def nothing_new(content: Verdict, words: Vocabulary) -> bool:
 def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | None:
     """What the verdict's simulator leaves of the whole recording, which it was fitted to, in noise floors."""
     evidence = content["evidence"]
-    left = amount_or_none(evidence, f"calibrated_{words.ending}")
+    left_rms = amount_or_none(evidence, f"calibrated_{words.ending}")
     if named:
         best = [shown for shown in evidence["explanations"] if shown["standing"] == "named"]
-        left = amount(best[0], f"left_{words.ending}") if best else None
-    return float(left) / amount(evidence, f"floor_{words.ending}") if left is not None else None
+        left_rms = amount(best[0], f"left_{words.ending}") if best else None
+    return float(left_rms) / amount(evidence, f"floor_{words.ending}") if left_rms is not None else None
 
 
 def inexact(content: Verdict, words: Vocabulary) -> bool:
@@ -175,8 +175,8 @@ def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:
         amount(content["fit"], f"noise_floor_{words.ending}"),
         amount(content["evidence"], f"floor_{words.ending}"),
     )
-    whole, held = (f" of {kind}" if kind else "" for kind in kinds(content, words))
-    return f"noise{whole}: {size(floor, words.unit)}", f"noise{held}: {size(noise, words.unit)}"
+    whole, unseen_kind = (f" of {kind}" if kind else "" for kind in kinds(content, words))
+    return f"noise{whole}: {size(floor, words.unit)}", f"noise{unseen_kind}: {size(noise, words.unit)}"
 
 
 def kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
@@ -187,8 +187,8 @@ def kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
     over, scored = content["evidence"].get("step_s"), content["evidence"].get("scored_step_s")
     if not averaged(content, words) and not scored:
         return "", ""
-    held = f"averages of {duration(scored)}" if scored else "single samples"
-    return f"averages{f' of {duration(over)}' if over else ''}", held
+    unseen_kind = f"averages of {duration(scored)}" if scored else "single samples"
+    return f"averages{f' of {duration(over)}' if over else ''}", unseen_kind
 
 
 def averaged(content: Verdict, words: Vocabulary) -> bool:

@@ -46,10 +46,10 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
 
 def beyond(content: Verdict, words: Vocabulary) -> list[str]:
     """That the unseen strokes went to a load or a motion that no stroke before them did; nothing where they did not."""
-    known = content["evidence"].get("beyond_seen") or {}
+    ranges_by_driver = content["evidence"].get("beyond_seen") or {}
     units = {"load": words.load_unit, "motion": words.motion_unit}
     wider = []
-    for name, ranges in known.items():
+    for name, ranges in ranges_by_driver.items():
         both = ([ends(low, high, units[name], digits) for low, high in ranges] for digits in (2, 3))
         two, three = (next(both), next(both))
         seen, later = two if two[0] != two[1] else three
@@ -73,8 +73,8 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     if fitted is None or fitted <= unseen.STILL_MISSING:
         return []
-    left = size(fitted * amount(content["evidence"], f"floor_{words.ending}"), words.unit)
+    left_size = size(fitted * amount(content["evidence"], f"floor_{words.ending}"), words.unit)
     more = f"{unseen.exact(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
     none = content["evidence"].get("probability_of_none")
     share = "" if none is None else f"; the {percent(none)} for physics that the library lacks does not cover that"
-    return [f"Something systematic is left: the explanation leaves {left} rms, {more}{share}."]
+    return [f"Something systematic is left: the explanation leaves {left_size} rms, {more}{share}."]

@@ -11,10 +11,10 @@ UNNAMED = ("consistent", "parameters")
 
 def kept_times(content: Verdict, words: Vocabulary) -> float:
     """What the simulator leaves as it was adopted, in noise floors, where that explains the recording; else 0."""
-    left = amount_or_none(content["evidence"], f"adopted_{words.ending}")
-    if content["verdict"] not in UNNAMED or left is None:
+    adopted_rms = amount_or_none(content["evidence"], f"adopted_{words.ending}")
+    if content["verdict"] not in UNNAMED or adopted_rms is None:
         return 0.0
-    ratio = float(left) / amount(content["evidence"], f"floor_{words.ending}")
+    ratio = float(adopted_rms) / amount(content["evidence"], f"floor_{words.ending}")
     return ratio if ratio <= unseen.STILL_MISSING else 0.0
 
 

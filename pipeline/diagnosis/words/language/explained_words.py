@@ -36,7 +36,7 @@ def meaning(word: str) -> str:
 
 def of_effect(entry: MechanismEntry, words: Vocabulary) -> str:
     """What a named mechanism does on the rig; of a ripple whose pitch was found, how far its waves are apart."""
-    pitch = next((known for name, known in entry["parameters"].items() if name.startswith("pitch_")), None)
+    pitch = next((constant for name, constant in entry["parameters"].items() if name.startswith("pitch_")), None)
     if pitch is None or not pitch["value"]:
         return on_rig(meaning(entry["id"]), words)
     return meaning(entry["id"]).replace(TURN, f"once in every {quantity(pitch['value'], pitch['unit'], digits=3)}")

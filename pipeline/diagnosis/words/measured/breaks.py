@@ -16,9 +16,9 @@ MORE = "This is as far as the zero may go: another string, or another rig, is mo
 
 def changed(content: Verdict) -> list[str]:
     """That the motor's zero is another in a later run, by more than it was known; nothing where it is not."""
-    runs, known = content["run"], content["evidence"].get("tolerance", {})
+    runs, tolerance = content["run"], content["evidence"].get("tolerance", {})
     own = {name: abs(entry["value"]) for name, entry in content["parameters"].items() if of_later_run(name)}
-    moved = {name: turns / known[stem(name)] for name, turns in own.items() if known.get(stem(name))}
+    moved = {name: turns / tolerance[stem(name)] for name, turns in own.items() if tolerance.get(stem(name))}
     far = {name: sigma for name, sigma in moved.items() if sigma > LEAVES}
     if not far or isinstance(runs, str):
         return []

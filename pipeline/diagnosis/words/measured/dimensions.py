@@ -36,10 +36,10 @@ def has_table(content: Verdict) -> bool:
 
 def adopted_fit(content: Verdict) -> bool:
     """Whether effects were adopted with dimensions that all lie within their tolerances."""
-    known = content["evidence"].get("tolerance", {})
+    sigma = content["evidence"].get("tolerance", {})
     came = [adoption["dimensions"] for adoption in content.get("adopted", []) if adoption.get("dimensions")][-1:]
     return bool(came) and all(
-        abs(its["fitted"] - its["nominal"]) <= LEAVES * known[name] for name, its in came[0].items() if known.get(name)
+        abs(its["fitted"] - its["nominal"]) <= LEAVES * sigma[name] for name, its in came[0].items() if sigma.get(name)
     )
 
 
@@ -106,16 +106,16 @@ def suspicious(content: Verdict) -> list[str]:
 def whence(content: Verdict, name: str) -> str:
     """Where a value comes from that run.yaml does not hold: assumed, or taken after the scale that run.yaml gives."""
     shown = content["evidence"]
-    given = shown.get("scale_given") is not None and tolerances.stem(name) == "scale"
-    return f"taken, after the scale of {number(shown['scale_given'], 4)} in run.yaml" if given else "assumed"
+    from_scale = shown.get("scale_given") is not None and tolerances.stem(name) == "scale"
+    return f"taken, after the scale of {number(shown['scale_given'], 4)} in run.yaml" if from_scale else "assumed"
 
 
 def from_to(content: Verdict, name: str) -> tuple[str, str]:
     """A dimension as `run.yaml` has it, and as it fits to a third of its tolerance, finer where both read the same."""
-    known, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
-    nominal = number(known["nominal"], 6)
+    dimension, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
+    nominal = number(dimension["nominal"], 6)
     least = decimals(content, name)
-    spellings = (number(round(known["value"], places), 12) for places in range(least, least + 6))
+    spellings = (number(round(dimension["value"], places), 12) for places in range(least, least + 6))
     value = next((spelling for spelling in spellings if spelling != nominal), nominal)
     return f"{nominal} {unit}".strip(), f"{value} {unit}".strip()
 
@@ -123,8 +123,8 @@ def from_to(content: Verdict, name: str) -> tuple[str, str]:
 def decimals(content: Verdict, name: str) -> int:
     """After how many decimals a dimension is said: to a third of its tolerance, finer where its ends read alike."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
-    known = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
-    places = max(-math.floor(math.log10(known)), 0) if known > 0.0 else 4
+    step = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
+    places = max(-math.floor(math.log10(step)), 0) if step > 0.0 else 4
     low, value, high = (amount_or_none(content["parameters"][name], end) or 0.0 for end in ("low", "value", "high"))
     inside = [low, value, high] if low < value < high else [low, high]
     while low < high and places < FINEST and len({round(each, places) for each in inside}) < len(inside):
@@ -134,19 +134,19 @@ def decimals(content: Verdict, name: str) -> int:
 
 def likely_range(content: Verdict, name: str) -> str:
     """The 90 % interval of a dimension, in brackets, in its unit; nothing where it has none."""
-    known = content["parameters"][name]
-    if not known.get("low", 0.0) < known.get("high", 0.0):
+    dimension = content["parameters"][name]
+    if not dimension.get("low", 0.0) < dimension.get("high", 0.0):
         return ""
     places = decimals(content, name)
-    low, high = (number(round(known[end], places), 12) for end in ("low", "high"))
+    low, high = (number(round(dimension[end], places), 12) for end in ("low", "high"))
     return f" ({low} to {high})"
 
 
 def beyond(content: Verdict, name: str) -> bool:
     """Whether the interval of a dimension reaches further than calibration may move it."""
-    known, sigma = content["parameters"][name], content["evidence"].get("tolerance", {}).get(name)
-    ends = [known.get("low", known["nominal"]), known.get("high", known["nominal"])]
-    return sigma is not None and sigma > 0.0 and max(abs(end - known["nominal"]) for end in ends) > BOUND * sigma
+    dimension, sigma = content["parameters"][name], content["evidence"].get("tolerance", {}).get(name)
+    ends = [dimension.get("low", dimension["nominal"]), dimension.get("high", dimension["nominal"])]
+    return sigma is not None and sigma > 0.0 and max(abs(end - dimension["nominal"]) for end in ends) > BOUND * sigma
 
 
 def corrected(content: Verdict, words: Vocabulary) -> list[str]:
@@ -165,8 +165,8 @@ def corrected(content: Verdict, words: Vocabulary) -> list[str]:
 def table(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[str]:
     """A row for each dimension that moved but those of `but`, the farthest first, then what to think of them all."""
     sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
-    known = [name for name in sorted(sigmas, key=lambda name: -sigmas[name]) if name in content["parameters"]]
-    moved = [name for name in known if sigmas[name] >= HARDLY]
+    names = [name for name in sorted(sigmas, key=lambda name: -sigmas[name]) if name in content["parameters"]]
+    moved = [name for name in names if sigmas[name] >= HARDLY]
     if not moved:
         return ["No dimension moved by a hundredth of its tolerance: only the zero of the reading did."]
     rows = [_row(content, name, words) for name in moved if name not in but]
@@ -188,8 +188,8 @@ def _row(content: Verdict, name: str, words: Vocabulary) -> list[str]:
     nominal, value = from_to(content, name)
     first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
     far = number(abs(content["evidence"]["moved_sigma"][name]), whole=True)
-    known = tolerances.said(content, name, words) or UNKNOWN
-    return [name_of(name), first, f"{value}{likely_range(content, name)}", known, far]
+    tolerance = tolerances.said(content, name, words) or UNKNOWN
+    return [name_of(name), first, f"{value}{likely_range(content, name)}", tolerance, far]
 
 
 def name_of(parameter: str) -> str:

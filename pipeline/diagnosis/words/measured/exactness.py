@@ -24,8 +24,8 @@ def tells(content: Verdict, name: str) -> str:
 
 def way(content: Verdict, name: str) -> float:
     """How far a dimension moved, in its unit."""
-    known = content["parameters"][name]
-    return abs(float(known["value"]) - float(known["nominal"]))
+    dimension = content["parameters"][name]
+    return abs(float(dimension["value"]) - float(dimension["nominal"]))
 
 
 def distance(content: Verdict, name: str) -> str:
@@ -80,10 +80,10 @@ def assumed(name: str) -> bool:
 def trading(content: Verdict, names: list[str]) -> list[tuple[str, str, float]]:
     """Pairs of dimensions that take each other's place in the fit, with their correlation, the strongest first."""
     moves = {doubt["name"]: doubt["moves"] for doubt in content.get("uncertainty", []) if "id" not in doubt}
-    known = [name for name in names if name in moves]
+    moving = [name for name in names if name in moves]
     pairs = []
-    for place, first in enumerate(known):
-        for second in known[place + 1 :]:
+    for place, first in enumerate(moving):
+        for second in moving[place + 1 :]:
             shared = sum(a * b for a, b in zip(moves[first], moves[second], strict=False))
             whole = math.hypot(*moves[first]) * math.hypot(*moves[second])
             if whole > 0.0 and abs(shared) >= TRADES * whole:

@@ -22,9 +22,9 @@ def lines(content: Verdict, again: Sequence[str]) -> list[str]:
     keys = ", ".join(f"{key}: …" for key in tolerance_keys(again))
     gain = ""
     if "scale" in again:
-        value, given = content["parameters"]["scale"]["value"], content["evidence"].get("scale_given")
-        template = GAIN if given is None else FURTHER_GAIN
-        scales = {"scale": number((given or 1.0) / value, 4), "there": number(given or 1.0, 4)}
+        value, scale_given = content["parameters"]["scale"]["value"], content["evidence"].get("scale_given")
+        template = GAIN if scale_given is None else FURTHER_GAIN
+        scales = {"scale": number((scale_given or 1.0) / value, 4), "there": number(scale_given or 1.0, 4)}
         gain = f" {template.format(gain=number(value, 4), **scales)}."
     return [f"In run.yaml a tolerance is written as `tolerance: {{{keys}}}` (docs/import.md).{gain}"] if keys else []
 

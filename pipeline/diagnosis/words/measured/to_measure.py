@@ -19,8 +19,8 @@ BESIDE = 2.0  # sigma: one that moved so far is measured too where another must 
 def to_measure(content: Verdict) -> list[str]:
     """The dimensions to measure again, the farthest first; none where none moved far."""
     moved = content["evidence"]["moved_sigma"] if far_moved(content) else {}
-    known = [name for name in moved if name in content["parameters"] and not of_later_run(name)]
-    again = [name for name in known if abs(moved[name]) >= BESIDE]
+    names = [name for name in moved if name in content["parameters"] and not of_later_run(name)]
+    again = [name for name in names if abs(moved[name]) >= BESIDE]
     return sorted(again, key=lambda name: -abs(moved[name]))
 
 
@@ -31,9 +31,9 @@ def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     names = names[:FIRST] if more > 0 else names
     for name in names:
         nominal, value = from_to(content, name)
-        given = f"{nominal} ({whence(content, name)})" if exactness.assumed(name) else nominal
-        known = tolerances.marked(content, name, words) or "–"
-        rows.append([name_of(name), given, known, value, exactness.cell(content, name)])
+        in_run_yaml = f"{nominal} ({whence(content, name)})" if exactness.assumed(name) else nominal
+        tolerance = tolerances.marked(content, name, words) or "–"
+        rows.append([name_of(name), in_run_yaml, tolerance, value, exactness.cell(content, name)])
     head, *lines = aligned([HEAD, *rows], ROOM - IN_A_STEP)
     measured = [head]
     for name, line in zip(names, lines, strict=True):

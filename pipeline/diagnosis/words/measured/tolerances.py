@@ -54,10 +54,10 @@ def is_default(content: Verdict, name: str, words: Vocabulary) -> bool:
 
 def marked(content: Verdict, name: str, words: Vocabulary) -> str:
     """The tolerance of a dimension as `said`, with `default` beside one that nobody gave."""
-    known = said(content, name, words)
-    if not known or not is_default(content, name, words):
-        return known
-    return f"{known.removesuffix(')')}, default)" if known.endswith(")") else f"{known} (default)"
+    tolerance = said(content, name, words)
+    if not tolerance or not is_default(content, name, words):
+        return tolerance
+    return f"{tolerance.removesuffix(')')}, default)" if tolerance.endswith(")") else f"{tolerance} (default)"
 
 
 def percent(part: float) -> str:
@@ -80,11 +80,11 @@ def in_force(content: Verdict, words: Vocabulary) -> list[str]:
         are = "are shares" if len(shares) > 1 else "is a share"
         first = number(block[shares[0]], 4)
         what = f" ({listing(shares)} {are} of the value: {first} is {percent(block[shares[0]])})"
-    given = content["evidence"].get("tolerances_given", [])
+    keys_given = content["evidence"].get("tolerances_given", [])
     defaults = [
         key
         for key, value in block.items()
-        if key not in given and math.isclose(value, words.usual.get(key, math.nan), rel_tol=1e-6)
+        if key not in keys_given and math.isclose(value, words.usual.get(key, math.nan), rel_tol=1e-6)
     ]
     which = "All" if len(defaults) == len(block) else listing(defaults)
     are = "are defaults" if len(defaults) > 1 else "is a default"
@@ -102,10 +102,10 @@ def doubts(content: Verdict, words: Vocabulary) -> list[str]:
         nominal = abs(float(content["parameters"][name]["nominal"]))
         if part * nominal >= SHOWN_BY_A_CALIPER_MM:
             continue
-        given = number(part, 4)
+        ratio = number(part, 4)
         lines.append(
-            f"run.yaml says `tolerance: {{{key}: {given}}}`. That is a share: {percent(part)} of {number(nominal, 4)} "
-            f"mm, or {quantity(part * nominal, 'mm')}, which takes care to measure by hand. If {given} mm was meant, "
+            f"run.yaml says `tolerance: {{{key}: {ratio}}}`. That is a share: {percent(part)} of {number(nominal, 4)} "
+            f"mm, or {quantity(part * nominal, 'mm')}, which takes care to measure by hand. If {ratio} mm was meant, "
             f"write {key}: {number(part / nominal, 3)} and diagnose again. If the share is right, change nothing."
         )
     return lines

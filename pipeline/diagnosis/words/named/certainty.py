@@ -147,9 +147,9 @@ def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, 
     """The effects whose own size the recording leaves open, each with its interval."""
     sizes_of = {entry["id"]: interval(entry, f"rms_{words.ending}") for entry in content["mechanisms"]}
     return {
-        id_: (known["low"], known["high"])
-        for id_, known in sizes_of.items()
-        if wide(known) or hidden(known["value"], content, words)
+        id_: (size["low"], size["high"])
+        for id_, size in sizes_of.items()
+        if wide(size) or hidden(size["value"], content, words)
     }
 
 
@@ -160,9 +160,9 @@ def partly_hidden(content: Verdict, words: Vocabulary) -> list[str]:
     return [entry["id"] for entry in content["mechanisms"] if interval(entry, key)["value"] > limit]
 
 
-def wide(known: Interval) -> bool:
+def wide(size: Interval) -> bool:
     """Whether the interval of a size is wide."""
-    return known["high"] > max(WIDE * known["low"], known["low"])
+    return size["high"] > max(WIDE * size["low"], size["low"])
 
 
 def hidden(own: float, content: Verdict, words: Vocabulary) -> bool:

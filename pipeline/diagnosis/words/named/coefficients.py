@@ -37,12 +37,12 @@ DOES = {
 
 def factors(words: dict[str, str], name: str) -> dict[str, str]:
     """What the coefficient `name` multiplies, by the `words` in names; of two words at one place the longer one."""
-    left, what = f"_{name}_", {}
+    rest, what = f"_{name}_", {}
     for word, factor in sorted(words.items(), key=lambda item: -len(item[0])):
         pattern = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
-        if pattern.search(left):
+        if pattern.search(rest):
             what[word] = factor
-            left = pattern.sub("_", left)
+            rest = pattern.sub("_", rest)
     return what
 
 
@@ -104,8 +104,8 @@ def _block(
     shown = 3 if {row[-1] for row in rows} <= {UNKNOWN, ""} else 4  # a column that says nothing is left out
     heads = ["number", "value", "reading moved, rms", change(whole, words)]
     head, *table = aligned([row[:shown] for row in (heads, *rows)])
-    made = f" {listing(shares)} are weights, which need not add up to 1." * (len(shares) == len(names))
-    several = [f"    It is made of {len(names)} elements: the first {len(names)} rows.{made}"] * (len(names) > 1)
+    weights = f" {listing(shares)} are weights, which need not add up to 1." * (len(shares) == len(names))
+    several = [f"    It is made of {len(names)} elements: the first {len(names)} rows.{weights}"] * (len(names) > 1)
     loops = LOOP in mechanism.sentence
     written = [f"  {act.id}: {does_here} In all it {moves(whole, words, loops)}.", *several, *_shares(mechanism, names)]
     written += not_added_up(whole, each, words)

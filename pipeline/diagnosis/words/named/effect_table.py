@@ -140,17 +140,17 @@ def _sure_and_near_0(content: Verdict, entries: list[MechanismEntry], words: Voc
     shares, sizes = certainty.known(content), {entry["id"]: interval(entry, f"rms_{words.ending}") for entry in entries}
     both = [
         id_
-        for id_, known in sizes.items()
-        if shares.get(id_, 0.0) >= certainty.SURE and known["low"] <= NEAR_0 * known["high"] and known["value"]
+        for id_, rms in sizes.items()
+        if shares.get(id_, 0.0) >= certainty.SURE and rms["low"] <= NEAR_0 * rms["high"] and rms["value"]
     ]
     are = "are" if len(both) > 1 else "is"
     sure = "probable" if any(certainty.held_back(content, words, id_) for id_ in both) else "sure"
     return BOTH_HOLD.format(listing(both), f"{are} {sure}") if both else ""
 
 
-def _exact(known: Interval) -> bool:
+def _exact(rms: Interval) -> bool:
     """Whether a size has no interval."""
-    return bool(known["value"]) and bool(known["high"] <= known["low"])
+    return bool(rms["value"]) and bool(rms["high"] <= rms["low"])
 
 
 def _in_one(sentences: list[str]) -> list[str]:

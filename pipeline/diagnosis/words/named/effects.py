@@ -117,25 +117,25 @@ def details(mechanism: Mechanism, parameters: dict[str, Quantity], words: Vocabu
 
 def _usual_load(parameters: dict[str, Quantity], units: Units) -> dict[str, Quantity]:
     """The load that a law's numbers are of, in its unit: the recording's usual one; nothing where a law has none."""
-    known = parameters.get("usual_load")
-    if known is None:
+    usual_load = parameters.get("usual_load")
+    if usual_load is None:
         return {}
-    value, low, high = (units.load_size * end for end in (known["value"], known["low"], known["high"]))
+    value, low, high = (units.load_size * end for end in (usual_load["value"], usual_load["low"], usual_load["high"]))
     return {units.name("usual_load_n"): {"value": value, "low": low, "high": high, "unit": units.load}}
 
 
 def _late(parameters: dict[str, Quantity], units: Units, mass_kg: float | None) -> dict[str, Quantity]:
     """The delay of a moving mass, from its product with that mass; nothing where one of them is unknown."""
-    known = parameters.get(units.name("late_mm_s3_per_turn"))
-    if known is None or not mass_kg or (units.reading, units.motion) != ("N", "m"):
+    lateness = parameters.get(units.name("late_mm_s3_per_turn"))
+    if lateness is None or not mass_kg or (units.reading, units.motion) != ("N", "m"):
         return {}
-    value, low, high = (1e3 * end / mass_kg for end in (known["value"], known["low"], known["high"]))
+    value, low, high = (1e3 * end / mass_kg for end in (lateness["value"], lateness["low"], lateness["high"]))
     return {"late_ms": {"value": value, "low": low, "high": high, "unit": "ms"}}
 
 
-def with_interval(known: Quantity) -> str:
+def with_interval(constant: Quantity) -> str:
     """A constant of an effect with its 90 % interval, if it has one: `0.141 turns (0.137 to 0.144)`."""
-    value, low, high = (quantity(known[key], known["unit"], digits=3) for key in ("value", "low", "high"))
+    value, low, high = (quantity(constant[key], constant["unit"], digits=3) for key in ("value", "low", "high"))
     unit = value.partition(" ")[2]
     return value if low == high else f"{value} ({low.removesuffix(unit).strip()} to {high.removesuffix(unit).strip()})"
 

@@ -101,8 +101,11 @@ def split(equation: str) -> tuple[str, dict[str, str]]:
 def functions(equation: str, mechanism: Mechanism) -> list[str]:
     """What each function and sign of an equation does."""
     shown, used = split(equation)[0], LETTER.findall(equation)
-    known = [f"{name}: {does}" for name, does in FUNCTIONS.items() if name in used]
-    return [*known, *(does for sign, does in SIGNS.items() if re.search(sign, _without_primed(shown, mechanism)))]
+    function_lines = [f"{name}: {does}" for name, does in FUNCTIONS.items() if name in used]
+    return [
+        *function_lines,
+        *(does for sign, does in SIGNS.items() if re.search(sign, _without_primed(shown, mechanism))),
+    ]
 
 
 def _without_primed(equation: str, mechanism: Mechanism) -> str:

@@ -23,11 +23,11 @@ def missing(content: Verdict, words: Vocabulary, id_: str) -> list[str]:
 
     Nothing on a rig that is no string, and where an older file does not say what was recorded.
     """
-    known = content["evidence"].get("covered")
-    if known is None or not words.twisted:
+    covered = content["evidence"].get("covered")
+    if covered is None or not words.twisted:
         return []
     test = mechanisms()[id_].told_apart_by
-    (_, most), (slow, fast) = known["load"], known["speed_per_s"]
+    (_, most), (slow, fast) = covered["load"], covered["speed_per_s"]
     lacks = {
         "load": bool(LOADS.search(test)) and most > 0.0 and not content["evidence"]["loaded"],
         "speed": bool(SPEEDS.search(test)) and 0.0 < fast < ALIKE * slow,

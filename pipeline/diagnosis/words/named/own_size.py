@@ -17,14 +17,14 @@ OWN = 0.8  # of an effect's size: a part that no dimension could do stands first
 
 def own_size(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
     """How much an effect moves the reading, with its interval if it has one, and what to think of it."""
-    known = interval(entry, f"rms_{words.ending}")
-    if not known["value"]:
+    rms = interval(entry, f"rms_{words.ending}")
+    if not rms["value"]:
         return "none"
-    if known["high"] <= known["low"]:
-        return size(known["value"], words.unit)
+    if rms["high"] <= rms["low"]:
+        return size(rms["value"], words.unit)
     if own_part(entry, content, words):
-        poorly = POORLY if certainty.wide(known) else ""
-        return f"{own_with_interval(entry, content, words)}, in all {size(known['value'], words.unit)}{poorly}"
+        poorly = POORLY if certainty.wide(rms) else ""
+        return f"{own_with_interval(entry, content, words)}, in all {size(rms['value'], words.unit)}{poorly}"
     return f"{with_interval(entry, words)}{doubt_of(entry, content, words)}"
 
 
@@ -33,17 +33,17 @@ def in_columns(entry: MechanismEntry, content: Verdict, words: Vocabulary, parts
 
     `short`: of a size that is partly hidden, also that nobody quotes it, for the page has no more on it.
     """
-    known = interval(entry, f"rms_{words.ending}")
-    if not known["value"]:
+    rms = interval(entry, f"rms_{words.ending}")
+    if not rms["value"]:
         return ["none", *["–"] * parts]
-    whole = size(known["value"], words.unit) if known["high"] <= known["low"] else with_interval(entry, words)
+    whole = size(rms["value"], words.unit) if rms["high"] <= rms["low"] else with_interval(entry, words)
     part = own_part(entry, content, words)
     doubt = doubt_of(entry, content, words)
     if part:  # it says by itself that the rest is hidden
-        doubt = POORLY if certainty.wide(known) else ""
+        doubt = POORLY if certainty.wide(rms) else ""
     elif short and doubt == PARTLY:  # an interval would promise more
-        whole, doubt = f"{size(known['value'], words.unit)} in this fit", f"{PARTLY}: do not quote"
-    return [f"{whole}{doubt}", *[size(part or known["value"], words.unit)] * parts]
+        whole, doubt = f"{size(rms['value'], words.unit)} in this fit", f"{PARTLY}: do not quote"
+    return [f"{whole}{doubt}", *[size(part or rms["value"], words.unit)] * parts]
 
 
 def with_interval(entry: MechanismEntry, words: Vocabulary, factor: float = 1.0) -> str:
@@ -76,13 +76,13 @@ def to_report(content: Verdict, entries: list[MechanismEntry], words: Vocabulary
 
 def doubt_of(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
     """What to think of an effect's size: that it is poorly known, or hidden; nothing where it is known."""
-    known = interval(entry, f"rms_{words.ending}")
-    much = content["mismatch"] and certainty.hidden(known["value"], content, words)
+    rms = interval(entry, f"rms_{words.ending}")
+    much = content["mismatch"] and certainty.hidden(rms["value"], content, words)
     partly = entry["id"] in certainty.partly_hidden(content, words)
-    return HIDDEN if much else POORLY if certainty.wide(known) else PARTLY if partly else ""
+    return HIDDEN if much else POORLY if certainty.wide(rms) else PARTLY if partly else ""
 
 
 def own_part(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> float:
     """How much of an effect no dimension could do, rms, where that is clearly less than all of it; else 0."""
-    left = by_name(content["evidence"], f"beyond_dimensions_{words.ending}").get(entry["id"])
-    return float(left) if left and left < OWN * interval(entry, f"rms_{words.ending}")["value"] else 0.0
+    own_rms = by_name(content["evidence"], f"beyond_dimensions_{words.ending}").get(entry["id"])
+    return float(own_rms) if own_rms and own_rms < OWN * interval(entry, f"rms_{words.ending}")["value"] else 0.0

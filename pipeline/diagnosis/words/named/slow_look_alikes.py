@@ -34,9 +34,12 @@ def _by_how_much(content: Verdict, ids: list[str], words: Vocabulary) -> list[st
     """Excluded look-alikes, each with by how much it is wrong in a hold and in a rest."""
     first, *others = content["evidence"]["not_kept"]
     entries, floor = {entry["id"]: entry for entry in others}, amount(content["evidence"], f"floor_{words.ending}")
-    known = {id_: other_effects.wrong_by(entries[id_], first, floor, words) for id_ in ids}
+    wrong_by_id = {id_: other_effects.wrong_by(entries[id_], first, floor, words) for id_ in ids}
     stands = other_effects.STANDS
-    return [f"{id_} ({listing([f'by {wrong} {stands[phase]}' for phase, wrong in known[id_].items()])})" for id_ in ids]
+    return [
+        f"{id_} ({listing([f'by {wrong} {stands[phase]}' for phase, wrong in wrong_by_id[id_].items()])})"
+        for id_ in ids
+    ]
 
 
 def still_open(content: Verdict, words: Vocabulary) -> list[str]:
@@ -97,9 +100,9 @@ def _why_open(content: Verdict, id_: str, words: Vocabulary) -> str:
     if any(id_ in ids for ids in content["alternatives"]):
         return f": another likely explanation has it. {test}"
     entries = [entry for entry in content["evidence"].get("not_kept", []) if entry["id"] == id_]
-    left = amount_or_none(entries[0], f"left_{words.ending}") if entries else None
-    if left is None:
+    left_rms = amount_or_none(entries[0], f"left_{words.ending}") if entries else None
+    if left_rms is None:
         return f": this recording does not show it. {test}"
-    ratio = times(left / amount(content["evidence"], f"floor_{words.ending}"))
-    leaves = f"the library's formula of it leaves {size(left, words.unit)} ({ratio} times the noise)"
+    ratio = times(left_rms / amount(content["evidence"], f"floor_{words.ending}"))
+    leaves = f"the library's formula of it leaves {size(left_rms, words.unit)} ({ratio} times the noise)"
     return f": {leaves}, but another law of it could do what is seen. {test}"

@@ -44,7 +44,11 @@ def anew(folders: list[Path], load: str, words: Vocabulary, short: bool) -> list
     """
     if short:
         return [ANEW.format(" (commands: details.txt).")]
-    *made, diagnose = commands.lines(folders, None, [load])
+    *recorded_anew, diagnose = commands.lines(folders, None, [load])
     runs = [*folders, folders[-1].with_name(f"{folders[-1].name}-next")]
     removed = [f"{command('adopt')} --remove {shlex.quote(str(folder))}" for folder in runs]
-    return [ANEW.format(":"), *(f"  {line}" for line in (*made, *removed, diagnose)), again(folders[-1], load, words)]
+    return [
+        ANEW.format(":"),
+        *(f"  {line}" for line in (*recorded_anew, *removed, diagnose)),
+        again(folders[-1], load, words),
+    ]

@@ -29,12 +29,12 @@ def lines(folders: list[Path], out: Path | None, loads: list[str]) -> list[str]:
     old = folders[-1]
     endings = [f"-{number}" for number in range(1, len(loads) + 1)] if len(loads) > 1 else [""]
     new = [old.with_name(f"{old.name}-next{ending}") for ending in endings]
-    made = []
+    record_lines = []
     for folder, load, ending in zip(new, loads, endings, strict=True):
-        made += _recorded(old, folder, load, _file(old, ending))
+        record_lines += _recorded(old, folder, load, _file(old, ending))
     where = shlex.quote(str(out.with_name(f"{out.name}-next"))) if out else "DIR"
     named = " ".join(shlex.quote(str(folder)) for folder in (*folders, *new))
-    return [*made, f"{DIAGNOSE} {named} --together --out {where}"]
+    return [*record_lines, f"{DIAGNOSE} {named} --together --out {where}"]
 
 
 def _recorded(old: Path, new: Path, load: str, file: str) -> list[str]:

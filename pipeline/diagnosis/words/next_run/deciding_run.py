@@ -33,10 +33,10 @@ def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | 
     if not worth_making(tied):
         return [HARDLY]
     runs: list[str] = []
-    held = [in_one_line(adoption.get("next_experiment")) for adoption in tied]
-    for experiment in dict.fromkeys(held):
+    experiments = [in_one_line(adoption.get("next_experiment")) for adoption in tied]
+    for experiment in dict.fromkeys(experiments):
         runs += [LOST] if experiment is None else [STILL, *protocol(experiment)]
-    last = next(filter(None, reversed(held)), "")
+    last = next(filter(None, reversed(experiments)), "")
     to_type = commands.lines(folders, out, loads(last) if words.twisted else [""] * len(loads(last)))
     remove = [f"  {command('adopt')} --remove {shlex.quote(str(folder))}" for folder in folders]
     return [*runs, FIRST, *remove, *commands.block(to_type, folders[-1], words)]

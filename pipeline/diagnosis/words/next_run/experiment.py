@@ -38,8 +38,10 @@ def heading(part: Part, run: NextRun, words: Vocabulary, number_: int | None) ->
     run_word = f"Run {number_}" if number_ else "Before it"
     new = new_load(part, run)
     if not new:
-        known = f", under {part.load} as recorded" if run.get("fixed_load") and part.load and run.get("load") else ""
-        return f"{run_word}{known}:" if number_ else ""
+        under_load = (
+            f", under {part.load} as recorded" if run.get("fixed_load") and part.load and run.get("load") else ""
+        )
+        return f"{run_word}{under_load}:" if number_ else ""
     change = f"change the load from {number(run['load'])} to {part.load}"
     instruction = f"{change}, and say so in run.yaml (`{words.load}: {new}`) unless a channel records it"
     return f"{run_word}: {instruction}:" if number_ else f"Before it, {instruction}."

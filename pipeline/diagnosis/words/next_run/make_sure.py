@@ -114,12 +114,12 @@ def of_names(
         ]
     head = _head(content, words, ALL_HERE if has == set(ids) else RECORD)
     if short:
-        known = recorded_so_far.lines(content, words, tests)
-        more = [SO_FAR * bool(known), NUMBERS * bool(numbers), "the commands" * bool(numbers)]
+        so_far = recorded_so_far.lines(content, words, tests)
+        more = [SO_FAR * bool(so_far), NUMBERS * bool(numbers), "the commands" * bool(numbers)]
         return [[head, *tests, *([_where(more)] if any(more) else [])]]
     typed = [again(folders[-1], load, words), *(f"  {line}" for line in commands.lines(folders, out, [load]))]
-    made = [*([run] if run else []), *other, *typed, BEFORE] if numbers or run else []
-    return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *made]]
+    run_lines = [*([run] if run else []), *other, *typed, BEFORE] if numbers or run else []
+    return [[head, *tests, *recorded_so_far.lines(content, words, tests), *numbers, *run_lines]]
 
 
 def _head(content: Verdict, words: Vocabulary, record: str) -> str:
@@ -153,14 +153,14 @@ def again(old: Path, load: str, words: Vocabulary) -> str:
 
 def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
     """How long to hold and to rest for an effect of time, and under which loads; nothing for others."""
-    known = content["evidence"].get("covered")
+    covered = content["evidence"].get("covered")
     entry = next(entry for entry in content["mechanisms"] if entry["id"] == id_)
-    if known is None or not mechanisms()[id_].acts_at_rest:
+    if covered is None or not mechanisms()[id_].acts_at_rest:
         return ""
     constants = time_constants_s(entry)
-    longest_s = max(constants or [known["longest_hold_s"], known["longest_rest_s"]])
+    longest_s = max(constants or [covered["longest_hold_s"], covered["longest_rest_s"]])
     twice = f"twice {'its longest time constant' if constants else 'the longest one here'}"
-    (least, most), unit = known["load"], words.load_unit
+    (least, most), unit = covered["load"], words.load_unit
     load = f"{number(least)} to " * content["evidence"]["loaded"] + quantity(most, unit)
     under = f", under {load} as recorded here" if words.load is not None and most > 0.0 else ""
     return f" ({duration(2.0 * longest_s)} or longer each, {twice}{under})" if longest_s > 0.0 else ""

@@ -26,9 +26,11 @@ def sentence(content: Verdict) -> str:
     alone = [own[group[0]] for group in groups if len(group) == 1]
     apart = f"{', '.join(alone[:-1])}, and {alone[-1]}," if len(alone) > 1 and "+" in "".join(alone) else listing(alone)
     parts = [f"it can tell {apart} from the others"] if alone else []
-    left = [part for group in groups if len(group) > 1 for part in _left(group, close, own)]
-    parts += ["it can tell these apart"] if not alone and all("stay together" in part for part in left) else []
-    return f"Of the {len(names)} likeliest explanations {'; '.join([*parts, *left])}."
+    together_parts = [part for group in groups if len(group) > 1 for part in _left(group, close, own)]
+    parts += (
+        ["it can tell these apart"] if not alone and all("stay together" in part for part in together_parts) else []
+    )
+    return f"Of the {len(names)} likeliest explanations {'; '.join([*parts, *together_parts])}."
 
 
 def _left(group: list[Ids], close: set[frozenset[Ids]], own: dict[Ids, str]) -> list[str]:
@@ -39,9 +41,9 @@ def _left(group: list[Ids], close: set[frozenset[Ids]], own: dict[Ids, str]) -> 
     pairs = [frozenset(pair) for pair in combinations(group, 2)]
     if close.issuperset(pairs):
         return [f"{listing([own[ids] for ids in group], 'and')} stay together"]
-    clauses, left = list[str](), [pair for pair in pairs if pair not in close]
+    clauses, to_part = list[str](), [pair for pair in pairs if pair not in close]
     for pattern, rest in (
-        ("it can tell {} from {}", left),
+        ("it can tell {} from {}", to_part),
         ("it need not tell {} from {}", [*close.intersection(pairs)]),
     ):
         while rest:

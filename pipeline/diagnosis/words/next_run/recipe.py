@@ -14,8 +14,8 @@ FEWEST = 4  # strokes: of fewer a diagnosis leaves none out
 
 def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
     """The load that the next recording asks for, where it is another one than was recorded; else None."""
-    known = content["evidence"].get("covered")
-    if known is None or _lasting(content, ids) or "load" not in _lacking(content, words, ids):
+    covered = content["evidence"].get("covered")
+    if covered is None or _lasting(content, ids) or "load" not in _lacking(content, words, ids):
         return None
     chosen = second_load.best(content, words)
     share = chosen[0] if chosen and chosen[1] >= 1.0 else second_load.HALF
@@ -40,25 +40,25 @@ def shows(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str] | Non
 
 def to_type(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     """The load for `--load-n`; empty where it stays, or where a column of the recording holds it."""
-    new_load, known = load(content, words, ids), content["evidence"].get("covered")
-    if new_load is None or known is None or not words.twisted or known["load"][0] != known["load"][1]:
+    new_load, covered = load(content, words, ids), content["evidence"].get("covered")
+    if new_load is None or covered is None or not words.twisted or covered["load"][0] != covered["load"][1]:
         return ""
     return f"{new_load:g}"
 
 
 def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     """What to record for the effects `ids`; nothing where their tests ask for no other load, speed, hold or rest."""
-    known, lacking = content["evidence"].get("covered"), _lacking(content, words, ids)
+    covered, lacking = content["evidence"].get("covered"), _lacking(content, words, ids)
     lasting = _lasting(content, ids)
-    if known is None or not words.twisted or not (lacking or lasting):
+    if covered is None or not words.twisted or not (lacking or lasting):
         return ""
     (first, last), (low, high) = content["evidence"]["strokes"], extent(content["evidence"], words.driver)
     runs = 1 if isinstance(content["run"], str) else len(content["run"])
-    count, (slow, fast) = max((last - first + 1) // runs, FEWEST), known["speed_per_s"]
+    count, (slow, fast) = max((last - first + 1) // runs, FEWEST), covered["speed_per_s"]
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     new_load = load(content, words, ids)
     before = quantity(second_load.base(content), words.load_unit)
-    under = f" under {before}" if words.load is not None and known["load"][1] > 0.0 else ""
+    under = f" under {before}" if words.load is not None and covered["load"][1] > 0.0 else ""
     if new_load is not None:  # strokes as before, but for this
         other = "all of them under" if content["evidence"]["loaded"] else "under"
         instead = "" if content["evidence"]["loaded"] else f" in place of {before}"
@@ -71,12 +71,12 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         stand = duration(lasting)
         still = f", and in the first one hold {stand} at {top} and rest {stand} at {bottom} after it"
     else:
-        stood = known["longest_hold_s"] > 0.0 or known["longest_rest_s"] > 0.0
+        stood = covered["longest_hold_s"] > 0.0 or covered["longest_rest_s"] > 0.0
         still = ", with the same holds and rests" * stood
     turned = span(low, high, words.motion_unit, high - low)
     as_before = f"{turned}{under}"
     if new_load is None and content["evidence"]["loaded"]:
-        (least, most), unit = known["load"], words.load_unit
+        (least, most), unit = covered["load"], words.load_unit
         as_before = f"each with the twist and the load that it had (within {turned} and {ends(least, most, unit, 2)})"
     return f"{SO}{count} strokes as before, {as_before}, at {speed}{still}."
 

@@ -18,10 +18,10 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
 
     Nothing where an older file does not say it.
     """
-    known = content["evidence"].get("covered")
-    if known is None:
+    covered = content["evidence"].get("covered")
+    if covered is None:
         return []
-    (least, most), (slow, fast) = known["load"], known["speed_per_s"]
+    (least, most), (slow, fast) = covered["load"], covered["speed_per_s"]
     loads = (
         f"loads of {number(least)} to {quantity(most, words.load_unit)}"
         if content["evidence"]["loaded"]
@@ -30,7 +30,7 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
     speeds = f"speeds of {number(slow)} to {quantity(fast, f'{words.motion_unit}/s')}"
     if fast < ALIKE * slow:
         speeds = f"one speed, {quantity(fast, f'{words.motion_unit}/s')}"
-    stands = f"{_stands('holds', known['longest_hold_s'])} and {_stands('rests', known['longest_rest_s'])}"
+    stands = f"{_stands('holds', covered['longest_hold_s'])} and {_stands('rests', covered['longest_rest_s'])}"
     more = " or more" if content["evidence"]["loaded"] else ""
     under = f" under {quantity(least, words.load_unit)}{more}" if words.load is not None and least > 0.0 else ""
     wanted, counts = " ".join(tests), []
@@ -49,10 +49,10 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
 
 def asks_speed(content: Verdict, words: Vocabulary) -> bool:
     """Whether the run moves at a speed that was not recorded; by its title where an older file does not say."""
-    run, known = proposal(content), content["evidence"].get("covered")
-    if known is None or "speed" not in run["title"]:
+    run, covered = proposal(content), content["evidence"].get("covered")
+    if covered is None or "speed" not in run["title"]:
         return "speed" in run["title"]
-    slow, fast = known["speed_per_s"]
+    slow, fast = covered["speed_per_s"]
     places = [leg[words.driver] for leg in run["legs"]]
     ways = zip(itertools.pairwise(places), run["legs"][1:], strict=True)
     speeds = [abs(to - at) / leg["seconds"] for (at, to), leg in ways if to != at]
@@ -61,10 +61,10 @@ def asks_speed(content: Verdict, words: Vocabulary) -> bool:
 
 def asks_load(content: Verdict, words: Vocabulary) -> bool:
     """Whether the run hangs more than was recorded; True where an older file does not say."""
-    run, known = proposal(content), content["evidence"].get("covered")
+    run, covered = proposal(content), content["evidence"].get("covered")
     loads = [leg.get(words.load) for leg in run["legs"]] if words.load else []
     hung = [float(load) for load in loads if load is not None]
-    return known is None or not hung or max(hung) > (1.0 + NEW) * known["load"][1]
+    return covered is None or not hung or max(hung) > (1.0 + NEW) * covered["load"][1]
 
 
 def _stands(called: str, longest_s: float) -> str:
@@ -75,18 +75,18 @@ def _stands(called: str, longest_s: float) -> str:
 
 def not_yet(content: Verdict, words: Vocabulary) -> str:
     """What the recording lacks of a second speed, a second load and pauses; else what goes beyond those it has."""
-    known = content["evidence"].get("covered")
-    if known is None:
+    covered = content["evidence"].get("covered")
+    if covered is None:
         return ANY if words.load is not None else "at another speed and with pauses"
-    slow, fast = known["speed_per_s"]
-    pause_s = max(known["longest_hold_s"], known["longest_rest_s"])
+    slow, fast = covered["speed_per_s"]
+    pause_s = max(covered["longest_hold_s"], covered["longest_rest_s"])
     lacking = ["at another speed"] * (fast < ALIKE * slow)
     lacking += ["under another load"] * (words.load is not None and not content["evidence"]["loaded"])
     lacking += ["with pauses"] * (pause_s < PAUSE_S)
     if lacking:
         return listing(lacking)
     has = [f"speeds of {ends(slow, fast, f'{words.motion_unit}/s', 2)}"]
-    least, most = known["load"]
+    least, most = covered["load"]
     has += [f"loads of {ends(least, most, words.load_unit, 2)}"] * (words.load is not None)
     has += [f"pauses of up to {duration(pause_s)}"]
     return f"beyond what it has, as far as it bears that ({listing(has)})"

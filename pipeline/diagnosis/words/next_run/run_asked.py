@@ -113,5 +113,5 @@ def beyond_the_first(content: Verdict, words: Vocabulary, by_name: bool = False)
         f"the {'low' if end < seen[0] else 'high'} {called[name]}, " * by_name + quantity(end, units[name])
         for name, (seen, later) in (content["evidence"].get("beyond_seen") or {}).items()
         for end in (later[0] if later[0] < seen[0] else None, later[1] if later[1] > seen[1] else None)
-        if end is not None and quantity(end, units[name]) not in [quantity(known, units[name]) for known in seen]
+        if end is not None and quantity(end, units[name]) not in [quantity(seen_end, units[name]) for seen_end in seen]
     ]

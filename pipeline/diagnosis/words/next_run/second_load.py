@@ -25,8 +25,8 @@ def best(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
     parted = {
         share: tells([of_explanation(each, row, content, words) for each in columns]) for share, row in ROWS.items()
     }
-    known = {share: ratio for share, ratio in parted.items() if ratio is not None}
-    return max(((share, ratio) for share, ratio in known.items()), key=lambda pair: pair[1]) if known else None
+    ratios = {share: ratio for share, ratio in parted.items() if ratio is not None}
+    return max(((share, ratio) for share, ratio in ratios.items()), key=lambda pair: pair[1]) if ratios else None
 
 
 def sentence(content: Verdict, words: Vocabulary) -> str:

@@ -62,11 +62,11 @@ def _closest(content: Verdict) -> str:
 
 def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
     """The table's cells: an explanation, its probability if it has one, and its reading where both differ the most."""
-    known, rows = run.get("apart"), []
+    readings_apart, rows = run.get("apart"), []
     ends = [f"{which}_{words.ending}" for which in ("first", "second")]
     both = (
-        to_tell([amount(known, end) for end in ends], amount(known, f"by_{words.ending}"), words.unit)
-        if known
+        to_tell([amount(readings_apart, end) for end in ends], amount(readings_apart, f"by_{words.ending}"), words.unit)
+        if readings_apart
         else ["", ""]
     )
     likelier = sorted(
@@ -77,17 +77,17 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
         if probability.known(content):
             share = worth.share(ids, content)
             cells.append(UNKNOWN if share is None else percent(share))
-        if known:
+        if readings_apart:
             cells.append(reading)
         rows.append(cells)
     head = ["it is to tell apart", *(["probability"] if probability.known(content) else [])]
-    if known:
+    if readings_apart:
         low, high = extent(content["evidence"], words.driver)
-        near = place_near(amount(known, words.driver), words.motion_unit, high - low)
-        after_s = known.get("after_s", 0.0)
+        near = place_near(amount(readings_apart, words.driver), words.motion_unit, high - low)
+        after_s = readings_apart.get("after_s", 0.0)
         when = f"after {duration(after_s)}" if after_s > 0.0 else "in it"  # an older file does not say it
         head.append(f"reading {when}, {words.motion} near {near}")
-        apart = size(amount(known, f"by_{words.ending}"), words.unit)
+        apart = size(amount(readings_apart, f"by_{words.ending}"), words.unit)
         rows.append(["their difference, if the run follows this one at once", *[UNKNOWN] * (len(head) - 2), apart])
     return [head, *rows]
 

@@ -74,9 +74,9 @@ def _alone(words: Vocabulary, folders: list[Path]) -> list[str]:
 
 def _not_asked(content: Verdict, words: Vocabulary) -> str:
     """That the run is not for the names that are only probable, in brackets; nothing where none of the others is."""
-    known = effect_table.only_probable(content, words)
-    known = [id_ for id_ in known if id_ not in worth.differing(content)]
-    return f" (it is not there to make the probable {listing(known)} surer)" if known else ""
+    probable = effect_table.only_probable(content, words)
+    probable = [id_ for id_ in probable if id_ not in worth.differing(content)]
+    return f" (it is not there to make the probable {listing(probable)} surer)" if probable else ""
 
 
 def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:

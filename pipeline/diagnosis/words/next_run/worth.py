@@ -79,15 +79,17 @@ def gaps(run: NextRun) -> str:
 
 def readings(content: Verdict, run: NextRun, words: Vocabulary) -> str:
     """By how much the two readings should differ in the run; nothing where an older file does not say it."""
-    known = run.get("apart")
-    if not known:
+    readings_apart = run.get("apart")
+    if not readings_apart:
         return ""
     low, high = extent(content["evidence"], words.driver)
-    most = size(amount(known, f"by_{words.ending}"), words.unit)
-    near = place_near(amount(known, words.driver), words.motion_unit, high - low)
+    most = size(amount(readings_apart, f"by_{words.ending}"), words.unit)
+    near = place_near(amount(readings_apart, words.driver), words.motion_unit, high - low)
     names = [rivals.called(ids) for ids in run["parts"]]
-    differ = amount(known, f"by_{words.ending}")
-    both = to_tell([amount(known, f"{which}_{words.ending}") for which in ("first", "second")], differ, words.unit)
+    differ = amount(readings_apart, f"by_{words.ending}")
+    both = to_tell(
+        [amount(readings_apart, f"{which}_{words.ending}") for which in ("first", "second")], differ, words.unit
+    )
     return (
         f"In it, if it follows this recording at once, the two predicted readings differ by up to {most}, most near "
         f"{near}: {both[0]} if it is {names[0]}, {both[1]} if it is {names[1]}."
@@ -103,8 +105,8 @@ def probable(ids: list[str], content: Verdict) -> str:
 def share(ids: list[str], content: Verdict) -> float | None:
     """The probability of an explanation; None where it has none."""
     shown = (explanation for explanation in content["evidence"]["explanations"] if set(explanation["ids"]) == set(ids))
-    known = next((explanation.get("probability") for explanation in shown), None)
-    return None if known is None else float(known)
+    own_probability = next((explanation.get("probability") for explanation in shown), None)
+    return None if own_probability is None else float(own_probability)
 
 
 def question(content: Verdict) -> str:

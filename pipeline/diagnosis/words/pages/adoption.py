@@ -77,10 +77,11 @@ def dimensions_came(content: Verdict) -> bool:
 def adopted_again(content: Verdict) -> bool:
     """Whether calibration found for each dimension that moved far what was adopted with the effects already."""
     came = [adoption["dimensions"] for adoption in content.get("adopted", []) if adoption.get("dimensions")][-1:]
-    known, sigma = content["parameters"], content["evidence"].get("tolerance", {})
-    far = [name for name in far_moved(content) if name in known]
+    parameters, sigma = content["parameters"], content["evidence"].get("tolerance", {})
+    far = [name for name in far_moved(content) if name in parameters]
     return bool(came and far) and all(
-        name in came[0] and abs(known[name]["value"] - came[0][name]["fitted"]) <= sigma.get(name, 0.0) for name in far
+        name in came[0] and abs(parameters[name]["value"] - came[0][name]["fitted"]) <= sigma.get(name, 0.0)
+        for name in far
     )
 
 
@@ -134,8 +135,8 @@ def adopted_predictions(folder: Path, words: Vocabulary, load: str | None, ids: 
 
 def hung(content: Verdict, words: Vocabulary) -> str | None:
     """The column of the load, where the recording has one that is not 0 throughout; else None."""
-    known = content.get("evidence", {}).get("covered")  # adopt takes files without
-    return None if known is not None and not any(known["load"]) else words.load
+    covered = content.get("evidence", {}).get("covered")  # adopt takes files without
+    return None if covered is not None and not any(covered["load"]) else words.load
 
 
 def columns_of_plan(words: Vocabulary, load: str | None) -> str:

@@ -91,8 +91,8 @@ def _sizes(content: Verdict, words: Vocabulary) -> str:
 
 def _called(reportable: list[str], content: Verdict, words: Vocabulary) -> str:
     """The effects whose sizes can be reported, with where these stand if they are not all of an effect."""
-    known = {entry["id"]: own_size.own_part(entry, content, words) for entry in content["mechanisms"]}
-    return listing([f"{id_}{' in the last column' if known[id_] else ''}" for id_ in reportable])
+    own_part_by_id = {entry["id"]: own_size.own_part(entry, content, words) for entry in content["mechanisms"]}
+    return listing([f"{id_}{' in the last column' if own_part_by_id[id_] else ''}" for id_ in reportable])
 
 
 def lets(content: Verdict, words: Vocabulary) -> bool:

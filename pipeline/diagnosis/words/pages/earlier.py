@@ -90,9 +90,9 @@ def _moved(before: Verdict, content: Verdict) -> list[tuple[str, str, str]]:
     return apart[:MOST]
 
 
-def _whole(known: Dimension) -> bool:
+def _whole(dimension: Dimension) -> bool:
     """Whether a dimension has a value with its interval."""
-    return all(isinstance(known.get(key), int | float) for key in ("value", "low", "high"))
+    return all(isinstance(dimension.get(key), int | float) for key in ("value", "low", "high"))
 
 
 def _names(content: Verdict) -> list[str]:
@@ -104,8 +104,8 @@ def _names(content: Verdict) -> list[str]:
 def _said(content: Verdict) -> str:
     """What a verdict named, the likeliest first; its word where it named nothing."""
     listed = content.get("mechanisms")
-    known = listed if isinstance(listed, list) else []
-    entries = [entry for entry in known if isinstance(entry, dict) and "id" in entry]
+    named = listed if isinstance(listed, list) else []
+    entries = [entry for entry in named if isinstance(entry, dict) and "id" in entry]
     if not entries:
         return f"was {content.get('verdict', 'another')}"
     return f"named {listing([_sure(entry) for entry in sorted(entries, key=lambda entry: -_share(entry))])}"

@@ -35,9 +35,9 @@ WHOSE = {
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table, a line each row, and what must be known to read it."""
-    seen, held = _seen(content, words), unseen.errors(content, words)
+    seen, unseen_errors = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
-    remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if held else [TOO_FEW]
+    remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if unseen_errors else [TOO_FEW]
     remarks = [*remarks[:-1], f"{remarks[-1]} {_moved_most(content, words)}".strip()]
     remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
     rows = [row for row in _rows(content, words) if row[0] != "nominal" or not kept_times(content, words)]
@@ -46,15 +46,15 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first."""
-    seen, held = _seen(content, words), unseen.errors(content, words)
+    seen, unseen_errors = _seen(content, words), unseen.errors(content, words)
     columns = [(WHOLE, seen, amount(content["evidence"], f"floor_{words.ending}"))]
-    if held:
-        columns.append((held_out(content), list(held), amount(content["fit"], f"noise_floor_{words.ending}")))
+    if unseen_errors:
+        columns.append((held_out(content), list(unseen_errors), amount(content["fit"], f"noise_floor_{words.ending}")))
     rows = [["simulator", *(head for head, _, _ in columns)]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
     if not content["mechanisms"]:  # nothing is named
-        closest = holdout.closest(content) if held else ""
+        closest = holdout.closest(content) if unseen_errors else ""
         name = f"closest, no name: {closest}"
         if closest:
             of_whole = _cell(_left_with(closest, content, words), columns[0][2], words)
@@ -64,7 +64,7 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     adopted = amount_or_none(content["evidence"], f"adopted_{words.ending}")
     if adopted is not None:
         rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])
-    if held and content["mechanisms"] and (other := holdout.other_name(content)):
+    if unseen_errors and content["mechanisms"] and (other := holdout.other_name(content)):
         of_other, rows[-1][-1] = rows[-1][-1], UNKNOWN
         other = holdout.closest(content) or other
         rows += [] if other == holdout.NO_EFFECT else [[_row_of(other), UNKNOWN, of_other]]
@@ -95,7 +95,7 @@ def _row_of(other: str) -> str:
 
 def short(content: Verdict, words: Vocabulary) -> list[str]:
     """The table with its rows said in words, and no remarks; the details have those."""
-    rows, held = _rows(content, words), unseen.errors(content, words)
+    rows, unseen_errors = _rows(content, words), unseen.errors(content, words)
     if kept_times(content, words):  # nobody simulates with adopted effects and the dimensions of run.yaml
         rows = [row for row in rows if row[0] != "nominal"]
     named = "as diagnosed: effects added" if content["mechanisms"] else "as diagnosed"
@@ -113,7 +113,7 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
     counts = (
         [SINGLE.format(size(single, words.unit), program_name("simulate"), program_name("adopt"))] if single else []
     )
-    return [*cells, *(_of_other(content) if held else [TOO_FEW]), *counts, *moved_words.lines(content)]
+    return [*cells, *(_of_other(content) if unseen_errors else [TOO_FEW]), *counts, *moved_words.lines(content)]
 
 
 def _of_other(content: Verdict) -> list[str]:
@@ -187,5 +187,5 @@ def _cell(error: float | None, noise: float, words: Vocabulary) -> str:
 
 def _kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
     """Of what each noise is, where the two differ."""
-    whole, held = (f", of {kind}" if kind else "" for kind in unseen.kinds(content, words))
-    return whole, held
+    whole, unseen_kind = (f", of {kind}" if kind else "" for kind in unseen.kinds(content, words))
+    return whole, unseen_kind

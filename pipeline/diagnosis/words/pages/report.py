@@ -32,8 +32,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if not content["mismatch"]:
         return []
     beyond = unseen.left_of_whole(content, words) if content["verdict"] in UNNAMED else 0.0
-    left = size(beyond or amount(content["mismatch"], f"rms_{words.ending}"), words.unit)
-    missing = f"{left} rms is missing after calibration, noise taken off"
+    missing_size = size(beyond or amount(content["mismatch"], f"rms_{words.ending}"), words.unit)
+    missing = f"{missing_size} rms is missing after calibration, noise taken off"
     if not (beyond or amount(content["mismatch"], f"rms_{words.ending}")):
         missing = "after calibration nothing is missing beyond the noise"
     missing += _where(content, words) + _beside(content) + _unseen(content, words)
@@ -94,8 +94,8 @@ def _sure(content: Verdict, words: Vocabulary) -> list[str]:
 
 def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:
     """The effects whose own size can be reported; none where dimensions moved far."""
-    known = [entry["id"] for entry in content["mechanisms"] if own_size.reportable(entry, content, words)]
-    return [] if far_moved(content) else known
+    ids = [entry["id"] for entry in content["mechanisms"] if own_size.reportable(entry, content, words)]
+    return [] if far_moved(content) else ids
 
 
 def _own(content: Verdict, words: Vocabulary) -> list[str]:

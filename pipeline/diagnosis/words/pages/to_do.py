@@ -168,9 +168,11 @@ def _anew(content: Verdict, words: Vocabulary, folders: list[Path], short: bool)
         keep = f"If nothing changed, keep what was adopted, and predict with {command('simulate')} as it is."
         return [again, [change, *remove], [keep]]
     adopted = [adoption for adoption in content.get("adopted", []) if adoption.get("diagnosis")][-1:]
-    known = [(Path(str(adoption["diagnosis"])), adoption["effects"]) for adoption in adopted]
+    adopted_files = [(Path(str(adoption["diagnosis"])), adoption["effects"]) for adoption in adopted]
     predict = [
-        f"  {line}" for source, ids in known for line in predictions(source, folders[:1] if short else folders, ids)
+        f"  {line}"
+        for source, ids in adopted_files
+        for line in predictions(source, folders[:1] if short else folders, ids)
     ]
     keep = (
         f"If nothing changed, predict with {'the diagnosis that was adopted:' if adopted else 'that diagnosis.json.'}"

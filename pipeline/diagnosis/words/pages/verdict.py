@@ -152,9 +152,9 @@ def _would(content: Verdict, words: Vocabulary) -> list[str]:
     }
     if content["verdict"] not in UNNAMED or not sizes:
         return []
-    left = unseen.left_over(content, words)
-    if left:
-        more = f"Of the errors above, {size(left, words.unit)} rms is more than noise"
+    left_rms = unseen.left_over(content, words)
+    if left_rms:
+        more = f"Of the errors above, {size(left_rms, words.unit)} rms is more than noise"
         return [f"{more}: effects of that size and less may hide in it."]
     ends = [min(sizes, key=lambda id_: sizes[id_]), max(sizes, key=lambda id_: sizes[id_])]
     from_to = " to ".join(f"{size(sizes[id_], words.unit)} ({id_})" for id_ in dict.fromkeys(ends))
