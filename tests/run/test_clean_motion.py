@@ -79,11 +79,12 @@ def test_the_speed_reaches_a_tenth_of_a_second_and_one_sample_at_least(rate_hz, 
 
 
 @pytest.mark.parametrize("group", [1, 2, 3, 4, 5, 100])
-def test_the_usual_step_is_the_median_of_the_steps_between_samples(monkeypatch, group):
+@pytest.mark.parametrize(("time_s", "step_s"), [([0.0, 1.0, 2.0, 4.0, 6.0], 1.5), ([0.0, 1.0, 3.0, 5.0], 2.0)])
+def test_the_usual_step_is_the_median_of_the_steps_between_samples(monkeypatch, group, time_s, step_s):
     """The last sample has no step: a 0 for it would make the usual step too short."""
     monkeypatch.setattr(schemas, "ROW_GROUP", group)
-    table = pd.DataFrame({"time_s": [0.0, 1.0, 2.0, 4.0, 6.0], "motor_turns": np.zeros(5)})
-    assert Motion(Held(table), "motor_turns").step_s == 1.5
+    table = pd.DataFrame({"time_s": time_s, "motor_turns": np.zeros(len(time_s))})
+    assert Motion(Held(table), "motor_turns").step_s == step_s
 
 
 @pytest.mark.parametrize("first", [1001, 1003, 1022, 1024, 1029])
