@@ -28,7 +28,7 @@ TARGETS = {
     ),
     "wire": ({"wire/frames.py", "wire/cobs.py", "wire/hello.py", "wire/growing_account.py", "wire/stamps.py"}, WIRE),
     "pieces": (
-        {"wire/mending.py", "wire/in_order.py", "wire/recording.py"},
+        {"wire/mending.py", "wire/in_order.py", "wire/decoded_recording.py"},
         "tests/wire/test_wire_mending.py tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
     ),
     "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/recalibration.py"}, DECISION),

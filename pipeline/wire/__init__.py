@@ -1,11 +1,11 @@
 """Frames to bytes and back; no I/O, no clock, and nothing of ours is imported (docs/protocol.md)."""
 
 from .check import PROTOCOL
+from .decoded_recording import PIECE, Pieces, Recording, read_account, read_pieces, read_recording
 from .frame_account import Account, End, Gap
 from .frames import Decoder, Event, Frame, Heard, Kind, Reason, encode
 from .growing_account import Ledger
 from .hello import Channel, Hello
-from .recording import PIECE, Pieces, Recording, read_account, read_pieces, read_recording
 
 __all__ = [
     "PIECE",

@@ -15,7 +15,6 @@ PAIRS = [
     ("run", "diagnosis/words"), ("diagnosis", "stages/campaign"), ("", "rig"), ("", "diagnosis/fit"), ("run", "rig"),
     ("export/exporters", "real/black_boxes"),
 ]  # fmt: skip
-STILL_TWO = {"recording"}  # in rooms where other work goes on
 
 
 def test_a_name_that_two_rooms_use_is_one_thing() -> None:
@@ -29,7 +28,7 @@ def test_a_name_that_two_rooms_use_is_one_thing() -> None:
         pairs = [(first, second) for number, first in enumerate(rooms) for second in rooms[number + 1 :]]
         return all(any((_in(a, x) and _in(b, y)) or (_in(a, y) and _in(b, x)) for x, y in PAIRS) for a, b in pairs)
 
-    assert {name for name, rooms in several.items() if not alike(rooms)} <= STILL_TWO
+    assert {name for name, rooms in several.items() if not alike(rooms)} == set()
 
 
 def _in(folder: str, room: str) -> bool:

@@ -6,7 +6,7 @@ from faults.scripted_device import frames
 from test_wire_pieces import cut
 from whole_stamps import mend as mend_whole
 
-from pipeline.wire import read_pieces, read_recording, recording
+from pipeline.wire import decoded_recording, read_pieces, read_recording
 from pipeline.wire.in_order import in_order
 from pipeline.wire.mending import Mending, steps_between, usual_steps
 from pipeline.wire.stamps import BURST, LEAP
@@ -171,7 +171,7 @@ def test_samples_are_kept_up_to_the_limit_to_the_byte(monkeypatch, less, times):
     """More of them are decoded anew, each time that they are asked for."""
     data, taken = b"".join(frames(500)), []
     sample_bytes = np.dtype(read_recording(data).hello.sample_type).itemsize
-    monkeypatch.setattr(recording, "KEPT", 500 * (8 + sample_bytes) - less)
+    monkeypatch.setattr(decoded_recording, "KEPT", 500 * (8 + sample_bytes) - less)
 
     def chunks():
         taken.append(len(data))

@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from whole_stamps import mend as mend_whole
 
-from pipeline.wire import Kind, encode, read_pieces, read_recording, recording
+from pipeline.wire import Kind, decoded_recording, encode, read_pieces, read_recording
 from pipeline.wire.mending import Mending, usual_steps
 from pipeline.wire.stamps import BURST
 
-KEPT = recording.KEPT
+KEPT = decoded_recording.KEPT
 
 
 def in_pieces(data, size):
@@ -26,7 +26,7 @@ def in_pieces(data, size):
 
 def agree(data, size):
     """What is read whole is what is read in pieces, whether these are kept or decoded anew."""
-    for recording.KEPT in (0, KEPT):
+    for decoded_recording.KEPT in (0, KEPT):
         whole, count = _agree(data, size)
     return whole, count
 
@@ -164,7 +164,7 @@ def test_a_short_log_is_decoded_once_and_a_long_one_is_not_kept(monkeypatch):
         return (data[at : at + 4096] for at in range(0, len(data), 4096))
 
     for kept, times in ((KEPT, 1), (4096, 3)):
-        monkeypatch.setattr(recording, "KEPT", kept)
+        monkeypatch.setattr(decoded_recording, "KEPT", kept)
         taken.clear()
         pieces = read_pieces(chunks)
         assert pieces.mended == {} and sum(len(time_s) for time_s, _, _ in pieces.samples()) == 1500

@@ -127,7 +127,7 @@ def test_the_account_is_the_same_in_pieces_of_any_size(lost, moves, sizes, garba
     recording = read_recording(data)
     assert (hello, account) == (recording.hello, recording.account)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pipeline.wire.recording.PIECE", sizes[0])
+        patch.setattr("pipeline.wire.decoded_recording.PIECE", sizes[0])
         again = read_recording(data)
     assert again.seq.tolist() == recording.seq.tolist() and again.time_s.tolist() == recording.time_s.tolist()
     assert account.sent == account.received + account.lost
