@@ -62,7 +62,7 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
     """Say whether the sensor's zero moved since the run of the same string before, and what comes next."""
     from ..string.jumps_beside import Beside, advice_on  # it needs pandas, for which no rig should wait
     from ..string.next_steps import next_steps
-    from .use_after_fault import once, strokes_of_use
+    from .use_after_fault import once, strokes_of_use, strokes_unwound
 
     reader = once(folder)
     beside = Beside(reader=reader)
@@ -71,8 +71,11 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
     if not info["samples"]["received"]:
         return
     hello = info.get("hello")
-    whole = hello["strokes"] if hello and info["exit_status"] == "complete" else 0
-    if info["exit_status"] == "fault" and (whole := strokes_of_use(folder, reader)) == 0:
+    if hello and info["exit_status"] == "complete":
+        whole = hello["strokes"]
+    elif info["exit_status"] != "fault":
+        whole = strokes_unwound(folder, reader)
+    elif (whole := strokes_of_use(folder, reader)) == 0:
         return
     anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
     print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))

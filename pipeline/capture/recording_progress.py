@@ -60,8 +60,11 @@ class Progress:
                 self.left.ends(passed_s)
         return True
 
-    def parts(self, free_bytes: int = 0, last: bool = False) -> list[str]:
-        """What the line says, the most important first; the `last` one foretells nothing and counts unwound strokes."""
+    def parts(self, free_bytes: int = 0, last: bool = False, cut: bool = False) -> list[str]:
+        """What the line says, the most important first; the `last` one foretells nothing and counts unwound strokes.
+
+        `cut`: the recording ended before the rig was done.
+        """
         passed_s = time.monotonic() - self._began_s
         recorded_s = self.samples / self.hello.rate_hz  # by the device's clock; all other times are the person's
         rigs_own = f"{clock(recorded_s)} by the rig's clock"
@@ -74,11 +77,15 @@ class Progress:
         left_s, lost = self.left.at(passed_s, recorded_s), f"{counted(self.lost, 'frame')} lost"
         readings = [f"{self.watch.now[name]:.2f} {unit}" for name, unit in SHOWN.items() if name in self.watch.now]
         is_whole = last and self._stroke > 0 and self._unwound.is_whole  # it ended without a rest: nobody told of it
-        whole = self.left.done + is_whole
+        is_cut = cut and is_whole and not self._unwound.is_home
+        whole = self.left.done + (is_whole and not is_cut)
         done = "stroke done" if whole == 1 and not of else "strokes done"
+        at_turns = self.watch.now.get("motor_turns", 0.0)
+        cut_off = f"stroke {self._stroke} was cut off at {at_turns:.1f} turns while it unwound"
         return [
             f"{clock(passed_s)} passed",  # one clock from start to end, whatever is learnt of the rig's pace
             f"stroke {self._stroke}{of}" if self._stroke and not is_whole else f"{whole}{of} {done}",
+            *([cut_off] if is_cut else []),
             *([f"about {clock(left_s)} left"] if left_s is not None and not last else []),
             *([lost, *readings] if self.lost else [*readings, lost]),  # of a narrow line the end is cut off
             *([rigs_own] if other_pace else []),
@@ -87,10 +94,10 @@ class Progress:
             *([f"{free_bytes / 1e9:.1f} GB free"] if free_bytes else []),
         ]
 
-    def show(self, free_bytes: int = 0, last: bool = False) -> None:
+    def show(self, free_bytes: int = 0, last: bool = False, cut: bool = False) -> None:
         """Renew the line, if it is time for it; the last one stays."""
         if last:
-            self.screen.close(self.parts(last=True))
+            self.screen.close(self.parts(last=True, cut=cut))
         elif self.screen.due:
             self.screen.show(self.parts(free_bytes))
         now_s = time.monotonic()

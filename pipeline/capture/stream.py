@@ -125,7 +125,7 @@ def record(
         gone = Outcome("fault" if math.isinf(stopped_s) else "aborted", f"the port went away ({error})")
         outcome = outcome or gone
     log.sync()
-    progress.show(last=True)
+    progress.show(last=True, cut=outcome.status != "complete")
     return _told(outcome, not math.isinf(stopped_s), over)
 
 

@@ -15,7 +15,8 @@ def warn_undescribed(folder: Path) -> None:
     except BadInput as error:
         meant = f" Did you mean {' or '.join(waiting)}?" if (waiting := _waiting(folder)) else ""
         print(  # the mend is said at the end, where nobody needs to hurry
-            f"warning: {error.file}: {error.field}: {error.problem}. It is recorded all the same.{meant}", flush=True
+            f"warning: {error.file}: {error.field}: {error.problem}. It can be recorded all the same.{meant}",
+            flush=True,
         )
 
 

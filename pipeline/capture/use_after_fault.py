@@ -1,12 +1,15 @@
-"""Whether what came before a fault can be used, by a reading of the run that all who tell of it share."""
+"""Whether what came before an early end can be used, by a reading of the run that all who tell of it share."""
 
 import io
 from contextlib import redirect_stderr
 from functools import cache
 from pathlib import Path
 
+import numpy as np
+
 from ..ground.counts import counted
 from ..ground.errors import BadInput
+from ..ground.unwound import HOME
 from ..string.from_raw import read
 from ..string.history import Recorded
 from ..string.jumps_beside import Reader
@@ -34,3 +37,18 @@ def strokes_of_use(folder: Path, reader: Reader) -> int:
     kept = f"{counted(len(recorded.table), 'sample')} in {counted(count, 'stroke')}"
     print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")
     return count
+
+
+def strokes_unwound(folder: Path, reader: Reader) -> int:
+    """Warn of a run that ended on request and cannot be used as it is described; how many strokes unwound, or 0."""
+    try:
+        with redirect_stderr(io.StringIO()):
+            strokes = reader(folder).strokes
+    except BadInput as error:
+        print(f"warning: {error}")
+        return 0
+    unwound = set(strokes.loc[strokes["complete"] & (strokes["stroke"] > 0), "stroke"])
+    turns, last = strokes[["start_turns", "end_turns"]].to_numpy(), strokes.iloc[-1]
+    if last["phase"] == "unwinding" and last["end_turns"] > turns.min() + HOME * np.ptp(turns):
+        unwound.discard(last["stroke"])  # it was cut off
+    return len(unwound)

@@ -238,7 +238,7 @@ def test_a_folder_that_nobody_described_is_named_at_the_start_and_recorded_all_t
     done = run("pipeline.capture", rig(), raw)
     first = done.stdout.splitlines()[0]
     meant = f"Did you mean {raw / 'example-2'}?"
-    assert first == f"warning: {raw}: run.yaml: is missing. It is recorded all the same. {meant}", done.stdout
+    assert first == f"warning: {raw}: run.yaml: is missing. It can be recorded all the same. {meant}", done.stdout
     assert done.returncode == 0 and info(raw)["samples"]["received"] > 0
 
 

@@ -143,6 +143,18 @@ def test_the_last_line_counts_a_stroke_that_was_unwound_though_nothing_told_of_i
     assert shown.parts(last=True)[1] == words
 
 
+def test_a_stroke_that_was_cut_off_while_it_unwound_is_not_done():
+    """Ctrl-C at 22 of 27 turns was told as `2 of 9 strokes done`."""
+    hello = replace(HELLO, rate_hz=20.0, strokes=9, channels=(Channel("motor_turns", "turns", "i32", 0.001),))
+    shown, motion = Progress(hello), np.interp(np.arange(200), [0, 100, 199], [0.0, 27.2, 22.1])
+    shown.count(Frame(Kind.EVENT, 1, EVENT.pack(50_000, Event.STROKE_START, 1)))
+    for at, turns in enumerate(motion.tolist(), 2):
+        shown.count(Frame(Kind.SAMPLE, at, struct.pack("<Ii", at * 50_000, round(1000 * turns))))
+    words = ["0 of 9 strokes done", "stroke 1 was cut off at 22.1 turns while it unwound"]
+    assert shown.parts(last=True, cut=True)[1:3] == words
+    assert shown.parts(last=True)[1] == "1 of 9 strokes done", "a rig that was done ends where it likes"
+
+
 @pytest.mark.parametrize(("lost", "place"), [(0, -1), (3, 0)])
 def test_readings_come_before_frames_of_which_none_was_lost(lost, place):
     """On a terminal of 80 columns what a person wants to see live was cut off for a 0."""

@@ -9,6 +9,8 @@ import yaml
 from capture.test_capture_text import rig
 from made_recording import content
 
+from pipeline.capture.text.lines import Lines
+from pipeline.capture.text.printed_lines import Telling
 from pipeline.capture.text.read_channels import ReadChannels
 
 __all__ = ["rig"]
@@ -107,3 +109,13 @@ def test_a_rig_that_greets_and_homes_is_not_warned_of_before_it_had_time_to(rig,
         time.sleep(0.1)
     words = process.stdout.read()
     assert "warning: no line is read yet" in words and "Mend: check --baud" in words, words
+
+
+def test_a_narrow_line_shows_the_count_and_the_last_values(tmp_path):
+    """On 80 columns it was `0:08 recorded` and nothing else."""
+    lines = Lines()
+    for line in (b"t_ms,turns,disp,load", b"26000,20.0000,11.765,20.000"):
+        lines.take(line + b"\r\n")
+    *narrow, counts = Telling(lines, tmp_path, time.monotonic())._parts()
+    assert narrow == ["0:00 recorded", "1 line", "turns = 20.0000", "disp = 11.765", "load = 20.000"]
+    assert len(", ".join(narrow)) < 80 and counts == lines.counts()

@@ -3,6 +3,9 @@
 from collections import Counter
 from pathlib import Path
 
+import pandas as pd
+import pytest
+import ready
 import yaml
 from made_recording import content, recording
 
@@ -28,3 +31,28 @@ def test_a_run_that_a_fault_ended_is_read_once(tmp_path, monkeypatch, capsys):
     tell_of_its_string(tmp_path / "run-2", info)  # type: ignore[arg-type]
     assert times_read == {"run-1": 1, "run-2": 1}
     assert "in 3 strokes; the exit status 1 tells of the fault" in capsys.readouterr().out
+
+
+def recovered(folder: Path, samples: pd.DataFrame) -> str:
+    """What --recover says of the printed lines of these samples."""
+    folder.mkdir()
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    (folder / "recording.lines").write_text(samples.to_csv(index=False))
+    done = ready.run("pipeline.capture", "--recover", folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize(("samples", "strokes"), [(-1, "3 strokes"), (-180, "2 strokes")], ids=["whole", "cut off"])
+def test_too_few_strokes_are_said_however_the_recording_ended(tmp_path, samples, strokes):
+    """A complete recording of 5 strokes was said to be short, one of 2 that Ctrl-C ended was not."""
+    words = recovered(tmp_path / "run-1", recording()[:samples])
+    assert f"Next: record more of this rig: {strokes} so far" in words
+
+
+def test_a_wrong_sign_of_printed_lines_is_warned_of_when_the_recording_ends(tmp_path):
+    """26 s and the end went by without a word; only the diagnosis refused the run."""
+    table = recording()
+    words = recovered(tmp_path / "run-1", table.assign(displacement_mm=-table["displacement_mm"]))
+    warning = next(line for line in words.splitlines() if line.startswith("warning: "))
+    assert "falls while the motor winds" in warning and "set channels.displacement_mm.scale to -1" in warning

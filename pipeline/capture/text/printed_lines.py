@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...ground.command import recover_command
+from ...ground.counts import counted
 from ...ground.errors import BadInput
 from ..log import Log
 from ..port import Port, Unplugged
 from ..screen import Screen, clock
 from ..stream import PERSON, Outcome
-from .fields import MAX_LINE, is_known
+from .fields import MAX_LINE, TIME, is_known
 from .lines import Lines, Splitter
 from .naming import naming_in
 from .read_channels import ReadChannels
@@ -137,8 +138,10 @@ class Telling:
         return "\n".join(filter(None, (self.lines.reading(channels.values(self.lines.last)), channels.warning())))
 
     def _parts(self) -> list[str]:
-        values = [f"{name} = {value}" for name, value in zip(self.lines.columns, self.lines.last, strict=False)]
-        return [f"{clock(time.monotonic() - self._began_s)} recorded", self.lines.counts(), *values]
+        passed, lines = f"{clock(time.monotonic() - self._began_s)} recorded", self.lines
+        pairs = zip(lines.columns, lines.last, strict=False)  # of a narrow line the end is cut off
+        values = [f"{name} = {value}" for name, value in pairs if not TIME.fullmatch(name)]
+        return [passed, *([counted(lines.good, "line"), *values] if lines.good else []), lines.counts()]
 
     def _say(self, what: str, sentence: str) -> None:
         if what != self._told:
