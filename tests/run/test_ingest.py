@@ -39,6 +39,11 @@ def repeated(values):
     return values
 
 
+EXCHANGED = GOOD.assign(
+    displacement_mm=20 + 0.2 * np.sin(GOOD["time_s"]), load_n=GOOD["displacement_mm"]
+)  # by a wrong order of names
+
+
 @pytest.mark.parametrize(
     ("samples", "field", "says"),
     [
@@ -58,6 +63,7 @@ def repeated(values):
         (spoiled("displacement_mm", lambda v: v * 7), "motor_turns", "displacement_mm 0.14 times as"),
         (spoiled("motor_turns", lambda v: -v), "motor_turns", "negative throughout.*scale to -1"),
         (spoiled("displacement_mm", lambda v: -v), "displacement_mm", "falls while the motor winds"),
+        (EXCHANGED, "displacement_mm", "exchange the columns of displacement_mm and load_n"),
         (spoiled("displacement_mm", lambda v: v * 0 + 3), "displacement_mm", "never changes"),
         (spoiled("motor_turns", lambda v: v * 0), "motor_turns", "no stroke in it"),
         (GOOD.iloc[:0], "file", "holds 0 samples"),

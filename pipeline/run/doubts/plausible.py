@@ -24,6 +24,7 @@ UNTWISTED_TURNS, UNTWISTED_SHARE = 1.0, 0.05  # so near 0 is 0: in turns, or of 
 POINTS = 2000
 ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m", "um", "in")
 IN_WORDS = {"in": "inches"}
+EXCHANGED = "load_n reads as the displacement would: exchange the columns of displacement_mm and load_n"
 
 
 @dataclass(frozen=True)
@@ -37,16 +38,20 @@ class Guess:
 
 
 class Curve:
-    """A recording's displacement over twist, held against the analytic model of its string."""
+    """A recording's displacement over twist, held against the analytic model of its string.
 
-    def __init__(self, samples: Rows, base: Geometry) -> None:
+    `reading` may be another channel, which is then asked whether it is the displacement.
+    """
+
+    def __init__(self, samples: Rows, base: Geometry, reading: str = "displacement_mm") -> None:
         rows = np.unique(np.linspace(0, len(samples) - 1, POINTS).astype(int))
         self.turns = samples.at("motor_turns", rows)
         self.low, self.high = samples.percentiles("motor_turns", [1, 99])
-        low_mm, high_mm = samples.percentiles("displacement_mm", [1, 99])
-        self.measured_mm = np.clip(samples.at("displacement_mm", rows), low_mm, high_mm)
+        low_mm, high_mm = samples.percentiles(reading, [1, 99])
+        self.measured_mm = np.clip(samples.at(reading, rows), low_mm, high_mm)
         self.span_mm = float(high_mm - low_mm)
-        self.base, self.load_n = base, np.float64(samples.median("load_n"))
+        load = "load_n" if reading == "displacement_mm" else "displacement_mm"
+        self.base, self.load_n = base, np.float64(samples.median(load))
 
     def ratio(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
         """Recorded span over the simulated one, factors and offset applied; NaN where a pair cannot be wound so far."""
@@ -120,7 +125,13 @@ def _freely(curve: Curve) -> list[tuple[float, str]]:
     return fitting
 
 
-def _span(run: Run, curve: Curve, path: Path) -> BadInput:
+def _exchanged(samples: Rows, base: Geometry) -> bool:
+    """Whether the column of the load reads as the displacement would."""
+    load = Curve(samples, base, "load_n")
+    return 1.0 / DOUBT_RATIO <= load.ratio() <= DOUBT_RATIO and load.misfit() <= LIKELY
+
+
+def _span(run: Run, samples: Rows, curve: Curve, path: Path) -> BadInput:
     """That the string should contract by another length, with the mends that were tried and fit."""
     freely = _freely(curve)
     best = min((misfit for misfit, _ in freely), default=np.inf)
@@ -137,6 +148,8 @@ def _span(run: Run, curve: Curve, path: Path) -> BadInput:
         mend = "check the units of motor_turns and displacement_mm, counts_per_turn, gears and the string's dimensions"
         fitting = [words for misfit, words in freely if misfit <= bound(best)]
         mend += f"; it would fit {' or '.join(fitting)}" if fitting else ""
+        if _exchanged(samples, curve.base):
+            field, mend = "displacement_mm", EXCHANGED
     ratio = curve.ratio()
     expected = f"{curve.span_mm / ratio:.3g} mm" if np.isfinite(ratio) and ratio else "more than the string is long"
     expected = "0 mm" if np.isinf(ratio) else expected
@@ -163,7 +176,7 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
         mend = f"contraction is positive: set channels.displacement_mm.scale to {-scale:g}"
         raise BadInput(path, "displacement_mm", "falls while the motor winds", mend + f", not {scale:g}" * (scale < 0))
     if not 1.0 / SPAN_RATIO <= curve.ratio() <= SPAN_RATIO:
-        raise _span(run, curve, path)
+        raise _span(run, samples, curve, path)
 
 
 def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
@@ -178,7 +191,7 @@ def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput
         problem = f"begins at {begins:.3g} turns and its lowest is {curve.low:.3g}, but 0 must be the untwisted string"
         questions.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
     elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
-        questions.append(_span(run, curve, path))
+        questions.append(_span(run, samples, curve, path))
     if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
         questions.append(mistake)
     if odd := temperature_mistake(samples, path):
