@@ -88,10 +88,10 @@ def remove(folder: Path) -> str:
     """Take out of a run's `run.yaml` what was adopted, and say what that was. Raises BadInput."""
     run, path = read_run(folder), (folder / "run.yaml").resolve()
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
-    made = bare(text, path)
-    if made == text:
+    new_text = bare(text, path)
+    if new_text == text:
         return f"{folder / 'run.yaml'} holds nothing that was adopted; it stays as it is"
-    write(path, made)
+    write(path, new_text)
     names = listing(list(dict.fromkeys(entry["id"] for entry in run.simulation))) or "no effect"
     return (
         f"{folder / 'run.yaml'}: {KEY} and {ORIGIN} are taken out (they held {names}); all else in it stays as it was"
@@ -156,14 +156,14 @@ def adopt(source: Path, folder: Path, sure: bool = False) -> None:
         print(f"beware: {caution}", file=sys.stderr)
     origin = adoptions(content, str(source), run.run, instead(content, words))
     text = read_regular(path, LARGEST, "run.yaml").decode("utf-8")
-    made = adopted(text, content["simulation"], path, origin)
-    if parse_yaml(made, path) == parse_yaml(text, path):
+    new_text = adopted(text, content["simulation"], path, origin)
+    if parse_yaml(new_text, path) == parse_yaml(text, path):
         named = bool(content.get("mechanisms"))
         nothing = f" {source} names no further effect: the dimensions that it calibrated are not taken over."
         same = f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is."
         print("\n".join(wrapped(f"{same}{'' if named else nothing}", "")))
         return
-    write(path, made)
+    write(path, new_text)
     doubt = before_after.against_advice(content, words, taken_out(folder))
     changed = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
     changed += [*sentences(content), *dimensions]

@@ -38,11 +38,11 @@ def import_folder(
     mapping is wrong, or where there is nothing to import.
     """
     files = files_in(folder, checked(run_name, name, "--run", "run"), pattern)
-    made, refused, last = 0, 0, out
+    count_imported, refused, last = 0, 0, out
     for run, file in files.file_by_run.items():
         try:
             print(import_run(file, mapping, run, out, string_id))
-            made, last = made + 1, out / run
+            count_imported, last = count_imported + 1, out / run
         except BadInput as error:
             if error.file == str(mapping):  # no file can be read through it
                 raise
@@ -50,8 +50,11 @@ def import_folder(
             refused += 1
     if files.passed_over:
         print(files.sentence)
-    print(f"{made} of {counted(made + refused, 'file')} imported" + (", the others refused (above)" if refused else ""))
-    if made:
+    print(
+        f"{count_imported} of {counted(count_imported + refused, 'file')} imported"
+        + (", the others refused (above)" if refused else "")
+    )
+    if count_imported:
         say_another(last)
         runs = shlex.quote(str(out / name))
         print(f"diagnose each by {command('diagnose')} {runs}-* --out reports/mine; runs of one rig in one: --together")

@@ -104,7 +104,7 @@ def main() -> None:
         parser.error(wanting)
     out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
     content = with_string_id(arguments_to_content(arguments), out)
-    folder = make_run(content, arguments.recording, out, arguments.sure, known=arguments.like is not None)
+    folder = make_run(content, arguments.recording, out, arguments.sure, material_known=arguments.like is not None)
     recorded = has_recording(folder)
     run = parse_run(content, folder / "run.yaml")
     others = others_recorded(folder, run, arguments.like)

@@ -83,7 +83,8 @@ def main() -> None:
         pairs, strokes = pairs_of(dataset), last_strokes(dataset)
         under = Under.of(dataset, source.foreseen[1] if source.foreseen else 0)
         table = beside_questions(
-            questions, lambda part, known: saved_answers(source, part, known, arguments.saved, pairs, strokes, under)
+            questions,
+            lambda part, from_column: saved_answers(source, part, from_column, arguments.saved, pairs, strokes, under),
         )
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:

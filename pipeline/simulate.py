@@ -66,12 +66,12 @@ def of_plan(options: SimulateOptions, motion: Path) -> Answer:
     called, channel = Vocabulary.of(run.system), run.system.channel
     warn(of_another(simulator, run, options.run_dir))
     warn(planned_words.of_outside(plan, motion))
-    made = planned_columns(plan, simulator)
-    words = [*planned_words.of_columns(plan, made, options), *of_simulator(simulator, run, plan.before)]
-    columns = made.columns
+    plan_columns = planned_columns(plan, simulator)
+    words = [*planned_words.of_columns(plan, plan_columns, options), *of_simulator(simulator, run, plan.before)]
+    columns = plan_columns.columns
     if options.residual:
-        held = [each for each in (recorded, *plan.beside) if each]
-        more, more_words = black_box(plan.problem, run, plan, options.run_dir, simulator, held)
+        recordings = [each for each in (recorded, *plan.beside) if each]
+        more, more_words = black_box(plan.problem, run, plan, options.run_dir, simulator, recordings)
         columns, words = columns | more, words + more_words
     table = plan.table(columns)
     begins = simulator.acting if recorded and not plan.after else None
@@ -99,8 +99,8 @@ def of_recording(options: SimulateOptions) -> Answer:
         learnt = f"was learnt beside all of the diagnosis, of which {run.run} takes a part"
         raise BadInput(source, RESIDUAL, learnt, "leave it out, or diagnose this run itself")
     if options.residual:
-        held = [recorded, *simulated.before]
-        more, more_words = black_box(simulated.problem, run, None, options.run_dir, simulator, held)
+        recordings = [recorded, *simulated.before]
+        more, more_words = black_box(simulated.problem, run, None, options.run_dir, simulator, recordings)
         columns, words = columns | more, words + more_words
     tied = tied_with(run, simulator.content, simulator.given is None) if not carried or carried.effects else []
     words += of_ties(simulator.acting, len(tied), list(columns))

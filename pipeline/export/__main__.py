@@ -126,8 +126,8 @@ def main() -> None:
     from .onnx_model import GIVEN, graphs  # a header needs no onnx
 
     with writable(options.file):
-        made = graphs(source, options.name)
-    for way, graph in made.items():
+        graph_by_way = graphs(source, options.name)
+    for way, graph in graph_by_way.items():
         out = options.out / f"{options.name}.{way}.onnx"
         with whole(out) as temporary:
             temporary.write_bytes(graph.SerializeToString())

@@ -32,7 +32,7 @@ FURTHER = "the export answers, by the model's law of n"
 def answers(
     source: Source,
     points: pd.DataFrame,
-    known: str,
+    from_column: str,
     file: Path,
     pairs: tuple[Paired, ...] = (),
     strokes: Mapping[str, int] | None = None,
@@ -43,12 +43,12 @@ def answers(
     Inside is what the export would answer and what was recorded: an export checks each number alone, `pairs` are those
     of twist and condition that were recorded, `under` those of stroke, load and twist, `strokes` the last one of each
     string, after which errors were measured so many strokes ahead.
-    `points` have the dataset's columns, of which `known` is the twist or the contraction that is asked about. Raises
-    BadInput for a column that the model reads and the dataset of the `file` lacks.
+    `points` have the dataset's columns, of which `from_column` is the twist or the contraction that is asked about.
+    Raises BadInput for a column that the model reads and the dataset of the `file` lacks.
     """
-    value = np.asarray(getattr(source.model, MAPS[ANSWER[known]])(points), float)
+    value = np.asarray(getattr(source.model, MAPS[ANSWER[from_column]])(points), float)
     why = np.full(len(points), "", object)
-    for field in source.inputs.columns(known):
+    for field in source.inputs.columns(from_column):
         for row in np.flatnonzero(_outside(source, field, points, file)).tolist():
             reason = _reason(source, field, points[field.name].iloc[row])
             why[row] = also(why[row], f"{reason}; TSA_BAD_{field.name.upper()})")
@@ -57,7 +57,7 @@ def answers(
         for row in np.flatnonzero(other).tolist():
             reason = f"{with_unit(name, float(points[name].iloc[row]))}: the export has {baked:.4g} baked in"
             why[row] = also(why[row], reason)
-    if known == "displacement_mm":
+    if from_column == "displacement_mm":
         ends = source.inputs.motor_turns
         rows = np.flatnonzero(_held(source, points, value) & (why == ""))
         value[rows] = np.clip(value[rows], *ends)
@@ -65,7 +65,7 @@ def answers(
         for row, least_mm, most_mm in zip(rows, *reached, strict=True):
             conditions = [paired.name for paired in pairs]
             why[row] = f"{held(value[row], float(least_mm), float(most_mm), conditions)} (TSA_HELD)"
-    turns = points["motor_turns"].to_numpy(float) if known == "motor_turns" else value
+    turns = points["motor_turns"].to_numpy(float) if from_column == "motor_turns" else value
     refused = why != ""
     for paired in pairs:
         for row, reason in enumerate(paired.never(points, turns)):
@@ -77,7 +77,7 @@ def answers(
     inside = why == ""
     for paired in pairs:
         why[:] = [also(*both) for both in zip(why, paired.gaps(points), strict=True)]
-    return pd.DataFrame({ANSWER[known]: value, "inside": inside, "why": why})
+    return pd.DataFrame({ANSWER[from_column]: value, "inside": inside, "why": why})
 
 
 def _too_far(source: Source, points: pd.DataFrame, strokes: Mapping[str, int]) -> Iterator[tuple[int, str]]:

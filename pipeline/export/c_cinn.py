@@ -48,24 +48,24 @@ static inline tsa_real tsa_secant(const tsa_real *given, const tsa_real *wanted)
 
 def body(source: Source) -> Body:
     """The conditional INN, fitted."""
-    model, made = source.model, Body(physics(source.inputs))
-    chain_of(made, blocks(model.network))
-    given = [*(["(tsa_real)at->direction"] if model.settings.direction else []), *standardised(source)]
-    made.code += function(
+    model, c_body = source.model, Body(physics(source.inputs))
+    chain_of(c_body, blocks(model.network))
+    conditions = [*(["(tsa_real)at->direction"] if model.settings.direction else []), *standardised(source)]
+    c_body.code += function(
         "void",
         "tsa_given(const tsa_state *at, tsa_real *given)",
         "(void)at;",
         "given[0] = 0;",
-        *(f"given[{number}] = {expression};" for number, expression in enumerate(given)),
+        *(f"given[{number}] = {expression};" for number, expression in enumerate(conditions)),
     )
-    made.code += function(
+    c_body.code += function(
         "tsa_real",
         "tsa_root(tsa_real contraction_mm)",
         f"const tsa_real shifted = contraction_mm + {real(model.shift_mm)};",
         "return tsa_sqrt(shifted > 0 ? shifted : 0);",
     )
     names = "tsa_real x[TSA_FIRST + TSA_SECOND], given[TSA_GIVEN + 1], root"
-    made.code += function(
+    c_body.code += function(
         "tsa_real",
         "tsa_raw_forward(const tsa_state *at, tsa_real motor_turns)",
         f"{names} = tsa_root(tsa_base_mm(at, tsa_mm_per_turn(at), motor_turns));",
@@ -82,7 +82,7 @@ def body(source: Source) -> Body:
         "steepest": real(secant.STEEPEST),
         "nearest": real(secant.NEAREST),
     }
-    made.code += SECANT % numbers + function(
+    c_body.code += SECANT % numbers + function(
         "tsa_real",
         "tsa_raw_inverse(const tsa_state *at, tsa_real displacement_mm)",
         f"{names} = tsa_root(displacement_mm);",
@@ -93,4 +93,4 @@ def body(source: Source) -> Body:
         f"root = {restored('root', model.inputs)};",
         f"return tsa_base_turns(at, tsa_mm_per_turn(at), root * root - {real(model.shift_mm)});",
     )
-    return made
+    return c_body

@@ -115,7 +115,7 @@ static inline void tsa_chain_inverse(const tsa_real *given, tsa_real *x)
 """
 
 
-def chain_of(made: Body, chain: Blocks) -> None:
+def chain_of(c_body: Body, chain: Blocks) -> None:
     """Add the chain's weights and functions."""
     sizes = {
         "BLOCKS": len(chain.net_1),
@@ -124,24 +124,24 @@ def chain_of(made: Body, chain: Blocks) -> None:
         "GIVEN": len(chain.net_1[0][0].weight) - chain.first,
         "BOUND": real(chain.bound),
     }
-    made.code += "".join(f"#define TSA_{name} {value}\n" for name, value in sizes.items()) + "\n"
+    c_body.code += "".join(f"#define TSA_{name} {value}\n" for name, value in sizes.items()) + "\n"
     for name, layers in (("mixing", chain.mixing), ("unmixing", chain.unmixing)):
-        made.array(f"tsa_{name}", np.array(layers or [list(range(chain.first + chain.second))]), "signed char")
-    net_1 = Net(made, "tsa_net_1", chain.net_1, "relu")
-    net_2 = Net(made, "tsa_net_2", chain.net_2, "relu")
-    made.code += CHAIN % {"room_1": net_1.room, "room_2": net_2.room}
+        c_body.array(f"tsa_{name}", np.array(layers or [list(range(chain.first + chain.second))]), "signed char")
+    net_1 = Net(c_body, "tsa_net_1", chain.net_1, "relu")
+    net_2 = Net(c_body, "tsa_net_2", chain.net_2, "relu")
+    c_body.code += CHAIN % {"room_1": net_1.room, "room_2": net_2.room}
 
 
 def body(source: Source) -> Body:
     """The paper's INN, fitted."""
-    model, made = source.model, Body()
-    chain_of(made, blocks(model.network))
+    model, c_body = source.model, Body()
+    chain_of(c_body, blocks(model.network))
     sides = (
         ("forward", "motor_turns", model.inputs, model.outputs),
         ("inverse", "displacement_mm", model.outputs, model.inputs),
     )
     for way, answer, mine, other in sides:
-        made.code += function(
+        c_body.code += function(
             "tsa_real",
             f"tsa_raw_{way}(const tsa_state *at, tsa_real {answer})",
             "tsa_real x[TSA_FIRST + TSA_SECOND], given[1] = {0};",
@@ -150,7 +150,7 @@ def body(source: Source) -> Body:
             f"tsa_chain_{way}(given, x);",
             f"return {restored('x[0]', other)};",
         )
-    return made
+    return c_body
 
 
 def scaled(value: str, scaling: Scaling) -> str:

@@ -77,9 +77,9 @@ class Net:
         self.rooms = [nets[0][0].weight.shape[0]]  # of x, the hidden layers and y
         for number in range(last + 1):
             code += self._layer(number, [net[number] for net in nets], "linear" if number == last else activation)
-            given, result = "x" if number == 0 else f"h{number - 1}", "y" if number == last else f"h{number}"
+            layer_input, result = "x" if number == 0 else f"h{number - 1}", "y" if number == last else f"h{number}"
             arrays = f"{name}_weight_{number}[number], {name}_bias_{number}[number]"
-            lines.append(f"{name}_layer_{number}({arrays}, {given}, {result});")
+            lines.append(f"{name}_layer_{number}({arrays}, {layer_input}, {result});")
         hidden = ", ".join(f"h{number}[{size}]" for number, size in enumerate(self.rooms[1:-1]))
         head = f"{name}(int number, const tsa_real *x, tsa_real *y)"
         body.code += "\n" + code + function("void", head, f"tsa_real {hidden};", *lines)
@@ -118,29 +118,29 @@ def _total(first: int, count: int) -> str:
 
 def _padded(table: Weights, shape: tuple[int, ...]) -> Weights:
     """A table with zeros up to a shape."""
-    return np.pad(table, [(0, size - given) for size, given in zip(shape, table.shape, strict=True)])
+    return np.pad(table, [(0, size - own_size) for size, own_size in zip(shape, table.shape, strict=True)])
 
 
 def body(source: Source) -> Body:
     """The fitted pair of MLPs."""
-    made, model = Body(), source.model
+    c_body, model = Body(), source.model
     nets = [layers(net) for net in model.networks]
-    net = Net(made, "tsa_net", nets, "silu")
-    for side, (way, given) in enumerate((("forward", "motor_turns"), ("inverse", "displacement_mm"))):
+    net = Net(c_body, "tsa_net", nets, "silu")
+    for side, (way, from_column) in enumerate((("forward", "motor_turns"), ("inverse", "displacement_mm"))):
         mine, other = model.scalings[side], model.scalings[1 - side]
-        columns = [f"({given} - {real(mine.mean[0])}) * {real(1.0 / mine.std[0])}"]
+        columns = [f"({from_column} - {real(mine.mean[0])}) * {real(1.0 / mine.std[0])}"]
         columns += paper_conditions(source, mine.mean[1:5], mine.std[1:5])
         others = ["(tsa_real)at->direction", *standardised(source)]
         columns += [
             f"(({other}) - {real(mean)}) * {real(1.0 / std)}"
             for other, mean, std in zip(others, mine.mean[5:], mine.std[5:], strict=True)
         ]
-        made.code += function(
+        c_body.code += function(
             "tsa_real",
-            f"tsa_raw_{way}(const tsa_state *at, tsa_real {given})",
+            f"tsa_raw_{way}(const tsa_state *at, tsa_real {from_column})",
             f"tsa_real x[{len(columns)}], y[{net.room}];",
             *(f"x[{number}] = {column};" for number, column in enumerate(columns)),
             f"tsa_net({side}, x, y);",
             f"return y[0] * {real(other.std[0])} + {real(other.mean[0])};",
         )
-    return made
+    return c_body

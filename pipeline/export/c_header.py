@@ -61,9 +61,9 @@ static inline int tsa_inverse(const tsa_state *at, tsa_real displacement_mm, tsa
 
 def header(source: Source, name: str) -> str:
     """The whole header's text, its names beginning with `name`_."""
-    inputs, made = source.inputs, exporter(source.name).body(source)
+    inputs, c_body = source.inputs, exporter(source.name).body(source)
     parts = [
-        _comment(source, made),
+        _comment(source, c_body),
         "#include <math.h>\n\n",
         MATHS,
         *(_math(function_name) for function_name in ("sqrt", "exp", "log", "atan")),
@@ -72,12 +72,12 @@ def header(source: Source, name: str) -> str:
         _ranges(inputs),
         _state(inputs),
         _check(inputs),
-        made.code,
-        _bytes(made),
+        c_body.code,
+        _bytes(c_body),
         CHECKED,
         start_state(source),
         checked_pairs(source),
-        made.further,
+        c_body.further,
     ]
     return _once(renamed("".join(parts), name), name)
 
@@ -93,8 +93,8 @@ def _once(text: str, name: str) -> str:
     )
 
 
-def _comment(source: Source, made: Body) -> str:
-    inputs, known = source.inputs, facts(source)
+def _comment(source: Source, c_body: Body) -> str:
+    inputs, sentences = source.inputs, facts(source)
     who_says = WHO_SAYS if source.pairs is None else "tsa_recorded"
     baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items() if field not in inputs.unread]
     assumed = [f"{field} is {assumption}." for field, assumption in inputs.assumed.items()]
@@ -112,16 +112,16 @@ def _comment(source: Source, made: Body) -> str:
         "the answer is then that end of the range.",
         *(USAGE if source.pairs is not None else ()),
         usage(source),
-        *made.usage,
+        *c_body.usage,
         "",
-        *_wrapped(known.get("trained", "")),
-        *_wrapped(known["strokes"].replace("Beyond,", "Beyond, to TSA_STROKE_MAX,")),
-        *_wrapped(known.get("errors", "")),
-        *_wrapped(f"Zero: {known['zero']}"),
-        *_wrapped(f"Fit: {known['fit']}"),
+        *_wrapped(sentences.get("trained", "")),
+        *_wrapped(sentences["strokes"].replace("Beyond,", "Beyond, to TSA_STROKE_MAX,")),
+        *_wrapped(sentences.get("errors", "")),
+        *_wrapped(f"Zero: {sentences['zero']}"),
+        *_wrapped(f"Fit: {sentences['fit']}"),
         *_wrapped(f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}."),
-        *_wrapped(known.get("unread", "")),
-        *_wrapped(known.get("recorded", "").replace(WHO_SAYS, who_says)),
+        *_wrapped(sentences.get("unread", "")),
+        *_wrapped(sentences.get("recorded", "").replace(WHO_SAYS, who_says)),
         *assumed,
     ]
     return "/*\n" + "".join(f" * {line}".rstrip() + "\n" for line in lines) + " */\n"
@@ -180,6 +180,6 @@ def _check(inputs: Inputs) -> str:
     return function("int", "tsa_check(const tsa_state *at)", *lines, "return TSA_OK;")
 
 
-def _bytes(made: Body) -> str:
-    total = " + ".join(f"sizeof {name}" for name in made.arrays) or "0u"
-    return f"/* Constant data: {made.size} bytes, tsa_real being float. */\n#define TSA_CONST_BYTES ({total})\n\n"
+def _bytes(c_body: Body) -> str:
+    total = " + ".join(f"sizeof {name}" for name in c_body.arrays) or "0u"
+    return f"/* Constant data: {c_body.size} bytes, tsa_real being float. */\n#define TSA_CONST_BYTES ({total})\n\n"

@@ -54,9 +54,9 @@ def _refused_as_far(under: Under) -> list[str]:
     lines = []
     for level, hull in zip(under.levels[1:].tolist(), under.hulls[1:], strict=True):
         low, high = real(hull[0][0, 0]), real(hull[0][-1, 0])
-        held = f"at->{under.name} < {low} ? {low} : at->{under.name} > {high} ? {high} : at->{under.name}"
+        clamped = f"at->{under.name} < {low} ? {low} : at->{under.name} > {high} ? {high} : at->{under.name}"
         beyond = _refused_beyond(under, hull, "stroke", "near")
-        lines += [f"if (motor_turns >= {real(level)}) {{", f"    const tsa_real near = {held};"]
+        lines += [f"if (motor_turns >= {real(level)}) {{", f"    const tsa_real near = {clamped};"]
         lines += [*(f"    {line}".replace("\n", "\n    ") for line in beyond), "}"]
     return lines
 

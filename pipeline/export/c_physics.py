@@ -73,18 +73,18 @@ def physics(inputs: Inputs) -> str:
 
 def body(source: Source) -> Body:
     """The nominal or the calibrated analytic model."""
-    made = Body(physics(source.inputs))
-    made.code += function(
+    c_body = Body(physics(source.inputs))
+    c_body.code += function(
         "tsa_real",
         "tsa_raw_forward(const tsa_state *at, tsa_real motor_turns)",
         f"return tsa_base_mm(at, tsa_mm_per_turn(at), motor_turns) + {real(source.zero_mm)};",
     )
-    made.code += function(
+    c_body.code += function(
         "tsa_real",
         "tsa_raw_inverse(const tsa_state *at, tsa_real displacement_mm)",
         f"return tsa_base_turns(at, tsa_mm_per_turn(at), displacement_mm - {real(source.zero_mm)});",
     )
-    return made
+    return c_body
 
 
 def standardised(source: Source) -> list[str]:

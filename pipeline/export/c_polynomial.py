@@ -48,12 +48,12 @@ static inline tsa_real tsa_sum(const tsa_state *at, tsa_real within, int map)
 
 def body(source: Source) -> Body:
     """The fitted regressions."""
-    made, model, scaled = Body(), source.model, standardised(source)
+    c_body, model, scaled = Body(), source.model, standardised(source)
     s, low, high = model.settings, model.box.low, model.box.high
     first = np.log1p(low["stroke"])
     span = max(np.log1p(high["stroke"]) - first, np.log(2.0))
-    made.array("tsa_weights", np.stack([model.weights[given] for given in GIVEN]))
-    made.code += "\n" + TERMS % {
+    c_body.array("tsa_weights", np.stack([model.weights[from_column] for from_column in GIVEN]))
+    c_body.code += "\n" + TERMS % {
         "powers": s.degree + 1,
         "growths": s.stroke_degree + 1,
         "grown": f"(tsa_log((tsa_real)(at->stroke + 1)) - {real(first)}) * {real(2.0 / span)} - 1",
@@ -62,11 +62,11 @@ def body(source: Source) -> Body:
         "beside": s.other_degree + 1 if scaled else 0,
         "count": len(scaled),
     }
-    for number, (way, given) in enumerate(zip(("forward", "inverse"), GIVEN, strict=True)):
-        scale = 2.0 / ((high[given] - low[given]) or 1.0)
-        made.code += function(
+    for number, (way, from_column) in enumerate(zip(("forward", "inverse"), GIVEN, strict=True)):
+        scale = 2.0 / ((high[from_column] - low[from_column]) or 1.0)
+        c_body.code += function(
             "tsa_real",
-            f"tsa_raw_{way}(const tsa_state *at, tsa_real {given})",
-            f"return tsa_sum(at, ({given} - {real(low[given])}) * {real(scale)} - 1, {number});",
+            f"tsa_raw_{way}(const tsa_state *at, tsa_real {from_column})",
+            f"return tsa_sum(at, ({from_column} - {real(low[from_column])}) * {real(scale)} - 1, {number});",
         )
-    return made
+    return c_body

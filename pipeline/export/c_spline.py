@@ -101,16 +101,16 @@ def body(source: Source) -> Body:
     others = [f"other[{number}]" for number in range(len(scaled))]
     terms = feature_terms(others, model.settings.direction)
     law = LAWS[model.law.family].format(parameter=real(model.law.parameter))
-    made = Body(physics(inputs))
-    made.code += TABLES % {
+    c_body = Body(physics(inputs))
+    c_body.code += TABLES % {
         "bins": bins,
         "features": len(terms),
         "first": real(at[0]),
         "width": real((at[-1] - at[0]) / bins),
     }
-    made.array("tsa_weights", model.weights.T)
+    c_body.array("tsa_weights", model.weights.T)
     declared = [f"tsa_real other[{len(others)}];"] if others else []
-    made.code += "\n" + function(
+    c_body.code += "\n" + function(
         "void",
         "tsa_features(const tsa_state *at, tsa_real *feature)",
         "const tsa_real n = (tsa_real)at->stroke, first = (tsa_real)(at->stroke == 1);",
@@ -120,16 +120,16 @@ def body(source: Source) -> Body:
         *(f"{other} = {expression};" for other, expression in zip(others, scaled, strict=True)),
         *(f"feature[{number}] = {term};" for number, term in enumerate(terms)),
     )
-    made.code += KNOTS_OF_STATE % {
+    c_body.code += KNOTS_OF_STATE % {
         "zone": zone(inputs),
         "most": real(MOST),
         "double_terms": _terms(14, 8, "        "),
         "terms": _terms(8, 0, "    "),
     }
-    made.code += CURVE + QUERIES
-    made.further = PREPARED
-    made.usage = (
+    c_body.code += CURVE + QUERIES
+    c_body.further = PREPARED
+    c_body.usage = (
         "Where stroke and conditions change seldom, tsa_prepare(&state, &tables) once and then",
         "tsa_forward_prepared(&tables, ...), tsa_inverse_prepared(&tables, ...): the same answers, sooner.",
     )
-    return made
+    return c_body

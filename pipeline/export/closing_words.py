@@ -19,10 +19,12 @@ SENTENCE = re.compile(r"(?<=\.) (?=[A-Z])")
 
 def lines(source: Source) -> list[str]:
     """How large the error is, a line each split; that no string is real; that the fit is a small one."""
-    known = facts(source)
+    sentences = facts(source)
     errors = [text for text in SENTENCE.split((source.errors or "").replace(ANEW, "").strip()) if text]
     synthetic = [MADE_UP] if NO_STRING in (source.trained or "") else []
-    unusual = [known["fit"]] if not known["fit"].startswith(("Made with the usual", "This model has no")) else []
+    unusual = (
+        [sentences["fit"]] if not sentences["fit"].startswith(("Made with the usual", "This model has no")) else []
+    )
     return [*errors, *synthetic, *unusual]
 
 
@@ -33,10 +35,11 @@ def compiled(header: Path, name: str) -> list[str]:
     return [f"To try it: cc -I {shlex.quote(str(header.parent))} {EXAMPLE} -lm && ./a.out"]
 
 
-def columns(source: Source, given: str) -> str:
-    """The columns of a graph's input in their order with units; `given` is the first one, twist or contraction."""
+def columns(source: Source, from_column: str) -> str:
+    """The columns of a graph's input in their order with units; `from_column` is the first, twist or contraction."""
     units = (
-        (field.name, MEANING[field.name] if field.unit == "1" else field.unit) for field in source.inputs.columns(given)
+        (field.name, MEANING[field.name] if field.unit == "1" else field.unit)
+        for field in source.inputs.columns(from_column)
     )
     return f"Columns of `queries`, in order: {'; '.join(f'{name} ({unit})' for name, unit in units)}."
 

@@ -25,9 +25,9 @@ MOST_STRINGS = 3  # whose zero is named
 
 def facts(source: Source) -> dict[str, str]:
     """Sentences by what they are of: `zero`, `strokes`, `fit`; if any `errors`, `trained`, `recorded`, `unread`."""
-    known = {"zero": _zero(source), "strokes": _strokes(source), "fit": fit(source.name, source.model)}
+    always = {"zero": _zero(source), "strokes": _strokes(source), "fit": fit(source.name, source.model)}
     more = {"errors": source.errors, "trained": source.trained, "recorded": recorded(source), "unread": unread(source)}
-    return known | {name: text for name, text in more.items() if text}
+    return always | {name: text for name, text in more.items() if text}
 
 
 def zeroed_runs(dataset: Path) -> tuple[str, ...]:

@@ -21,7 +21,7 @@ class Graph:
 
     def add(self, operation: str, *inputs: Any, **attributes: Any) -> str:
         """One node's first output; an input that is no name becomes a constant."""
-        names = [given if isinstance(given, str) else self.constant(given) for given in inputs]
+        names = [operand if isinstance(operand, str) else self.constant(operand) for operand in inputs]
         output = f"v{len(self.nodes)}"
         self.nodes.append(helper.make_node(operation, names, [output], **attributes))
         return output
@@ -68,7 +68,7 @@ class Graph:
         flat = self.whole([-1])
         self.nodes.append(helper.make_node("Reshape", [value, flat], ["value"]))
         self.nodes.append(helper.make_node("Reshape", [inside, flat], ["inside"]))
-        used = {given for node in self.nodes for given in node.input}
+        used = {input_name for node in self.nodes for input_name in node.input}
         graph = helper.make_graph(
             self.nodes,
             name,
@@ -79,7 +79,7 @@ class Graph:
             ],
             [array for array in self.constants if array.name in used],
         )
-        made = helper.make_model(graph, opset_imports=[helper.make_opsetid("", OPSET)], ir_version=IR)
-        helper.set_model_props(made, metadata)
-        onnx.checker.check_model(made, full_check=True)
-        return made
+        onnx_model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", OPSET)], ir_version=IR)
+        helper.set_model_props(onnx_model, metadata)
+        onnx.checker.check_model(onnx_model, full_check=True)
+        return onnx_model

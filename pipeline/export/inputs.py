@@ -109,31 +109,33 @@ class Inputs:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the fields, in their order."""
-        return tuple(known.name for known in self.fields)
+        return tuple(field.name for field in self.fields)
 
-    def columns(self, given: str) -> tuple[Field, ...]:
-        """The columns of a query: twist or contraction, as `given` says, then the fields."""
-        return (Field(given, *getattr(self, given)), *self.fields)
+    def columns(self, from_column: str) -> tuple[Field, ...]:
+        """The columns of a query: twist or contraction, as `from_column` says, then the fields."""
+        return (Field(from_column, *getattr(self, from_column)), *self.fields)
 
-    def points(self, given: str, queries: Array) -> pd.DataFrame:
+    def points(self, from_column: str, queries: Array) -> pd.DataFrame:
         """Queries of shape (points, columns) as the Python model's points, with what is baked in and no answer.
 
         Each column in its field's unit.
         """
-        names = [known.name for known in self.columns(given)]
+        names = [field.name for field in self.columns(from_column)]
         points = pd.DataFrame(dict(zip(names, np.asarray(queries, float).T, strict=True)))
-        points = points.assign(**{ANSWER[given]: np.nan, "actuator": "twisted_pair" if self.pair else "separator"})
+        points = points.assign(
+            **{ANSWER[from_column]: np.nan, "actuator": "twisted_pair" if self.pair else "separator"}
+        )
         points = points.assign(**{name: self.baked.get(name, np.nan) for name in MEASURED if name not in points})
         if self.materials:
             points["material"] = np.array(self.materials)[points["material"].astype(int)]
         return points.assign(string="exported", **{name: points[name].astype(int) for name in ("stroke", "direction")})
 
-    def drawn(self, given: str, count: int, rng: np.random.Generator) -> Array:
+    def drawn(self, from_column: str, count: int, rng: np.random.Generator) -> Array:
         """Queries drawn evenly over every field's whole range, shape (count, columns), each in its field's unit."""
         return np.column_stack(
             [
                 _whole(field, rng, count) if field.whole else rng.uniform(field.low, field.high, count)
-                for field in self.columns(given)
+                for field in self.columns(from_column)
             ]
         )
 

@@ -65,5 +65,5 @@ def names() -> tuple[str, ...]:
 def exporter(name: str) -> Exporter:
     """The exporter of a model of `names()`."""
     module: Any = importlib.import_module(f"{__package__}.exporters.{name}")
-    held: Exporter = module
-    return held
+    c_exporter: Exporter = module
+    return c_exporter

@@ -20,9 +20,13 @@ def analytic(query: Query, source: Source) -> str:
 
 def polynomial(query: Query, source: Source) -> str:
     """The fitted ridge regression's answer: the terms in `Polynomial`'s order, times its weights."""
-    g, model, given = query.graph, source.model, query.given
+    g, model, from_column = query.graph, source.model, query.given
     s, low, high = model.settings, model.box.low, model.box.high
-    within = query.restored(query.scaled(query.read(given), low[given], (high[given] - low[given]) or 1.0), -1.0, 2.0)
+    within = query.restored(
+        query.scaled(query.read(from_column), low[from_column], (high[from_column] - low[from_column]) or 1.0),
+        -1.0,
+        2.0,
+    )
     power = _legendre(g, g.clipped(within, -1.0, 1.0), s.degree)
     first = np.log1p(low["stroke"])
     span = max(np.log1p(high["stroke"]) - first, np.log(2.0))
@@ -35,7 +39,7 @@ def polynomial(query: Query, source: Source) -> str:
     others = query.conditions(source)
     if others:
         terms += [g.add("Mul", p, others) for p in power[: s.other_degree + 1]]
-    return g.add("MatMul", g.beside(*map(query.wide, terms)), model.weights[given][:, None])
+    return g.add("MatMul", g.beside(*map(query.wide, terms)), model.weights[from_column][:, None])
 
 
 def _legendre(g: Graph, x: str, degree: int) -> list[str]:

@@ -28,29 +28,31 @@ class OnnxExporter(Exporter, Protocol):
 
 def graphs(source: Source, name: str) -> dict[str, onnx.ModelProto]:
     """The checked graphs by their ways, "forward" and "inverse". Raises BadInput for a model without any."""
-    return {way: _graph(source, _exporter(source.name), f"{name}_{way}", given) for way, given in GIVEN.items()}
+    return {
+        way: _graph(source, _exporter(source.name), f"{name}_{way}", from_column) for way, from_column in GIVEN.items()
+    }
 
 
 def _exporter(name: str) -> OnnxExporter:
     """A model's exporter; raises BadInput for one that gives no ONNX."""
-    held: Any = exporter(name)
-    if not hasattr(held, "answer"):
+    module: Any = exporter(name)
+    if not hasattr(module, "answer"):
         raise BadInput("--format", "onnx", f"is not there for {name}", "say --format c")
-    made: OnnxExporter = held
-    return made
+    onnx_exporter: OnnxExporter = module
+    return onnx_exporter
 
 
-def _graph(source: Source, held: OnnxExporter, name: str, given: str) -> onnx.ModelProto:
+def _graph(source: Source, onnx_exporter: OnnxExporter, name: str, from_column: str) -> onnx.ModelProto:
     """One graph: queries of shape (points, columns) to `value` and `inside`, each of shape (points,)."""
-    graph = Graph(held.PRECISION)
-    query = Query(graph, source.inputs, given)
-    inside, value = query.inside(), held.answer(query, source)
-    if given == "displacement_mm":
+    graph = Graph(onnx_exporter.PRECISION)
+    query = Query(graph, source.inputs, from_column)
+    inside, value = query.inside(), onnx_exporter.answer(query, source)
+    if from_column == "displacement_mm":
         value, inside = query.held(value, inside)
-    fields = source.inputs.columns(given)
+    fields = source.inputs.columns(from_column)
     metadata = {
         "model": source.name,
-        "answer": json.dumps({"name": ANSWER[given], "unit": unit_of(ANSWER[given])}),
+        "answer": json.dumps({"name": ANSWER[from_column], "unit": unit_of(ANSWER[from_column])}),
         "columns": json.dumps(
             [{"name": f.name, "unit": f.unit, "low": f.low, "high": f.high, "whole": f.whole} for f in fields]
         ),

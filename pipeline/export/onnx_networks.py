@@ -19,8 +19,8 @@ def dense(g: Graph, x: str, net: list[Layer], activation: str) -> str:
 class _Chain:
     """A chain of coupling blocks in a graph, under conditions ("" for none)."""
 
-    def __init__(self, g: Graph, chain: Blocks, given: str) -> None:
-        self.g, self.chain, self.given = g, chain, given
+    def __init__(self, g: Graph, chain: Blocks, conditions: str) -> None:
+        self.g, self.chain, self.given = g, chain, conditions
         self.left = list(range(chain.first))
         self.right = list(range(chain.first, chain.first + chain.second))
 
@@ -48,10 +48,10 @@ class _Chain:
             y = y if number == 0 else g.columns(y, self.chain.unmixing[number - 1])
         return y
 
-    def _moves(self, net: list[Layer], known: str, size: int) -> tuple[str, str]:
+    def _moves(self, net: list[Layer], half: str, size: int) -> tuple[str, str]:
         """exp(s) and t of one half from the other."""
         g = self.g
-        out = dense(g, g.beside(known, self.given) if self.given else known, net, "relu")
+        out = dense(g, g.beside(half, self.given) if self.given else half, net, "relu")
         bounded = g.add("Mul", g.add("Atan", g.columns(out, range(size))), self.chain.bound)
         return g.add("Exp", bounded), g.columns(out, range(size, 2 * size))
 

@@ -11,9 +11,9 @@ from .interface import Source
 class Query:
     """One graph and its columns, of shape (points, 1) each; `given` is twist or contraction."""
 
-    def __init__(self, graph: Graph, inputs: Inputs, given: str) -> None:
-        self.graph, self.inputs, self.given = graph, inputs, given
-        self.fields = inputs.columns(given)
+    def __init__(self, graph: Graph, inputs: Inputs, from_column: str) -> None:
+        self.graph, self.inputs, self.given = graph, inputs, from_column
+        self.fields = inputs.columns(from_column)
         self.column = {field.name: graph.columns("queries", [at]) for at, field in enumerate(self.fields)}
 
     def read(self, name: str) -> str:
@@ -57,9 +57,9 @@ class Query:
         g, whole = self.graph, self.zone_mm()
         wound = g.add("Mul", self.read("motor_turns"), self._mm_per_turn())
         if self.inputs.pair:
-            left = g.add("Max", g.add("Sub", _square(g, whole), _square(g, wound)), 0.0)
-            curve = g.add("Div", _square(g, wound), g.add("Add", whole, g.add("Sqrt", left)))
-            return g.add("Where", g.add("Greater", left, 0.0), curve, whole)
+            axial_squared = g.add("Max", g.add("Sub", _square(g, whole), _square(g, wound)), 0.0)
+            curve = g.add("Div", _square(g, wound), g.add("Add", whole, g.add("Sqrt", axial_squared)))
+            return g.add("Where", g.add("Greater", axial_squared, 0.0), curve, whole)
         wound = g.add("Add", wound, self.read("separator_mm"))
         root = g.add("Sqrt", g.add("Add", _square(g, whole), _square(g, wound)))
         return g.add("Div", _square(g, wound), g.add("Add", root, whole))
@@ -97,12 +97,12 @@ class Query:
 
     def conditions(self, source: Source) -> str:
         """The conditions' table (`conditions.Conditions.table`), or an empty name where nothing varies."""
-        known = source.model.conditions
+        model_conditions = source.model.conditions
         table = [
             self.wide(self.scaled(self.read(name), mean, std))
-            for name, mean, std in zip(known.names, known.mean, known.std, strict=True)
+            for name, mean, std in zip(model_conditions.names, model_conditions.mean, model_conditions.std, strict=True)
         ]
-        for number in range(1, len(known.materials)):
+        for number in range(1, len(model_conditions.materials)):
             same = self.graph.add("Equal", self.read("material"), float(number))
             table.append(self.graph.number(same))
         return self.graph.beside(*table) if table else ""

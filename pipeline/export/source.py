@@ -108,8 +108,8 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
 def _try(source: Source) -> None:
     """Ask a model both ways within its ranges; raises what it raises, and ValueError where an answer is no number."""
     rng = np.random.default_rng(0)
-    for ask, given in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
-        if not np.isfinite(ask(source.inputs.points(given, source.inputs.drawn(given, TRIED, rng)))).all():
+    for ask, from_column in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
+        if not np.isfinite(ask(source.inputs.points(from_column, source.inputs.drawn(from_column, TRIED, rng)))).all():
             raise ValueError("an answer is not a number")
 
 
@@ -118,11 +118,11 @@ def _deaf(source: Source) -> tuple[str, ...]:
     inputs, rng, deaf = source.inputs, np.random.default_rng(0), []
     for field in inputs.fields[:2]:
         answers = []
-        for ask, given in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
-            queries, column = inputs.drawn(given, TRIED, rng), 1 + inputs.names.index(field.name)
+        for ask, from_column in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
+            queries, column = inputs.drawn(from_column, TRIED, rng), 1 + inputs.names.index(field.name)
             for end in (field.low, field.high):
                 queries[:, column] = end
-                answers.append(np.asarray(ask(inputs.points(given, queries)), float))
+                answers.append(np.asarray(ask(inputs.points(from_column, queries)), float))
         same = np.array_equal(answers[0], answers[1]) and np.array_equal(answers[2], answers[3])
         deaf += [field.name] * (same and field.low < field.high)
     return tuple(deaf)

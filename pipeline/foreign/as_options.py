@@ -31,14 +31,14 @@ def _channel(channel: str, role: Role | None) -> Any:
 
 def options(path: Path, run: Run) -> str:
     """`--file` and `--channels` for a log, each where what a run says of it does not fit; raises BadInput."""
-    seen, system, given = recognise(path, run.system), run.system, []
+    seen, system, option_words = recognise(path, run.system), run.system, []
     if seen.layout != run.file:
-        given.append(f"--file {quoted(layout_yaml(seen.layout) or '{}')}")
+        option_words.append(f"--file {quoted(layout_yaml(seen.layout) or '{}')}")
     if not _has_columns(seen, run):
         names = [name for name in system.columns if name in seen.roles or name in system.columns[:3]]
         channels = {name: _channel(name, seen.roles.get(name)) for name in names}
-        given.append(f"--channels {quoted(write_yaml(channels, flow=True))}")
-    return " ".join(given)
+        option_words.append(f"--channels {quoted(write_yaml(channels, flow=True))}")
+    return " ".join(option_words)
 
 
 def _has_columns(seen: Recognised, run: Run) -> bool:
@@ -56,10 +56,10 @@ def by_look(error: BadInput, path: Path, run: Run) -> BadInput | None:
     if not isinstance(error, NoColumn) and not error.field.startswith("file."):
         return None
     try:
-        given = options(path, run)
+        option_text = options(path, run)
     except BadInput:
         return None
-    if not given:
+    if not option_text:
         return None
-    then = f"fill in each {GAP} and check it" if GAP in given else "check it"
-    return BadInput(error.file, error.field, error.problem, f"add what the file looks like, and {then}: {given}")
+    then = f"fill in each {GAP} and check it" if GAP in option_text else "check it"
+    return BadInput(error.file, error.field, error.problem, f"add what the file looks like, and {then}: {option_text}")

@@ -109,10 +109,10 @@ def _preview(
 
 def draft(path: Path, told_actuator: str | None) -> tuple[str, str]:
     """Text of a mapping for a file, and a preview of its first rows; raises BadInput for a file that is not read."""
-    known, actuator = systems(), told_actuator or USUAL
-    if actuator not in known:
-        raise BadInput("--actuator", "actuator", f"{actuator!r} is not known", f"use one of {', '.join(known)}")
-    system = known[actuator]
+    actuators, actuator = systems(), told_actuator or USUAL
+    if actuator not in actuators:
+        raise BadInput("--actuator", "actuator", f"{actuator!r} is not known", f"use one of {', '.join(actuators)}")
+    system = actuators[actuator]
     seen = recognise(path, system)
     layout, columns, roles = seen.layout, seen.columns, seen.roles
     kind = format_of(path).name

@@ -40,15 +40,18 @@ def _question(doubts: list[BadInput], sure: bool) -> None:
         print(f"warning: {question}", file=sys.stderr)
 
 
-def make_run(content: RunYaml, recording: Path | None, out: Path, sure: bool = False, known: bool = False) -> Path:
+def make_run(
+    content: RunYaml, recording: Path | None, out: Path, sure: bool = False, material_known: bool = False
+) -> Path:
     """Write `out/<run>/run.yaml`, checked, with a copy of the recording; whole or not at all. Raises BadInput.
 
-    `known`: the material is that of a run that is there already: a reserved name is right until something is recorded.
+    `material_known`: the material is that of a run that is there already: a reserved name is right until something is
+    recorded.
     """
     name = checked(run_name, str(content["run"]), out / "run.yaml", "run")
     folder, path = out / name, out / name / "run.yaml"
     run = parse_run(content, path)
-    if run.string and not (known and recording is None):
+    if run.string and not (material_known and recording is None):
         checked(own_material, run.string.material, path, "string.material")
     taken = "choose another name, or remove that folder yourself if nobody needs it: runs are never overwritten"
     try:

@@ -32,9 +32,11 @@ def format_of(path: Path) -> Format:
     """The format of a file, by its first bytes, else by its name, else text; raises BadInput for what is no file."""
     with open_regular(path) as file:
         start = file.read(64)
-    known = [(sign, format_) for format_ in formats() for sign in format_.signs if start.lstrip(SPACE).startswith(sign)]
-    if known:
-        return max(known, key=lambda pair: len(pair[0]))[1]
+    by_sign = [
+        (sign, format_) for format_ in formats() for sign in format_.signs if start.lstrip(SPACE).startswith(sign)
+    ]
+    if by_sign:
+        return max(by_sign, key=lambda pair: len(pair[0]))[1]
     name = path.name.lower().removesuffix(".gz")
     by_name = (format_ for format_ in formats() if name.endswith(format_.suffixes))
     return next(by_name, next(format_ for format_ in formats() if ".csv" in format_.suffixes))

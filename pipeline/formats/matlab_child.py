@@ -37,9 +37,9 @@ def pack(columns: Columns, objects: bool) -> bytes:
 
 def unpack(content: bytes) -> tuple[Columns, bool]:
     """What `pack` packed."""
-    with np.load(io.BytesIO(content), allow_pickle=False) as held:
-        outline = json.loads(held["arr_0"].tobytes())
-        return {name: held[f"arr_{1 + index}"] for index, name in enumerate(outline["names"])}, outline["objects"]
+    with np.load(io.BytesIO(content), allow_pickle=False) as arrays:
+        outline = json.loads(arrays["arr_0"].tobytes())
+        return {name: arrays[f"arr_{1 + index}"] for index, name in enumerate(outline["names"])}, outline["objects"]
 
 
 @program

@@ -101,10 +101,10 @@ class Stamps:
             self._days = self._days or _days(list(self._dates))
             days = parts["date"].map(self._days).astype(float)
             return seconds + DAY_S * (days - np.nanmin(list(self._days.values())))
-        known = seconds.ffill().fillna(self._before_s).to_numpy()
-        passed = self._midnights + np.cumsum(np.diff(known, prepend=self._before_s) < -DAY_S / 2)
-        if len(known):
-            self._before_s, self._midnights = float(known[-1]), int(passed[-1])
+        filled_s = seconds.ffill().fillna(self._before_s).to_numpy()
+        passed = self._midnights + np.cumsum(np.diff(filled_s, prepend=self._before_s) < -DAY_S / 2)
+        if len(filled_s):
+            self._before_s, self._midnights = float(filled_s[-1]), int(passed[-1])
         return seconds + DAY_S * passed
 
 

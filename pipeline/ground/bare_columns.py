@@ -6,16 +6,16 @@ from .header_units import header_unit
 from .units import conversion, ending_of, is_load_in_kg, unit_of
 
 
-def written_out(channel: str, given: Any) -> Any:
+def written_out(channel: str, as_written: Any) -> Any:
     """The keys and values of a channel of which a name, or an index from 0, was given; all else as it is.
 
     A name that ends in another unit that the channel converts from is in that unit: `slide_cm` is read in cm, and
     `Zeit [ms]` or `Zeit (ms)` in ms.
     """
-    if not isinstance(given, str | int) or isinstance(given, bool):
-        return given
-    unit = _unit(channel, given) if isinstance(given, str) else unit_of(channel)
-    return {"column": given} if unit == unit_of(channel) else {"column": given, "unit": unit}
+    if not isinstance(as_written, str | int) or isinstance(as_written, bool):
+        return as_written
+    unit = _unit(channel, as_written) if isinstance(as_written, str) else unit_of(channel)
+    return {"column": as_written} if unit == unit_of(channel) else {"column": as_written, "unit": unit}
 
 
 def _unit(channel: str, name: str) -> str:
@@ -34,4 +34,4 @@ def all_written_out(channels: Any) -> Any:
     """The `channels` of a `run.yaml` with each of them written out."""
     if not isinstance(channels, dict):
         return channels
-    return {channel: written_out(str(channel), given) for channel, given in channels.items()}
+    return {channel: written_out(str(channel), as_written) for channel, as_written in channels.items()}

@@ -30,10 +30,10 @@ def key_name(key: Any) -> str:
     return text if text.strip() and text.isprintable() and len(text) <= LONGEST else short(text)
 
 
-def meant(key: str, known: Iterable[str]) -> str:
+def meant(key: str, keys: Iterable[str]) -> str:
     """The known key that a misspelt one is nearest to, or all of them, as a mend."""
-    close = difflib.get_close_matches(key[:LONGEST], list(known), n=1)
-    return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(known)}"
+    close = difflib.get_close_matches(key[:LONGEST], list(keys), n=1)
+    return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(keys)}"
 
 
 def _as_keys(where: tuple[Any, ...], section: type[BaseModel]) -> str:
@@ -49,7 +49,7 @@ def bad_section(
     complaints = error.errors(include_url=False)
     # A misspelt key is one mistake but two complaints: the unknown key says more than the missing one.
     complaint = next((candidate for candidate in complaints if candidate["type"] == "extra_forbidden"), complaints[0])
-    where, kind, given = complaint["loc"], complaint["type"], complaint["input"]
+    where, kind, wrong_input = complaint["loc"], complaint["type"], complaint["input"]
     message = complaint["msg"].removeprefix("Value error, ")
     if not where:  # a check over several keys, whose message names its field
         field, _, rest = message.partition(": ")
@@ -64,17 +64,17 @@ def bad_section(
     info = section.model_fields.get(str(where[-1]))
     hint = f" ({info.description})" if info is not None and info.description else ""
     if kind in ("model_type", "dict_type"):
-        return BadInput(path, field, f"is {short(given)}, where keys and values belong", _as_keys(where, section))
+        return BadInput(path, field, f"is {short(wrong_input)}, where keys and values belong", _as_keys(where, section))
     if kind == "missing":
         return BadInput(path, field, "is missing", f"add it{hint}")
     if kind == "value_error" and "; " in message:
         problem, _, mend = message.rpartition("; ")
         return BadInput(path, field, problem, mend)
-    if given is None:
+    if wrong_input is None:
         return BadInput(path, field, "is empty", f"fill it in{hint}")
-    if kind == "string_type" and isinstance(given, int | float):
-        return BadInput(path, field, f"is the number {short(given)}, not text", f"put it in quotes{hint}")
-    return BadInput(path, field, f"is {short(given)}: {message}", f"correct it{hint}")
+    if kind == "string_type" and isinstance(wrong_input, int | float):
+        return BadInput(path, field, f"is the number {short(wrong_input)}, not text", f"put it in quotes{hint}")
+    return BadInput(path, field, f"is {short(wrong_input)}: {message}", f"correct it{hint}")
 
 
 def syntax_mend(text: str) -> str:

@@ -21,7 +21,7 @@ def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
     """
     path = Path(path)
     mend = "give the name of a file in a folder in which you may write"
-    made = [folder for folder in path.parents if not folder.exists()]
+    new_folders = [folder for folder in path.parents if not folder.exists()]
     try:
         if not path.name or (path.exists() and not path.is_file()):
             raise BadInput(path, "--out", "is a folder, a device or a pipe, not a file", mend)
@@ -38,7 +38,7 @@ def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
         _place(temporary, path, new)
     finally:
         temporary.unlink(missing_ok=True)
-        for folder in made if not path.exists() else ():
+        for folder in new_folders if not path.exists() else ():
             with suppress(OSError):  # somebody else wrote there
                 folder.rmdir()
 

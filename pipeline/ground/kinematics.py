@@ -135,13 +135,13 @@ def point_motor_turns(points: Any) -> Array:
     return _of_points(points, "displacement_mm", Geometry.motor_turns)
 
 
-def _of_points(points: Any, given: str, equation: Callable[[Geometry, Values, Values], Array]) -> Array:
+def _of_points(points: Any, from_column: str, equation: Callable[[Geometry, Values, Values], Array]) -> Array:
     """An equation's value for every row of a table, whose rows may be of several strings and actuators."""
     actuators = np.asarray(points["actuator"]).astype(str)
     result = np.empty(len(actuators))
-    column = {name: np.asarray(points[name], float) for name in (given, "load_n", *DIMENSIONS)}
+    column = {name: np.asarray(points[name], float) for name in (from_column, "load_n", *DIMENSIONS)}
     for actuator in np.unique(actuators):
         is_actuator = actuators == actuator
         geometry = Geometry(str(actuator), **{name: column[name][is_actuator] for name in DIMENSIONS})
-        result[is_actuator] = equation(geometry, column[given][is_actuator], column["load_n"][is_actuator])
+        result[is_actuator] = equation(geometry, column[from_column][is_actuator], column["load_n"][is_actuator])
     return result

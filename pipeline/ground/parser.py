@@ -35,9 +35,9 @@ class Parser(argparse.ArgumentParser):
     def _meant(self) -> list[str]:
         options = [option for option in self._option_string_actions if option.startswith("--")]
         words = itertools.takewhile(lambda word: word != "--", self._words)
-        given = [word.partition("=")[0] for word in words if word.startswith("--")]
+        options_given = [word.partition("=")[0] for word in words if word.startswith("--")]
         sentences = []
-        for word in dict.fromkeys(given):
+        for word in dict.fromkeys(options_given):
             if not any(option.startswith(word) for option in options):  # a beginning is enough for argparse
                 near = difflib.get_close_matches(word[:LONGEST], options, n=1)
                 sentences += [f"did you mean {near[0]} by {word[:LONGEST]}?"] if near else []

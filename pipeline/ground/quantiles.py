@@ -75,13 +75,13 @@ def _narrowed(pieces: Pieces, targets: list[_Target], digit: int, weigh: bool) -
 def _found(pieces: Pieces, targets: list[_Target], weigh: bool) -> list[float]:
     """The numbers that are sought, by sorting those that begin as they do."""
     places = {target.first: target for target in targets}
-    held: dict[int, list[Array]] = {first: [] for first in places}
+    parts_by_first: dict[int, list[Array]] = {first: [] for first in places}
     for piece in pieces():
         keys = _keys(piece) if targets[0].shift < 64 else np.zeros(0, np.uint64)
         for first, target in places.items():
-            held[first].append(piece[_begin(keys, target)])
+            parts_by_first[first].append(piece[_begin(keys, target)])
     numbers = []
-    orders = {first: np.sort(np.concatenate(parts)) for first, parts in held.items()}
+    orders = {first: np.sort(np.concatenate(parts)) for first, parts in parts_by_first.items()}
     for target in targets:
         order = orders[target.first]
         at = np.searchsorted(np.cumsum(order), target.rest) if weigh else round(target.rest) - 1

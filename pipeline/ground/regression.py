@@ -27,10 +27,10 @@ def gaussian_process(table: Array, values: Array, points: int, tuned_on: int) ->
     It knows `points` of the rows, and its lengths are the likeliest on `tuned_on` of these. Values have one unit, which
     is the mean's.
     """
-    known = evenly(len(values), points)
-    table, values = table[known], values[known]
+    learnt_rows = evenly(len(values), points)
+    table, values = table[learnt_rows], values[learnt_rows]
     size = float(values.std()) or 1.0
-    tuned = evenly(len(known), tuned_on)
+    tuned = evenly(len(learnt_rows), tuned_on)
     kernel = ConstantKernel(1.0, (1e-3, 1e3)) * RBF(np.ones(table.shape[1]), (0.05, 1e2))
     kernel = kernel + WhiteKernel(0.1, (1e-4, 1.0))
     model = GaussianProcessRegressor(kernel, optimizer=_least, n_restarts_optimizer=RESTARTS, random_state=0)

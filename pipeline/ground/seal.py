@@ -93,12 +93,12 @@ def check_parquet_file(file: BinaryIO) -> None:
         raise Damaged("its check sum is missing or wrong")
 
 
-def _digest(file: BinaryIO, left: int, digest: "hashlib._Hash") -> None:
+def _digest(file: BinaryIO, bytes_left: int, digest: "hashlib._Hash") -> None:
     """Add so many of a file's next bytes to a check sum."""
-    while left:
-        part = file.read(min(CHUNK_BYTES, left))
+    while bytes_left:
+        part = file.read(min(CHUNK_BYTES, bytes_left))
         digest.update(part)
-        left -= len(part)
+        bytes_left -= len(part)
 
 
 def sealed(content: bytes) -> bytes:

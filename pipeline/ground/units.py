@@ -42,7 +42,7 @@ def unit_of(column: str) -> str:
 
 def _near(unit: str) -> str:
     """Which known units an unknown one may stand for, as a question; nothing where none is near."""
-    lower = {known.lower(): known for known in UNITS} | SAID
+    lower = {unit_name.lower(): unit_name for unit_name in UNITS} | SAID
     close = difflib.get_close_matches(unit.lower().removesuffix("s")[:40], lower, n=3, cutoff=0.6)
     close = [unit.lower()] if unit.lower() in lower else close
     near = dict.fromkeys(lower[name] for name in close)

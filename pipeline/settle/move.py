@@ -63,7 +63,7 @@ def describe(folder: Path, first: Path, step: Step) -> None:
     own: RunYaml = {"run": folder.name}
     if "load_n" in like.get("rig", {}) and len(step.loads_n) == 1:
         own["rig"] = {"load_n": step.loads_n[0]}
-    make_run(with_given(like, own, first), None, folder.parent, known=True)
+    make_run(with_given(like, own, first), None, folder.parent, material_known=True)
 
 
 def begun(folder: Path) -> bool:
