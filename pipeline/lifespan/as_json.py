@@ -99,22 +99,22 @@ def laws(choice: Choice | None) -> list[LawSaid]:
 
 def answer(question: Answer, level: float) -> AnswerSaid:
     """One question's answer; strokes are counted from the last one seen, None means beyond the horizon."""
-    left, span = question.left, question.left.span(level)
+    forecast, span = question.left, question.left.span(level)
     spans = {"low": span.low, "median": span.median, "high": span.high}
     last = float(question.n[-1]) if len(question.n) else np.nan
     return {
         "limit": question.limit,
         "unit": question.unit,
         "state": span.state,
-        "reason": left.reason,
-        "within_noise": not left.drifts,
+        "reason": forecast.reason,
+        "within_noise": not forecast.drifts,
         "strokes_left": {name: finite(value) for name, value in spans.items()},
         "at_stroke": {name: finite(last + value) for name, value in spans.items()},
-        "passed_at_stroke": finite(left.passed_at),
-        "horizon_strokes": finite(left.horizon),
-        "chance_within_horizon": finite(float(np.isfinite(left.when).mean()), 3) if len(left.when) else None,
-        "origins": left.choice.origins if left.choice else 0,
-        "laws": laws(left.choice),
+        "passed_at_stroke": finite(forecast.passed_at),
+        "horizon_strokes": finite(forecast.horizon),
+        "chance_within_horizon": finite(float(np.isfinite(forecast.when).mean()), 3) if len(forecast.when) else None,
+        "origins": forecast.choice.origins if forecast.choice else 0,
+        "laws": laws(forecast.choice),
     }
 
 

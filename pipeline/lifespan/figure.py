@@ -105,7 +105,7 @@ def span_of_strokes(answers: list[Answer], level: float) -> tuple[float, float] 
 def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[float, float] | None = None) -> None:
     """Indicator, law with its band, limit and interval of one question, over its own strokes or those given."""
     shown = strokes_shown or span_of_strokes([answer], level)
-    left, span, scale = answer.left, answer.left.span(level), 100.0 if answer.unit == "1" else 1.0
+    forecast, span, scale = answer.left, answer.left.span(level), 100.0 if answer.unit == "1" else 1.0
     if not len(answer.n):
         return nothing(axes, answer)
     axes.errorbar(
@@ -122,19 +122,19 @@ def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[floa
     axes.set_ylabel(f"{WHAT[answer.question]} ({'%' if answer.unit == '1' else answer.unit})")
     top = scale * 1.6 * max(answer.limit, float(np.nanmax(answer.values, initial=0.0)))
     is_open = span.state == "no claim"
-    head = HEADS[answer.question] + (f"\n{no_claim(left.reason)}" if is_open else "")
+    head = HEADS[answer.question] + (f"\n{no_claim(forecast.reason)}" if is_open else "")
     axes.set_title(head, fontsize=9, loc="left", pad=6.0 if is_open else ABOVE_LEGEND)
-    if left.choice and left.band is not None:
+    if forecast.choice and forecast.band is not None:
         seen = float(answer.n[-1])
-        end = shown[1] if shown else seen + farthest(span.high, seen, left.horizon)
+        end = shown[1] if shown else seen + farthest(span.high, seen, forecast.horizon)
         past = np.linspace(answer.n[0], seen, 200)
-        fitted = scale * left.choice.curve(past - answer.n[0] + 1.0)
-        name = left.choice.best.law.name
+        fitted = scale * forecast.choice.curve(past - answer.n[0] + 1.0)
+        name = forecast.choice.best.law.name
         axes.plot(past, fitted, color=FITTED, lw=2.0, zorder=3, label=f"law fitted, mostly: {name}")
         least = -np.inf if answer.unit == "1" else 0.0  # a root mean square is not below 0
         out = tail_of(span, level)
-        edges = [np.clip(scale * left.band.below(share), least, 2.0 * top) for share in (out, 0.5, 1.0 - out)]
-        ahead, (low, middle, high) = until(span.high, left.band.ahead, edges)
+        edges = [np.clip(scale * forecast.band.below(share), least, 2.0 * top) for share in (out, 0.5, 1.0 - out)]
+        ahead, (low, middle, high) = until(span.high, forecast.band.ahead, edges)
         n = seen + ahead
         axes.plot(n, middle, color=LAW, lw=1.4, label="median of the futures")
         axes.fill_between(
@@ -169,8 +169,8 @@ def farthest(high: float, seen: float, horizon: float) -> float:
 
 def interval(axes: Axes, answer: Answer, level: float, end: float, height: float) -> None:
     """The interval of the stroke that passes the limit, on the limit's line; an arrow where it has no end."""
-    left, seen = answer.left.span(level), float(answer.n[-1])
-    low, high = seen + left.low, seen + left.high
+    left_span, seen = answer.left.span(level), float(answer.n[-1])
+    low, high = seen + left_span.low, seen + left_span.high
     bar: dict[str, Any] = {"color": "k", "lw": 2.2, "solid_capstyle": "butt", "zorder": 4}
     axes.plot([low, min(high, end)], [height, height], **bar)
     axes.plot([low], [height], marker="|", ms=11, mew=2.0, color="k", zorder=4)
@@ -183,8 +183,8 @@ def interval(axes: Axes, answer: Answer, level: float, end: float, height: float
         color="k",
         clip_on=False,
     )
-    words = f"{at_least(left.low)} to {strokes_at_most(left.high)}" if left.state == "interval" else (
-        f"{'more than' if left.state == 'censored' else 'at least'} {strokes_at_least(left.low)}"
+    words = f"{at_least(left_span.low)} to {strokes_at_most(left_span.high)}" if left_span.state == "interval" else (
+        f"{'more than' if left_span.state == 'censored' else 'at least'} {strokes_at_least(left_span.low)}"
     )  # fmt: skip
     words += f" left in {percent(level)} of the futures"
     late = low > 0.5 * end  # words that begin there would leave the axes; above the limit they hide no line

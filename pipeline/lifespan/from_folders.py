@@ -28,8 +28,11 @@ def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:
 
 def others_beside(string: str, folders: list[Path]) -> list[Path]:
     """Runs of a string that lie beside the given ones and were not given: their strokes are missing in what is said."""
-    given = {folder.resolve() for folder in folders}
+    own_folders = {folder.resolve() for folder in folders}
     places = {folder.resolve().parent: folder.parent for folder in folders}
     return [
-        run for place in sorted(places.values()) for run in runs_naming(place, {string}, given) if has_recording(run)
+        run
+        for place in sorted(places.values())
+        for run in runs_naming(place, {string}, own_folders)
+        if has_recording(run)
     ]

@@ -67,14 +67,14 @@ class Cinn:
         inputs, outputs = self._physics_side(points), self._measured_side(points)
         self.inputs, self.outputs = Scaling.of(inputs), Scaling.of(outputs)
         x, y = tensor(self.inputs.scaled(inputs)), tensor(self.outputs.scaled(outputs))
-        given, s = tensor(self._given(points)), self.settings
+        net_conditions, s = tensor(self._given(points)), self.settings
         warm = max(1, round(WARM_UP * s.epochs))
         rates = [s.rate * min((i + 1) / warm, (1 + math.cos(math.pi * i / s.epochs)) / 2) for i in range(s.epochs)]
         with repeatable(seed):
             self.network = self._fresh()
             minimise(
                 self.network,
-                lambda rows: mse_loss(self.network(x[rows], given[rows]), y[rows]),
+                lambda rows: mse_loss(self.network(x[rows], net_conditions[rows]), y[rows]),
                 len(points),
                 s.batch,
                 rates,
@@ -90,12 +90,12 @@ class Cinn:
     @torch.no_grad()
     def inverse(self, points: pd.DataFrame) -> Array:
         """Twist in turns, shape (points,), within the twists that were seen."""
-        given, wanted = tensor(self._given(points)), tensor(self.outputs.scaled(self._measured_side(points)))
+        net_conditions, wanted = tensor(self._given(points)), tensor(self.outputs.scaled(self._measured_side(points)))
         # b, l, r and n are the same numbers on both sides, and so are their scalings
-        reached = self.network.inverse(wanted, given)[:, :1]
+        reached = self.network.inverse(wanted, net_conditions)[:, :1]
         slope, last, missed = torch.ones_like(reached), reached, torch.zeros_like(reached)
         for step in range(SECANTS):
-            short = wanted[:, :1] - self.network(torch.cat([reached, wanted[:, 1:]], dim=1), given)[:, :1]
+            short = wanted[:, :1] - self.network(torch.cat([reached, wanted[:, 1:]], dim=1), net_conditions)[:, :1]
             if step:
                 apart = reached - last
                 secant = ((missed - short) / torch.where(apart.abs() < NEAREST, NEAREST, apart)).clamp(
@@ -154,9 +154,9 @@ class Cinn:
 
     def _fresh(self) -> InvertibleNet:
         """The untrained network of the settings."""
-        s, given = self.settings, self.conditions.size + self.settings.direction
+        s, condition_count = self.settings, self.conditions.size + self.settings.direction
         return InvertibleNet(
-            SIZE, s.blocks, s.width, s.layers, s.clamp, "identity", s.permutation_seed, conditions=given
+            SIZE, s.blocks, s.width, s.layers, s.clamp, "identity", s.permutation_seed, conditions=condition_count
         )
 
 

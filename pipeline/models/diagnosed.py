@@ -98,14 +98,14 @@ class Diagnosed:
         self.simulators = {(loaded.run.run, string): loaded for string, loaded in zip(strings, simulators, strict=True)}
 
     def _each(
-        self, points: pd.DataFrame, known: Callable[[Simulator, pd.DataFrame], Array],
-        unknown: Callable[[pd.DataFrame], Array],
+        self, points: pd.DataFrame, by_simulator: Callable[[Simulator, pd.DataFrame], Array],
+        by_nominal: Callable[[pd.DataFrame], Array],
     ) -> Array:  # fmt: skip
         """What each run's simulator says of its points, or the nominal equations, shape (points,)."""
         answer = np.empty(len(points))
         for key, rows in _by_run(points):
             group_points, simulator = points.iloc[rows], self.simulators.get(key)
-            answer[rows] = known(simulator, group_points) if simulator else unknown(group_points)
+            answer[rows] = by_simulator(simulator, group_points) if simulator else by_nominal(group_points)
         return answer
 
 
@@ -127,22 +127,22 @@ def run_of(points: pd.DataFrame) -> Run:
 
 def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
     """The simulator that the training points of one run of a string make, whatever they can show."""
-    known = points.sort_values("time_s", kind="stable").drop_duplicates("time_s").reset_index(drop=True)
-    run, samples = run_of(known), known[SAMPLES]
+    ordered = points.sort_values("time_s", kind="stable").drop_duplicates("time_s").reset_index(drop=True)
+    run, samples = run_of(ordered), ordered[SAMPLES]
     try:
         studied = engine.study(holed(run, samples, without))
         faint_recordings.refuse_faint(studied, Path(run.run))
     except (BadInput, np.linalg.LinAlgError) as error:  # too little to decide anything is enough to calibrate
         base = calibrate.base(plain(run, samples, float(samples["time_s"].iloc[0])))
         alone = (base.values.tolist(), float(base.zeros[0]))
-        return Simulator(run, known[KNOWN], str(error), [], *alone, base.acts, 0.0, alone)
+        return Simulator(run, ordered[KNOWN], str(error), [], *alone, base.acts, 0.0, alone)
     explained = studied.verdict in ("explained", "ambiguous")
     named = [list(explanation.ids) for explanation in studied.sets] if explained else []
 
     def simulator(state: State) -> Simulator:
         level_mm = float(np.mean(studied.problem.simulate(state)))
         return Simulator(
-            run, known[KNOWN], studied.verdict, named, state.values.tolist(), float(state.zeros[0]), state.acts,
+            run, ordered[KNOWN], studied.verdict, named, state.values.tolist(), float(state.zeros[0]), state.acts,
             level_mm,
             (studied.base.values.tolist(), float(studied.base.zeros[0])),
         )  # fmt: skip
@@ -163,12 +163,12 @@ def undone(simulator: Simulator) -> float:
 
     What acts by a motor's speed, or by the heat of its work, needs a motion that is known better than its ends tell.
     """
-    known = simulator.known
-    place = known.groupby(["stroke", "phase"]).cumcount() / known.groupby(["stroke", "phase"])["time_s"].transform(
+    samples = simulator.known
+    place = samples.groupby(["stroke", "phase"]).cumcount() / samples.groupby(["stroke", "phase"])["time_s"].transform(
         "size"
     )
     back = (np.abs(place - MIDDLE) < HELD_BACK).to_numpy() | (place > 1.0 - HELD_BACK).to_numpy()
-    back_points, rest = known[back], replace(simulator, known=known[~back])
+    back_points, rest = samples[back], replace(simulator, known=samples[~back])
     if not back.any():
         return 0.0
     placed = back_points.assign(displacement_mm=rest.forward(back_points), motor_turns=np.nan)

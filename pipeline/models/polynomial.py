@@ -44,10 +44,10 @@ class Polynomial:
         """Solve both regressions; nothing is drawn by the seed."""
         self.box, self.conditions = Box.of(points), Conditions.of(points)
         self.weights = {}
-        for given, wanted in (GIVEN, GIVEN[::-1]):
-            terms = self._terms(points, given)
+        for from_column, wanted in (GIVEN, GIVEN[::-1]):
+            terms = self._terms(points, from_column)
             square = terms.T @ terms + self.settings.ridge * len(points) * np.eye(terms.shape[1])
-            self.weights[given] = np.linalg.solve(square, terms.T @ points[wanted].to_numpy(float))
+            self.weights[from_column] = np.linalg.solve(square, terms.T @ points[wanted].to_numpy(float))
 
     def forward(self, points: pd.DataFrame) -> Array:
         """Contraction in mm, shape (points,)."""
@@ -61,7 +61,7 @@ class Polynomial:
         """Write all of it as JSON."""
         content = {
             "settings": values(self.settings), "box": self.box.saved(), "conditions": self.conditions.saved(),
-            "weights": {given: weights.tolist() for given, weights in self.weights.items()},
+            "weights": {from_column: weights.tolist() for from_column, weights in self.weights.items()},
         }  # fmt: skip
         write_json(path, content)
 
@@ -70,12 +70,12 @@ class Polynomial:
         content = read_json(path)
         self.settings = Settings(**content["settings"])
         self.box, self.conditions = Box.from_saved(content["box"]), Conditions.from_saved(content["conditions"])
-        self.weights = {given: np.array(weights) for given, weights in content["weights"].items()}
+        self.weights = {from_column: np.array(weights) for from_column, weights in content["weights"].items()}
 
-    def _terms(self, points: pd.DataFrame, given: str) -> Array:
+    def _terms(self, points: pd.DataFrame, from_column: str) -> Array:
         """The products that a map is a sum of, shape (points, terms)."""
         s = self.settings
-        powers = legvander(self._within(given, points[given].to_numpy(float)), s.degree)
+        powers = legvander(self._within(from_column, points[from_column].to_numpy(float)), s.degree)
         grown = legvander(self._grown(points["stroke"].to_numpy(float)), s.stroke_degree)
         way = np.column_stack([np.ones(len(points)), points["direction"].to_numpy(float)])
         others = self.conditions.table(points)

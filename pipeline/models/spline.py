@@ -60,8 +60,8 @@ class Spline:
         thin = points.iloc[:: max(1, len(points) // CHOICE_POINTS)]
         weights = np.zeros((2 * self.settings.bins + 2, self._features(thin, Law()).shape[1]))
 
-        def error_of(law: Law, known: pd.DataFrame, later: pd.DataFrame) -> float:
-            fitted = self._fitted(known, law, weights, CHOICE_STEPS)
+        def error_of(law: Law, earlier: pd.DataFrame, later: pd.DataFrame) -> float:
+            fitted = self._fitted(earlier, law, weights, CHOICE_STEPS)
             error = self._contraction_mm(later, law, fitted) - later["displacement_mm"].to_numpy()
             return float(np.sqrt(np.mean(error**2)))
 

@@ -60,6 +60,8 @@ def answered_anew(
     try:
         with fitting(name):
             intervals.fit(thinned(dataset), seed)
-            return beside_questions(questions, lambda part, known: with_intervals(intervals, part, known, level))
+            return beside_questions(
+                questions, lambda part, from_column: with_intervals(intervals, part, from_column, level)
+            )
     except TooFew as error:
         raise BadInput(source, "points", str(error), "record more strokes, or more samples a stroke") from None

@@ -72,8 +72,8 @@ class Recording:
         folder = Path(str(content["run"]))
         run = parse_run(content, folder / "run.yaml")
         table = samples.reset_index(drop=True)
-        made = to_samples(run, table, folder / "samples", folder / "run.yaml")
-        checked, strokes = check(run, made, folder / "samples")
+        own_samples = to_samples(run, table, folder / "samples", folder / "run.yaml")
+        checked, strokes = check(run, own_samples, folder / "samples")
         return cls(run, checked, folder, _strokes=strokes)
 
     @cached_property

@@ -59,8 +59,8 @@ def main() -> None:
     if bool(arguments.material) == arguments.all:
         raise BadInput("arguments", "MATERIAL", "names nothing, or something beside --all", "give materials, or --all")
     materials, files = contents(arguments.material, arguments.all, arguments.configfile)
-    held = {name: not (arguments.without_recordings and name.startswith("raw/")) for name in files}
-    described_files = {name: described(path, held[name]) for name, path in files.items()}
+    is_packed = {name: not (arguments.without_recordings and name.startswith("raw/")) for name in files}
+    described_files = {name: described(path, is_packed[name]) for name, path in files.items()}
     manifest = Manifest(__version__, fingerprint("pipeline.*"), materials, arguments.configfile, described_files)
     write(arguments.out, manifest, files)
     runs = sum(map(len, materials.values()))

@@ -76,13 +76,13 @@ def contents(
     runs = {run for own in materials.values() for run in own}
     files: dict[str, str] = {}
     late = []
-    for made, _, _, logs, _, plan in (line[:6] for line in summary(configuration)):
-        if not every and not _belongs(made, set(materials), runs):
+    for product, _, _, logs, _, plan in (line[:6] for line in summary(configuration)):
+        if not every and not _belongs(product, set(materials), runs):
             continue
         if plan != MADE:
-            late.append(made)
-        files |= {name: name for name in [*below(made), *filter(os.path.isfile, logs.split(","))]}
-        files[f"{PROVENANCE}/{made}.json"] = str(note_of(Path(), made))
+            late.append(product)
+        files |= {name: name for name in [*below(product), *filter(os.path.isfile, logs.split(","))]}
+        files[f"{PROVENANCE}/{product}.json"] = str(note_of(Path(), product))
     if late or not files:
         what = (
             f"{len(late)} of its files are not made, or not as they should be, such as {late[0]}" if late else "nothing"

@@ -11,12 +11,12 @@ NOTES = Path(".snakemake", "metadata")
 LONGEST = 255
 
 
-def note_of(root: Path, made: str) -> Path:
+def note_of(root: Path, product: str) -> Path:
     """The file, below the project's folder, in which Snakemake notes how it made a file or folder of it."""
     try:
         longest = os.pathconf(root, "PC_NAME_MAX") or LONGEST
     except (OSError, ValueError):
         longest = LONGEST
-    name = urlsafe_b64encode(made.encode()).decode()
+    name = urlsafe_b64encode(product.encode()).decode()
     parts = [name[at : at + longest - 1] for at in range(0, len(name), longest - 1)]
     return root.joinpath(NOTES, *(f"@{part}" for part in parts[:-1]), parts[-1])

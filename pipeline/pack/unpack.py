@@ -83,19 +83,19 @@ def missing(manifest: Manifest, archive: Path) -> list[str]:
 
 def bring(zipped: zipfile.ZipFile, name: str, file: File, place: Path, archive: Path) -> None:
     """Write one file of an archive below a folder of its own; raises BadInput where it is not what was packed."""
-    path, digest, left = place / name, hashlib.sha256(), file.bytes
+    path, digest, bytes_left = place / name, hashlib.sha256(), file.bytes
     path.parent.mkdir(parents=True, exist_ok=True)
     try:
         with zipped.open(name) as source, path.open("wb") as target:
-            while part := source.read(min(CHUNK_BYTES, left + 1)):
-                left -= len(part)
-                if left < 0:
+            while part := source.read(min(CHUNK_BYTES, bytes_left + 1)):
+                bytes_left -= len(part)
+                if bytes_left < 0:
                     break
                 digest.update(part)
                 target.write(part)
     except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError) as error:
         raise BadInput(archive, name, f"is damaged ({error})", WHOLE) from None
-    if left or digest.hexdigest() != file.sha256:
+    if bytes_left or digest.hexdigest() != file.sha256:
         raise BadInput(archive, name, "is not what was packed: its digest is another", WHOLE)
     os.chmod(path, 0o444 if name.startswith("raw/") else 0o644)
     os.utime(path, ns=(file.time_ns, file.time_ns))

@@ -125,14 +125,14 @@ def _solved(law: Law, axes: list[Array], seen: float, n: Array, values: Array, w
     inverse = np.linalg.inv(gram)
     coefficients = (inverse @ (heavy.transpose(0, 2, 1) @ values)[..., None])[..., 0]
     rest = values - (table @ coefficients[..., None])[..., 0]
-    left = np.maximum(np.einsum("n,gn->g", weights, np.square(rest)), 1e-300)
-    best = rest[int(np.argmin(left))] * np.sqrt(weights)
+    squares = np.maximum(np.einsum("n,gn->g", weights, np.square(rest)), 1e-300)
+    best = rest[int(np.argmin(squares))] * np.sqrt(weights)
     runs = float(np.clip(best[1:] @ best[:-1] / max(best @ best, 1e-300), 0.0, LONGEST_RUNS))
     share = (1.0 - runs) / (1.0 + runs)
     freedom = max(share * len(n) - columns, 2.0)
-    variance = left / (len(n) - columns)
+    variance = squares / (len(n) - columns)
     covariance = inverse * variance[:, None, None] / share
-    score = -0.5 * freedom * np.log(left) - 0.5 * np.linalg.slogdet(gram)[1]
+    score = -0.5 * freedom * np.log(squares) - 0.5 * np.linalg.slogdet(gram)[1]
     if law.end:
         size = np.sqrt(np.maximum(covariance[:, -1, -1], 1e-300))
         score += np.log(np.maximum(ndtr(coefficients[:, -1] / size), 1e-12))

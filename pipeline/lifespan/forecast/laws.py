@@ -59,8 +59,8 @@ def _log(n: Array, n0: Array) -> tuple[Array, ...]:
 
 def _hyperbola(n: Array, end: Array) -> tuple[Array, ...]:
     """1/(1 − n/N) but for its constant and its slope, which the law's own columns hold; huge beyond N."""
-    left = 1.0 - n / end
-    return n, np.where(left > 1e-3, np.square(n / end) / np.maximum(left, 1e-3), 1e6)
+    life_left = 1.0 - n / end
+    return n, np.where(life_left > 1e-3, np.square(n / end) / np.maximum(life_left, 1e-3), 1e6)
 
 
 def _onset(n: Array, tau: Array) -> tuple[Array, ...]:

@@ -39,9 +39,9 @@ def stroke_loss(health: Health, loss: float) -> Answer:
     lost = 1.0 - stroke_mm / first_mm
     spread = float(np.median(np.abs(np.diff(lost)))) / (0.6745 * np.sqrt(2.0)) if len(lost) > 1 else 0.0
     limit_error, power = spread / np.sqrt(REFERENCE), LATER["stroke_loss"]
-    left = strokes_left(n, lost, loss, limit_error, lived=lived(health), power=power)
+    forecast = strokes_left(n, lost, loss, limit_error, lived=lived(health), power=power)
     errors = table["stroke_mm_error"].to_numpy() / first_mm
-    return Answer("stroke_loss", "share of the stroke lost", "1", n, lost, errors, loss, left)
+    return Answer("stroke_loss", "share of the stroke lost", "1", n, lost, errors, loss, forecast)
 
 
 def model_error(health: Health, drift_mm: float) -> Answer:

@@ -50,12 +50,12 @@ def cuts(end: float) -> Iterator[tuple[str, int]]:
         yield f"{number} strokes", number
 
 
-def held(left: Left, level: float, true: float, censored: bool) -> float:
+def held(forecast: Left, level: float, true: float, censored: bool) -> float:
     """Whether an interval holds the strokes left: 1, 0, or NaN where nothing is claimed or a censored life cannot tell.
 
     `true` is the strokes left, or those for which a censored life is known to have gone on.
     """
-    span = left.span(level)
+    span = forecast.span(level)
     if span.state == "no claim":
         return np.nan
     if span.high < true:
@@ -65,12 +65,12 @@ def held(left: Left, level: float, true: float, censored: bool) -> float:
     return 1.0 if span.low <= true and np.isinf(span.high) else np.nan
 
 
-def row(method: str, left: Left, true: float, censored: bool) -> Row:
+def row(method: str, forecast: Left, true: float, censored: bool) -> Row:
     """One forecast against the truth."""
-    span = left.span(LEVELS[0])
+    span = forecast.span(LEVELS[0])
     scored: Row = {"method": method, "state": span.state, "left": true, "censored": censored, "median": span.median,
              "low": span.low, "high": span.high}  # fmt: skip
-    return scored | {f"held_{level:.0%}": held(left, level, true, censored) for level in LEVELS}
+    return scored | {f"held_{level:.0%}": held(forecast, level, true, censored) for level in LEVELS}
 
 
 def asked(string_health: Health, truth: pd.DataFrame, loss: float, drift_mm: float) -> Iterator[Row]:

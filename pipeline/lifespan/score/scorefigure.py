@@ -25,8 +25,10 @@ def levels_held(axes: Axes, rows: pd.DataFrame, levels: tuple[float, ...]) -> No
     levels = tuple(sorted(levels))
     axes.plot([0, 100], [0, 100], color="0.4", lw=1, ls="--", label="as promised")
     for (method, part), colour, mark in zip(rows.groupby("method", sort=False), COLOURS, MARKS, strict=False):
-        held = [100 * part[f"held_{level:.0%}"].mean() for level in levels]
-        axes.plot([100 * level for level in levels], held, color=colour, marker=mark, ms=4, lw=1.4, label=str(method))
+        held_percent = [100 * part[f"held_{level:.0%}"].mean() for level in levels]
+        axes.plot(
+            [100 * level for level in levels], held_percent, color=colour, marker=mark, ms=4, lw=1.4, label=str(method)
+        )
     axes.set(xlim=(25, 100), ylim=(0, 102), xlabel="level of the interval (%)", ylabel="intervals that hold (%)")
     axes.legend(fontsize=7.5, loc="upper left")
 
@@ -37,8 +39,8 @@ def against_truth(axes: Axes, rows: pd.DataFrame) -> None:
     ours = ours[ours["state"] != "no claim"]
     top = 3.0 * float(ours["left"].max()) if len(ours) else 1.0
     low, high = ours["low"].clip(lower=1.0), ours["high"].clip(upper=top)
-    held = (ours["held_90%"] == 1.0).to_numpy()
-    for kept, colour, name in ((held, COLOURS[1], "holds"), (~held, COLOURS[0], "does not")):
+    is_held = (ours["held_90%"] == 1.0).to_numpy()
+    for kept, colour, name in ((is_held, COLOURS[1], "holds"), (~is_held, COLOURS[0], "does not")):
         axes.vlines(
             ours["left"][kept], low[kept], high[kept], color=colour, lw=1.0, alpha=0.7, label=f"90 % interval {name}"
         )
@@ -67,9 +69,9 @@ def page(rows: pd.DataFrame, levels: tuple[float, ...], path: Path) -> None:
         figure, panels = plt.subplots(
             len(questions), 2, figsize=(9.0, 3.8 * len(questions)), layout="constrained", squeeze=False
         )
-        for (question, part), (left, right) in zip(questions, panels, strict=True):
-            levels_held(left, part, levels)
-            left.set_title(TITLES.get(str(question), str(question)), fontsize=9.5, loc="left")
-            against_truth(right, part)
+        for (question, part), (level_axes, truth_axes) in zip(questions, panels, strict=True):
+            levels_held(level_axes, part, levels)
+            level_axes.set_title(TITLES.get(str(question), str(question)), fontsize=9.5, loc="left")
+            against_truth(truth_axes, part)
         write_figure(figure, path)
         plt.close(figure)

@@ -21,12 +21,16 @@ def share(values: pd.Series) -> str:
 def line(method: str, rows: pd.DataFrame) -> str:
     """One method's row of the table."""
     claims = rows[rows["state"] != "no claim"]
-    known = claims[~claims["censored"]]
+    uncensored = claims[~claims["censored"]]
     missed = claims[claims["held_90%"] == 0.0]
     late = int((missed["low"] > missed["left"]).sum())
     with np.errstate(invalid="ignore"):
-        width = np.median((known["high"] - known["low"]) / known["left"]) if len(known) else np.nan
-        off = np.median(np.abs(known["median"] - known["left"]) / known["left"]) if len(known) else np.nan
+        width = np.median((uncensored["high"] - uncensored["low"]) / uncensored["left"]) if len(uncensored) else np.nan
+        off = (
+            np.median(np.abs(uncensored["median"] - uncensored["left"]) / uncensored["left"])
+            if len(uncensored)
+            else np.nan
+        )
     cells: list[Any] = [
         method,
         len(rows),

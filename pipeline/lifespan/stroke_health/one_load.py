@@ -43,14 +43,14 @@ class Loads:
         """What is said where strokes of other loads are left out: which are compared, and which are not."""
         if not self.others:
             return []
-        count, left = len(self.kept), [number for _, numbers in self.others for number in numbers]
+        count, other_strokes = len(self.kept), [number for _, numbers in self.others for number in numbers]
         these = f"Loads differ: only the {counted(count, 'stroke')} under {newtons(self.load_n)} {are(count)} compared"
         lines = [
             f"{these} ({_spans(self.kept)}). A change of load is no ageing.",
-            f"Left out: {self._left_out(left)}. In what follows the first {REFERENCE} strokes are the first "
+            f"Left out: {self._left_out(other_strokes)}. In what follows the first {REFERENCE} strokes are the first "
             f"{REFERENCE}{self.under}.",
         ]
-        since = sum(number > max(self.kept) for number in left)
+        since = sum(number > max(self.kept) for number in other_strokes)
         if since:
             lines.append(
                 f"The string did {counted(since, 'stroke')} more since: strokes left are counted from stroke "
@@ -58,10 +58,10 @@ class Loads:
             )
         return lines
 
-    def _left_out(self, left: list[int]) -> str:
+    def _left_out(self, other_strokes: list[int]) -> str:
         if len(self.others) > NAMED:
             ends = [load for load, _ in self.others]
-            return f"{counted(len(left), 'stroke')} under {min(ends):.3g} to {newtons(max(ends))}"
+            return f"{counted(len(other_strokes), 'stroke')} under {min(ends):.3g} to {newtons(max(ends))}"
         named = (
             f"{counted(len(numbers), 'stroke')} under {newtons(load)} ({_spans(numbers)})"
             for load, numbers in self.others

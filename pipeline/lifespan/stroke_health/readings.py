@@ -50,9 +50,9 @@ class Nominal:
         """Twist and what the model leaves from sample `first` until `stop`; shape (stop - first,)."""
         turns = self.rows.read("motor_turns", first, stop)
         nominal_mm = self.geometry.contraction_mm(turns, self.load_n)
-        known = np.isfinite(nominal_mm)
-        if not known.all():  # a pair wound beyond its length
-            nominal_mm = np.where(known, nominal_mm, self.most_mm)
+        is_finite = np.isfinite(nominal_mm)
+        if not is_finite.all():  # a pair wound beyond its length
+            nominal_mm = np.where(is_finite, nominal_mm, self.most_mm)
         return turns, self.rows.read("displacement_mm", first, stop) + self.offset_mm - nominal_mm
 
 

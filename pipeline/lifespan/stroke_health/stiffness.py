@@ -26,9 +26,9 @@ def stiffness(moving: pd.DataFrame) -> dict[str, float]:
     solution, _, rank, _ = np.linalg.lstsq(columns, moving["left_mm"].to_numpy(), rcond=1e-9)
     if rank < columns.shape[1]:
         return nothing
-    left = moving["left_mm"].to_numpy() - columns @ solution
-    alike = float(np.clip(left[1:] @ left[:-1] / max(left @ left, 1e-300), 0.0, 0.9))
-    variance = left @ left / (len(left) - columns.shape[1]) * (1.0 + alike) / (1.0 - alike)
+    residual_mm = moving["left_mm"].to_numpy() - columns @ solution
+    alike = float(np.clip(residual_mm[1:] @ residual_mm[:-1] / max(residual_mm @ residual_mm, 1e-300), 0.0, 0.9))
+    variance = residual_mm @ residual_mm / (len(residual_mm) - columns.shape[1]) * (1.0 + alike) / (1.0 - alike)
     slope, error = -solution[0], float(np.sqrt(variance * np.linalg.inv(columns.T @ columns)[0, 0]))
     if slope < SURE * error:
         return nothing

@@ -29,9 +29,9 @@ KINDS = {"one-sided": 'such an "at least"', "interval": "such an interval"}
 
 def measured(question: str, state: str) -> str:
     """The sentence that stands beside a claim: how often claims of its kind held."""
-    held = HELD.get((question, state))
-    if held is None:
+    tested = HELD.get((question, state))
+    if tested is None:
         return f"{TESTED} too few claims of this kind could be judged."
-    late = "" if held.late_percent is None else f", {LATE} in {held.late_percent:.0f}"
-    cautious = ": so the bound is cautious" * (held.percent >= CAUTIOUS)
-    return f"{TESTED} {KINDS[state]} held in {held.percent:.0f} of 100 cases that could be judged{late}{cautious}."
+    late = "" if tested.late_percent is None else f", {LATE} in {tested.late_percent:.0f}"
+    cautious = ": so the bound is cautious" * (tested.percent >= CAUTIOUS)
+    return f"{TESTED} {KINDS[state]} held in {tested.percent:.0f} of 100 cases that could be judged{late}{cautious}."

@@ -40,7 +40,7 @@ def footnote(answers: list[Answer], level: float) -> str:
     drawn = [answer.left for answer in answers if answer.left.band is not None]
     if not drawn:
         return fill(POINTS, WIDE)
-    spans = [left.span(level) for left in drawn]
+    spans = [forecast.span(level) for forecast in drawn]
     lines = [POINTS, FUTURE]
     if any(span.state == "interval" for span in spans):
         lines.append(BAR.format(tail((1.0 - level) / 2.0)))

@@ -81,14 +81,14 @@ def _another_range(health: Health) -> str:
 
 def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
     """One question's answer in words, a fact a sentence; unless `enough`, without the reason why there is none."""
-    left, span = answer.left, answer.left.span(level)
+    forecast, span = answer.left, answer.left.span(level)
     limit = f"a model calibrated on the first {REFERENCE} strokes is off by {answer.limit:g} {answer.unit}"
     limit = f"{percent(answer.limit)} of the stroke is lost" if answer.unit == "1" else limit
     if span.state == "no claim":
-        return [f"Until {limit}: {f'no claim: {left.reason}' if enough else 'no forecast yet'}."]
+        return [f"Until {limit}: {f'no claim: {forecast.reason}' if enough else 'no forecast yet'}."]
     if span.state == "passed":
-        return [f"Until {limit}: passed already at stroke {left.passed_at:.0f}."]
-    most = f"{at_least(left.horizon)} strokes"
+        return [f"Until {limit}: passed already at stroke {forecast.passed_at:.0f}."]
+    most = f"{at_least(forecast.horizon)} strokes"
     further = f"The forecast does not look further than {most}."
     if span.state == "censored":
         return [f"Until {limit}: more than {most} left in {percent(level)} of the futures.", further]
@@ -140,10 +140,10 @@ def zero(jump: Jump) -> str:
     return f"{jump.advice} {done}."
 
 
-def not_given(string: str, given: list[Path], others: list[Path], out: Path) -> str:
+def not_given(string: str, folders: list[Path], others: list[Path], out: Path) -> str:
     """What is said where other runs of a string lie beside those that were given, with the command for all of them."""
     count = f"{len(others)} more run{'s' * (len(others) > 1)} of the string {string} beside, not given"
-    every = " ".join(shlex.quote(str(folder)) for folder in (*given, *others))
+    every = " ".join(shlex.quote(str(folder)) for folder in (*folders, *others))
     again = f"{command('lifespan')} {every} --out {shlex.quote(str(out))}"
     return f"Beware: {count}. Strokes are counted as if there were none of them. All of them:\n  {again}"
 

@@ -66,13 +66,13 @@ class Box:
         """Values of a column, brought into the box. Shape (points,), in the column's unit."""
         return np.clip(values, self.low[column], self.high[column])
 
-    def outside(self, points: pd.DataFrame, given: str) -> dict[str, Array]:
-        """Which points lie outside the box, by column; `given` says which of twist and contraction is known.
+    def outside(self, points: pd.DataFrame, from_column: str) -> dict[str, Array]:
+        """Which points lie outside the box, by column; `from_column` says which of twist and contraction is known.
 
         A value that is not finite lies outside. Only columns in which some point does are there. Each is a mask of
         shape (points,).
         """
-        answer = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}[given]
+        answer = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}[from_column]
         outside = {}
         for name in self.low:
             if name != answer:

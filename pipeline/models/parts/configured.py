@@ -18,11 +18,11 @@ def configured(name: str, settings: str) -> Model:
         problem = f"is no file of {HOUSE}/models that has a MODEL"
         raise BadInput("--model", shown(name) or '""', problem, f"choose one of {', '.join(names())}")
     try:
-        given = told(settings)
+        parsed = told(settings)
         try:
-            return make_model(name, **given)
+            return make_model(name, **parsed)
         except (TypeError, ValidationError) as error:
-            raise refusal(error, settings_of(name), given) from error
+            raise refusal(error, settings_of(name), parsed) from error
     except Refused as error:
         raise BadInput("--settings", f"{name}.{error.field}", error.problem, error.mend) from error
 

@@ -20,8 +20,8 @@ def fitted(material: Path, names: Collection[str]) -> list[Path]:
     """
     files = []
     for name in sorted(names, key=lambda name: (name != usual(), name)):
-        held = [file for file in sorted((material / name).glob("*-*.model")) if _holds(file)]
-        files += sorted(held, key=lambda file: file.name != FIRST)[:1]
+        own_files = [file for file in sorted((material / name).glob("*-*.model")) if _holds(file)]
+        files += sorted(own_files, key=lambda file: file.name != FIRST)[:1]
     return files
 
 

@@ -30,8 +30,10 @@ SHOWN = 80  # characters of a wrong value
 @dataclass_transform(frozen_default=True, field_specifiers=(Field,))
 def checked(settings: type[Class]) -> type[Class]:
     """A class of settings whose bounds, types and names are checked when it is made."""
-    made: Any = dataclass(frozen=True, config=ConfigDict(extra="forbid", strict=True, allow_inf_nan=False))(settings)
-    return made
+    checked_class: Any = dataclass(frozen=True, config=ConfigDict(extra="forbid", strict=True, allow_inf_nan=False))(
+        settings
+    )
+    return checked_class
 
 
 def values(settings: Any) -> dict[str, JsonValue]:
@@ -68,10 +70,14 @@ def told(text: str) -> dict[str, JsonValue]:
     return settings
 
 
-def refusal(error: ValidationError | TypeError, settings: type | None, given: Mapping[str, JsonValue]) -> Refused:
+def refusal(
+    error: ValidationError | TypeError, settings: type | None, settings_given: Mapping[str, JsonValue]
+) -> Refused:
     """What a model's class complained of in the settings given; `settings` is its dataclass, None if it has none."""
     if settings is None:
-        return Refused(shown(next(iter(given), "settings")), "is no setting: this model has none", "leave it out")
+        return Refused(
+            shown(next(iter(settings_given), "settings")), "is no setting: this model has none", "leave it out"
+        )
     can: dict[str, Any] = pydantic.TypeAdapter(settings).json_schema()["properties"]
     if isinstance(error, TypeError):
         return Refused("settings", shown(str(error)), f"use {', '.join(can)}")

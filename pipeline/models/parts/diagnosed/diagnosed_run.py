@@ -105,9 +105,9 @@ class Simulator:
             (added_mm, steep), slope = self._added_mm(points, way), self._slope(way, load_n)
             steep = np.clip(steep, -STEEPEST * slope, slope / STEEPEST)  # at a reversal a play has no slope at all
             turns = solved(self.values, self.zero_mm, added_mm, steep, way)
-            left = float(np.mean(np.square(self.base_mm(way, load_n) + added_mm - measured_mm)))
-            if left < least:
-                least, best_turns = left, turns
+            mean_square = float(np.mean(np.square(self.base_mm(way, load_n) + added_mm - measured_mm)))
+            if mean_square < least:
+                least, best_turns = mean_square, turns
         return best_turns
 
     def _slope(self, turns: Array, load_n: Array) -> Array:
@@ -158,5 +158,5 @@ class Simulator:
         """The simulator that `saved` wrote."""
         acts = tuple(Act(act["id"], tuple(act["nonlinear"]), tuple(act["coefficients"])) for act in saved["acts"])
         own = {"run": Run.model_validate(saved["run"]), "known": pd.DataFrame(saved["known"]), "acts": acts}
-        made: dict[str, Any] = {**saved, **own}
-        return cls(**made)
+        fields: dict[str, Any] = {**saved, **own}
+        return cls(**fields)

@@ -70,7 +70,7 @@ def one_way(time_s: Array, turns: Array, weight: Array, rising: bool) -> Array:
     return np.interp(time_s, even_s, even)
 
 
-def path(known: pd.DataFrame, points: pd.DataFrame, turns: Array, weight: Array) -> Array:
+def path(known_points: pd.DataFrame, points: pd.DataFrame, turns: Array, weight: Array) -> Array:
     """Twist of asked points of one run, in turns, whose estimates have weights: each stretch of a stroke moves one way.
 
     Known points of the same stretch hold it where they are. `turns` and `weight` have the shape (asked points,), and so
@@ -78,11 +78,13 @@ def path(known: pd.DataFrame, points: pd.DataFrame, turns: Array, weight: Array)
     """
     path_turns = turns.copy()
     labels = ["stroke", "phase"]
-    of_known = known.groupby(labels).indices
+    of_known = known_points.groupby(labels).indices
     for label, rows in points.groupby(labels).indices.items():
         beside: NDArray[np.intp] = of_known.get(label, np.zeros(0, np.intp))
-        time_s = np.concatenate([points["time_s"].to_numpy(float)[rows], known["time_s"].to_numpy(float)[beside]])
-        both = np.concatenate([turns[rows], known["motor_turns"].to_numpy(float)[beside]])
+        time_s = np.concatenate(
+            [points["time_s"].to_numpy(float)[rows], known_points["time_s"].to_numpy(float)[beside]]
+        )
+        both = np.concatenate([turns[rows], known_points["motor_turns"].to_numpy(float)[beside]])
         sure = np.concatenate([weight[rows], np.full(len(beside), SURE * max(float(weight[rows].max()), 1e-9))])
         path_turns[rows] = one_way(time_s, both, sure, label[1] == "winding")[: len(rows)]
     return path_turns

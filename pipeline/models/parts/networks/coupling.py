@@ -43,24 +43,24 @@ class Coupling(nn.Module):
         self.net_1 = relu_net(self.first + conditions, 2 * self.second, width, layers)  # s₁, t₁: read y₁, move x₂
         self.net_2 = relu_net(self.second + conditions, 2 * self.first, width, layers)  # s₂, t₂: read x₂, move x₁
 
-    def forward(self, x: Tensor, given: Tensor | None = None) -> Tensor:
+    def forward(self, x: Tensor, conditions: Tensor | None = None) -> Tensor:
         """y for x, both (points, size), under conditions, shape (points, conditions); all without units (eq. 6)."""
         x_1, x_2 = x.split([self.first, self.second], dim=1)
-        s_2, t_2 = self._scale_and_shift(self.net_2, x_2, given)
+        s_2, t_2 = self._scale_and_shift(self.net_2, x_2, conditions)
         y_1 = x_1 * torch.exp(s_2) + t_2
-        s_1, t_1 = self._scale_and_shift(self.net_1, y_1, given)
+        s_1, t_1 = self._scale_and_shift(self.net_1, y_1, conditions)
         return torch.cat([y_1, x_2 * torch.exp(s_1) + t_1], dim=1)
 
-    def inverse(self, y: Tensor, given: Tensor | None = None) -> Tensor:
+    def inverse(self, y: Tensor, conditions: Tensor | None = None) -> Tensor:
         """x for y, both of shape (points, size) (eq. 7); without a unit. x₂ comes first: x₁ needs it."""
         y_1, y_2 = y.split([self.first, self.second], dim=1)
-        s_1, t_1 = self._scale_and_shift(self.net_1, y_1, given)
+        s_1, t_1 = self._scale_and_shift(self.net_1, y_1, conditions)
         x_2 = (y_2 - t_1) * torch.exp(-s_1)
-        s_2, t_2 = self._scale_and_shift(self.net_2, x_2, given)
+        s_2, t_2 = self._scale_and_shift(self.net_2, x_2, conditions)
         return torch.cat([(y_1 - t_2) * torch.exp(-s_2), x_2], dim=1)
 
-    def _scale_and_shift(self, net: nn.Sequential, known: Tensor, given: Tensor | None) -> tuple[Tensor, Tensor]:
-        scale, shift = net(known if given is None else torch.cat([known, given], dim=1)).chunk(2, dim=1)
+    def _scale_and_shift(self, net: nn.Sequential, half: Tensor, conditions: Tensor | None) -> tuple[Tensor, Tensor]:
+        scale, shift = net(half if conditions is None else torch.cat([half, conditions], dim=1)).chunk(2, dim=1)
         return self.clamp * (2.0 / torch.pi) * torch.atan(scale), shift
 
 
@@ -115,15 +115,15 @@ class InvertibleNet(nn.Module):
         self.mixing = mixing_layers(blocks - 1, size, composite, seed)
         self.unmixing = [torch.argsort(permutation) for permutation in self.mixing]
 
-    def forward(self, x: Tensor, given: Tensor | None = None) -> Tensor:
+    def forward(self, x: Tensor, conditions: Tensor | None = None) -> Tensor:
         """Outputs for inputs, both of shape (points, size); without a unit, as they are standardised."""
         for number, block in enumerate(self.blocks):
-            x = block(x if number == 0 else x[:, self.mixing[number - 1]], given)
+            x = block(x if number == 0 else x[:, self.mixing[number - 1]], conditions)
         return x
 
-    def inverse(self, y: Tensor, given: Tensor | None = None) -> Tensor:
+    def inverse(self, y: Tensor, conditions: Tensor | None = None) -> Tensor:
         """Inputs for outputs, both of shape (points, size): the blocks backwards; without a unit."""
         for number in reversed(range(len(self.blocks))):
-            y = cast(Coupling, self.blocks[number]).inverse(y, given)
+            y = cast(Coupling, self.blocks[number]).inverse(y, conditions)
             y = y if number == 0 else y[:, self.unmixing[number - 1]]
         return y

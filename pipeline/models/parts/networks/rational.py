@@ -73,10 +73,10 @@ def inverse(knots: Knots, y: Array) -> Array:
     rows, values = np.arange(len(y)), knots.values
     number = np.clip((values <= y[:, None]).sum(axis=1) - 1, 0, values.shape[1] - 2)
     width, rise = np.diff(knots.at)[number], knots.rise[rows, number]
-    left, right, steep = knots.slope[rows, number], knots.slope[rows, number + 1], rise / width
+    left_slope, right_slope, steep = knots.slope[rows, number], knots.slope[rows, number + 1], rise / width
     up = np.clip(y - values[rows, number], 0.0, rise)
-    bend = up * (left + right - 2.0 * steep)
-    a, b, c = rise * (steep - left) + bend, rise * left - bend, -steep * up
+    bend = up * (left_slope + right_slope - 2.0 * steep)
+    a, b, c = rise * (steep - left_slope) + bend, rise * left_slope - bend, -steep * up
     root = np.sqrt(np.maximum(b * b - 4.0 * a * c, 0.0))
     # this form of the root has no difference of near numbers; b + root is 0 only where the rise is
     share = np.clip(2.0 * c / (-b - root), 0.0, 1.0)

@@ -12,12 +12,12 @@ from .question_points import ASKED, EITHER, Questions, by_known
 from .unanswered import reasons
 
 
-def with_intervals(intervals: Intervals, points: pd.DataFrame, known: str, level: float) -> pd.DataFrame:
+def with_intervals(intervals: Intervals, points: pd.DataFrame, from_column: str, level: float) -> pd.DataFrame:
     """Value, low and high in the answer's unit, whether the question lies inside, and why not.
 
     Where there is no interval low and high are no numbers.
     """
-    wanted = GIVEN[known]
+    wanted = GIVEN[from_column]
     interval = getattr(intervals, MAPS[wanted])(points, level)
     why = reasons(intervals, points, wanted, interval["inside"].to_numpy(bool), level)
     interval = interval.replace([-math.inf, math.inf], math.nan)
@@ -34,12 +34,14 @@ def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str],
     points = questions.points
     others = [name for name in points if name not in (*EITHER, *ASKED) and name in questions.columns]
     tables = {}
-    for known, rows, part in by_known(points):
-        tables[known] = pd.concat([part[[known, *ASKED, *others]], answer(part, known)], axis=1)
-        tables[known].index = rows
+    for from_column, rows, part in by_known(points):
+        tables[from_column] = pd.concat([part[[from_column, *ASKED, *others]], answer(part, from_column)], axis=1)
+        tables[from_column].index = rows
     if len(tables) == 1:
         return _with_bad(next(iter(tables.values())), questions)
-    whole = pd.concat([table.assign(asked_for=GIVEN[known]) for known, table in tables.items()]).sort_index()
+    whole = pd.concat(
+        [table.assign(asked_for=GIVEN[from_column]) for from_column, table in tables.items()]
+    ).sort_index()
     first = ["asked_for", *EITHER, *ASKED, *others]
     last = ["inside", "why"]
     return _with_bad(whole[[*first, *(name for name in whole if name not in (*first, *last)), *last]], questions)
@@ -50,6 +52,6 @@ def _with_bad(table: pd.DataFrame, questions: Questions) -> pd.DataFrame:
     if not questions.bad:
         return table
     why = [reason(entry) for entry in questions.bad]
-    given = questions.cells[[name for name in questions.cells if name in table]]
-    both = pd.concat([table.set_axis(questions.rows[table.index], axis=0), given.assign(inside=False, why=why)])
+    bad_cells = questions.cells[[name for name in questions.cells if name in table]]
+    both = pd.concat([table.set_axis(questions.rows[table.index], axis=0), bad_cells.assign(inside=False, why=why)])
     return both[list(table.columns)].sort_index().astype({"inside": bool})

@@ -12,12 +12,12 @@ GIVEN = {"displacement_mm": "motor_turns", "motor_turns": "displacement_mm"}  # 
 MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
 
 
-def foreseen(make: Callable[[], Model], known: pd.DataFrame, rest: pd.DataFrame, seed: int) -> pd.DataFrame:
+def foreseen(make: Callable[[], Model], training: pd.DataFrame, rest: pd.DataFrame, seed: int) -> pd.DataFrame:
     """Errors of both maps on points that a model fitted on the known ones has not seen."""
     model = make()
-    model.fit(known, seed)
+    model.fit(training, seed)
     turns = model.inverse(rest.assign(motor_turns=np.nan))
-    fitted = {wanted: getattr(model, map_)(known) - known[wanted] for wanted, map_ in MAPS.items()}
+    fitted = {wanted: getattr(model, map_)(training) - training[wanted] for wanted, map_ in MAPS.items()}
     return pd.DataFrame(
         {
             "displacement_mm": model.forward(rest.assign(displacement_mm=np.nan)) - rest["displacement_mm"],
@@ -26,6 +26,6 @@ def foreseen(make: Callable[[], Model], known: pd.DataFrame, rest: pd.DataFrame,
             "motor_turns_at": turns,
             **{f"{wanted}_fitted": float(np.mean(error**2)) for wanted, error in fitted.items()},
             "direction": rest["direction"],
-            "ahead": np.maximum(rest["stroke"] - last_seen(rest, last_strokes(known)), 0).fillna(0).astype(int),
+            "ahead": np.maximum(rest["stroke"] - last_seen(rest, last_strokes(training)), 0).fillna(0).astype(int),
         }
     )

@@ -91,11 +91,11 @@ class Intervals:
 
     def quantile(self, wanted: str, ahead: int, level: float) -> float:
         """Half width, in units of the scatter, so many strokes ahead of those seen; infinite where none was tried."""
-        known = {n: quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
-        numbers = sorted(known)
+        width_by_ahead = {n: quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
+        numbers = sorted(width_by_ahead)
         if ahead > numbers[-1]:
             return float("inf")
-        return float(np.interp(ahead, numbers, np.maximum.accumulate([known[n] for n in numbers])))
+        return float(np.interp(ahead, numbers, np.maximum.accumulate([width_by_ahead[n] for n in numbers])))
 
     def outside(self, points: pd.DataFrame, wanted: str, turns: Array) -> dict[str, Mask]:
         """Which questions lie outside what was recorded, by the column that is why: masks of shape (points,).

@@ -60,16 +60,16 @@ def _known(dataset: pd.DataFrame) -> list[str]:
 
 def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame) -> Questions:
     """Questions of a table whose columns are known; `path` is where it is from, for complaints."""
-    known = [name for name in EITHER if name in questions.columns]
-    if not known:
-        given = f"are {', '.join(map(repr, questions.columns))}: neither of {' and '.join(EITHER)}"
-        raise BadInput(path, "columns", given, "tell one of the two, and the other is answered; commas part columns")
+    from_columns = [name for name in EITHER if name in questions.columns]
+    if not from_columns:
+        problem = f"are {', '.join(map(repr, questions.columns))}: neither of {' and '.join(EITHER)}"
+        raise BadInput(path, "columns", problem, "tell one of the two, and the other is answered; commas part columns")
     if questions.empty:
         raise BadInput(path, "rows", "there are none", "write one question a line")
     points, wrong, missing = pd.DataFrame(index=range(len(questions))), list[BadRow](), list[str]()
     for name in dataset.columns:
         if name in questions.columns:
-            may_be_empty = len(known) == len(EITHER) and name in EITHER
+            may_be_empty = len(from_columns) == len(EITHER) and name in EITHER
             numeric = name in (*COLUMNS, *ASKED)
             wrong += bad_cells(questions[name], dataset[name], numeric, may_be_empty)
             in_numbers = pd.to_numeric(questions[name], errors="coerce") if numeric else questions[name]
@@ -115,8 +115,8 @@ def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset
     strange = (points["actuator"].notna() & ~points["actuator"].isin(set(dataset["actuator"]))).to_numpy()
     if strange.any():
         actuator = points["actuator"].astype(str)[strange].iloc[0]
-        given = f"is {shown(actuator)}, and the recordings are of {' and '.join(sorted(set(dataset['actuator'])))}"
-        raise BadInput(path, "actuator", given, "ask a dataset of that actuator")
+        problem = f"is {shown(actuator)}, and the recordings are of {' and '.join(sorted(set(dataset['actuator'])))}"
+        raise BadInput(path, "actuator", problem, "ask a dataset of that actuator")
     mend = "leave the cell empty that is to be answered"
     bad = of_mask(given_by[0] & given_by[1], "", f"tells both {both}", "", mend)
     mend = "fill in the one that is known; the other is answered"

@@ -26,7 +26,7 @@ OTHER_NAMES = {  # of a column's quantity, without unit
 WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a word where a number belongs
 
 
-def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
+def question_table(path: Path, columns: Collection[str]) -> pd.DataFrame:
     """Table of a csv with a header whose columns are among the known; raises BadInput naming the column."""
     try:
         cells = read_text(path, TextFile.model_validate({}))
@@ -38,15 +38,15 @@ def question_table(path: Path, known: Collection[str]) -> pd.DataFrame:
         mend = "part columns by commas, write numbers with a point (3.5), and one question a line below a header"
         field, mend = IN_WORDS.get(error.field, (error.field, mend))
         raise BadInput(path, field, error.problem, mend) from None
-    return known_columns(cells, path, known)
+    return known_columns(cells, path, columns)
 
 
-def known_columns(cells: pd.DataFrame, path: Path, known: Collection[str]) -> pd.DataFrame:
+def known_columns(cells: pd.DataFrame, path: Path, columns: Collection[str]) -> pd.DataFrame:
     """The table as it is, if each of its columns is known and stands once; raises BadInput naming the column."""
-    wrong = [name for name in cells.columns if name not in known]
+    wrong = [name for name in cells.columns if name not in columns]
     if wrong:
         are = "are not columns that are read" if len(wrong) > 1 else "is not a column that is read"
-        raise BadInput(path, ", ".join(map(key_name, wrong[:MOST])), are, _all_meant(wrong[:MOST], known))
+        raise BadInput(path, ", ".join(map(key_name, wrong[:MOST])), are, _all_meant(wrong[:MOST], columns))
     twice = cells.columns[cells.columns.duplicated()]
     if len(twice):
         raise BadInput(path, twice[0], "is a column twice", "keep one")
@@ -75,38 +75,38 @@ def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty
     return bad + of_mask(endless, name, "is without end", "", "write a number")
 
 
-def _all_meant(names: list[str], known: Collection[str]) -> str:
+def _all_meant(names: list[str], columns: Collection[str]) -> str:
     """What to write for each of several wrong columns; where one is near none, which columns there are."""
     if len(names) == 1:
-        return _meant(names[0], known)
-    near = {name: column for name in names if (column := _nearest(name, known))}
+        return _meant(names[0], columns)
+    near = {name: column for name in names if (column := _nearest(name, columns))}
     mends = [f"{column} for {key_name(name)}" for name, column in near.items()]
     others = ", ".join(key_name(name) for name in names if name not in near)
-    left = [f"known are {', '.join(known)}: take {others} out, or write one of them"] * bool(others)
-    return "; ".join([f"write {', '.join(mends)}"] * bool(mends) + left)
+    far_mend = [f"known are {', '.join(columns)}: take {others} out, or write one of them"] * bool(others)
+    return "; ".join([f"write {', '.join(mends)}"] * bool(mends) + far_mend)
 
 
-def _renamed(name: str, known: Collection[str]) -> str:
+def _renamed(name: str, columns: Collection[str]) -> str:
     """The column of the quantity that a name is another word for; empty where it is none."""
     words = {name.lower(), name.lower().rpartition("_")[0]}
-    return next((column for column, others in OTHER_NAMES.items() if others & words and column in known), "")
+    return next((column for column, others in OTHER_NAMES.items() if others & words and column in columns), "")
 
 
-def _nearest(name: str, known: Collection[str]) -> str:
+def _nearest(name: str, columns: Collection[str]) -> str:
     """The column that a misspelt or shortened one stands for; empty where none or several may be meant."""
-    if renamed := _renamed(name, known):
+    if renamed := _renamed(name, columns):
         return renamed
-    begun = [column for column in known if len(name) > 2 and column.startswith(name)]
-    close = begun if len(begun) == 1 else difflib.get_close_matches(name[:60], list(known), n=1)
+    begun = [column for column in columns if len(name) > 2 and column.startswith(name)]
+    close = begun if len(begun) == 1 else difflib.get_close_matches(name[:60], list(columns), n=1)
     return close[0] if close else ""
 
 
-def _meant(name: str, known: Collection[str]) -> str:
+def _meant(name: str, columns: Collection[str]) -> str:
     """The column that a misspelt one is nearest to, with its unit; or all of them."""
-    if renamed := _renamed(name, known):
+    if renamed := _renamed(name, columns):
         return f"rename it: {renamed}? That is in {unit_of(renamed)}"
-    mend = meant(name, known)
-    unit = next((unit_of(column) for column in known if mend == f"did you mean {column!r}?"), "1")
+    mend = meant(name, columns)
+    unit = next((unit_of(column) for column in columns if mend == f"did you mean {column!r}?"), "1")
     return mend if unit == "1" else f"{mend} It is in {unit}"
 
 

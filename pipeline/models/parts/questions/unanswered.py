@@ -57,10 +57,10 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
     for row, reason in enumerate(never):
         sentences[row] = also(sentences[row], reason)
     if apart.any():
-        known = apart if "motor_turns" not in outside else apart & ~outside["motor_turns"]
+        apart_in_twist = apart if "motor_turns" not in outside else apart & ~outside["motor_turns"]
         for paired in intervals.pairs:
             for row, reason in enumerate(paired.never(questions, turns)):
-                sentences[row] = also(sentences[row], reason if known[row] else "")
+                sentences[row] = also(sentences[row], reason if apart_in_twist[row] else "")
     rows = np.flatnonzero(sentences == "")
     if wanted == "motor_turns" and len(rows):
         rest = questions.iloc[rows]
@@ -86,8 +86,8 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
 def first_of(sentences: Sequence[str]) -> list[str]:
     """The first sentences that say something, each with the number of its row."""
     numbered = [f"row {number}: {sentence}" for number, sentence in enumerate(sentences, start=1) if sentence]
-    left = len(numbered) - SHOWN
-    return numbered[:SHOWN] + ([f"and {left} more, each with its reason in the column `why`"] if left > 0 else [])
+    unshown = len(numbered) - SHOWN
+    return numbered[:SHOWN] + ([f"and {unshown} more, each with its reason in the column `why`"] if unshown > 0 else [])
 
 
 def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: int) -> str:
