@@ -15,13 +15,13 @@ __all__ = ["OutOfReach", "answer", "asked_of", "made"]
 HIDES = {"none": 0, "single": 1, "pair": 2, "open": 1}  # effects in a case, by stratum
 
 
-def asked_of(planned: Planned, known: list[str]) -> Asked:
+def asked_of(planned: Planned, known_effects: list[str]) -> Asked:
     """What a plan asks of an author who knows these effects; those that the plan does not name are drawn.
 
     Effects of docs/physics.md serve all strata but `open`, for which there are the author's own under `x_`.
     """
     count = HIDES[planned.stratum]
-    pool = sorted(name for name in known if is_outside(name) == (planned.stratum == "open"))
+    pool = sorted(name for name in known_effects if is_outside(name) == (planned.stratum == "open"))
     drawn = np.random.default_rng([planned.seed, count]).permutation(np.array(pool, object)).tolist()
     names = [*planned.effects, *[name for name in drawn if name not in planned.effects]][:count]
     kappas = [*planned.kappas, *[planned.kappas[-1] if planned.kappas else 1.0] * count][:count]
@@ -37,16 +37,16 @@ def made(planned: Planned) -> Made:
     return author.make(asked_of(planned, list(author.laws)))
 
 
-def answer(planned: Planned, made: Made) -> Answer:
+def answer(planned: Planned, authored_case: Made) -> Answer:
     """The sealed answer, with the keys that the score reads; an author does not tell dimensions and places."""
-    effects: list[EffectJson] = [{**effect, "raw_mm": effect["rms_mm"]} for effect in made.truth["effects"]]
-    raw_mm = float(np.sqrt(sum(effect["rms_mm"] ** 2 for effect in made.truth["effects"])))
+    effects: list[EffectJson] = [{**effect, "raw_mm": effect["rms_mm"]} for effect in authored_case.truth["effects"]]
+    raw_mm = float(np.sqrt(sum(effect["rms_mm"] ** 2 for effect in authored_case.truth["effects"])))
     return {
         "protocol": planned.protocol,
         "effects": effects,
         "together": {"raw_mm": raw_mm, "hidden_share": None},
-        "noise_floor_mm": made.truth["noise_floor_mm"],
-        "heldout_noise_mm": made.truth["heldout_noise_mm"],
+        "noise_floor_mm": authored_case.truth["noise_floor_mm"],
+        "heldout_noise_mm": authored_case.truth["heldout_noise_mm"],
         "location": None,
         "dimensions": {},
     }

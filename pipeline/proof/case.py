@@ -93,7 +93,7 @@ def _always(
     Their size is what calibration leaves of them alone: a wrongly measured bench leaves something of itself, and no
     strength is so small that less is left.
     """
-    known = replace(bench, measured=bench.true)
+    exact_bench = replace(bench, measured=bench.true)
     always = {}
     for name in ALWAYS:
         if name in but:
@@ -101,7 +101,7 @@ def _always(
         kappa = ALWAYS_KAPPA / len(ALWAYS) * rng.uniform(0.3, 0.9)
         of = draw_effect(name, bench, protocol, rng)
         try:
-            always[name] = of(strength_for(name, of, known, protocol, floor_mm, kappa)[0])
+            always[name] = of(strength_for(name, of, exact_bench, protocol, floor_mm, kappa)[0])
         except OutOfReach:
             continue
     return always

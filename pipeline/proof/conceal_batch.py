@@ -30,10 +30,14 @@ def concealed(planned: Planned, runs: Path) -> Answer:
     question: Answer = {"run": planned.run, "asked": wanted}
     try:
         if planned.author:
-            made = authored.made(planned)
-            content: RunYaml = {"run": planned.run, **made.content, "string": {**made.content["string"]}}
-            write_run(content, made.table, runs / planned.run)
-            return {**question, **authored.answer(planned, made)}
+            authored_case = authored.made(planned)
+            content: RunYaml = {
+                "run": planned.run,
+                **authored_case.content,
+                "string": {**authored_case.content["string"]},
+            }
+            write_run(content, authored_case.table, runs / planned.run)
+            return {**question, **authored.answer(planned, authored_case)}
         case = drawn(planned)
     except (OutOfReach, authored.OutOfReach) as error:
         return {**question, "skipped": str(error)}

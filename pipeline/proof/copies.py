@@ -29,16 +29,16 @@ def copies(case: Case, names: Iterable[str] = NAMED, shapes: int = SHAPES) -> Co
     bare_mm = _left_mm(bench, protocol, {}, floor_mm)
     copied = {}
     for name in names:
-        left = [np.zeros(len(bare_mm))]
+        left_mm = [np.zeros(len(bare_mm))]
         for _ in range(shapes):
             of = draw_effect(name, bench, protocol, rng, steady=True)
             kappa = measure(bench, protocol, {name: of(1.0)}, floor_mm)[0].kappa
             if kappa < 1.0 / MOST_STRENGTH:  # nothing of it shows on this protocol: what is left is rounding
                 continue
             strength = max(1.0 / kappa, 1e-3)
-            left.append(_left_mm(bench, protocol, {name: of(strength)}, floor_mm) - bare_mm)
-        both = [-coefficient for coefficient in left] if name in EITHER_SIGN else []
-        copied[name] = np.array(left + both).T
+            left_mm.append(_left_mm(bench, protocol, {name: of(strength)}, floor_mm) - bare_mm)
+        both = [-coefficient for coefficient in left_mm] if name in EITHER_SIGN else []
+        copied[name] = np.array(left_mm + both).T
     return copied
 
 
@@ -50,12 +50,12 @@ def left_over(case: Case, of: Copies) -> dict[str, float]:
     bench, protocol, floor_mm = case.bench, case.protocol, case.nuisance.floor_mm
     wanted_mm = _left_mm(bench, protocol, case.effects, floor_mm) - _left_mm(bench, protocol, {}, floor_mm)
     dear = DEAR * floor_mm * np.sqrt(len(wanted_mm))
-    left = {}
+    left_floors = {}
     for name, mixed in of.items():
         costs = dear * np.eye(mixed.shape[1])
         weights = nnls(np.vstack([mixed, costs]), np.append(wanted_mm, np.zeros(len(costs))))[0]
-        left[name] = rms(wanted_mm - mixed @ weights) / floor_mm
-    return left
+        left_floors[name] = rms(wanted_mm - mixed @ weights) / floor_mm
+    return left_floors
 
 
 def _left_mm(bench: Bench, protocol: Protocol, hidden: Mapping[str, Parameters], floor_mm: float) -> Array:

@@ -25,9 +25,9 @@ def location(performed: Performed, residual_mm: Array) -> Box:
     least = np.inf
     for phase in PHASES:
         in_phase = np.full(len(turn), True) if phase == "all" else performed.phase == phase
-        held = _summed(turn[in_phase], performed.stroke[in_phase], energy[in_phase], strokes)
+        energy_inside = _summed(turn[in_phase], performed.stroke[in_phase], energy[in_phase], strokes)
         size = _summed(turn[in_phase], performed.stroke[in_phase], np.ones(in_phase.sum()), strokes)
-        size = np.where(held >= SHARE * whole, size, np.inf)
+        size = np.where(energy_inside >= SHARE * whole, size, np.inf)
         if size.min() < least:
             least = float(size.min())
             low, high, first, last = np.unravel_index(int(size.argmin()), size.shape)
@@ -35,7 +35,7 @@ def location(performed: Performed, residual_mm: Array) -> Box:
                 "motor_turns": [float(edges[low]), float(edges[high + 1])],
                 "strokes": [int(first), int(last)],
                 "phase": phase,
-                "share": float(held[low, high, first, last] / whole),
+                "share": float(energy_inside[low, high, first, last] / whole),
                 "of_samples": least / len(turn),
             }
     return best

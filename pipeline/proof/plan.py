@@ -61,11 +61,11 @@ def effect_names(open_set: bool) -> list[str]:
 
 def _check_hand(mix: Mix) -> None:
     """Raise BadInput for an author that is not there, and for what its maker, author or rig, cannot make."""
-    known = sorted(path.parent.name for path in AUTHORS.glob("*/__init__.py"))
+    author_names = sorted(path.parent.name for path in AUTHORS.glob("*/__init__.py"))
     for author in mix.get("authors", []):
-        if author not in known:
+        if author not in author_names:
             problem = f"{author!r} is no author"
-            raise BadInput("configuration", "proof.mixes.authors", problem, f"use some of {', '.join(known)}")
+            raise BadInput("configuration", "proof.mixes.authors", problem, f"use some of {', '.join(author_names)}")
     if "authors" not in mix and mix["protocol"] == "usual":
         problem = "the project's own rig has no protocol 'usual'"
         raise BadInput("configuration", "proof.mixes.protocol", problem, "use rich or poor, or name authors")
@@ -83,10 +83,10 @@ def _of_mix(mix: Mix) -> Iterator[Planned]:
         sized = replace(bare, kappas=kappas, author=author)
         yield from [sized] * mix.get("count", 0)
         if "each" in mix:
-            known = effect_names(mix["stratum"] == "open")
-            for name in mix.get("effects") or known:
-                if name not in known:
-                    mend = f"use some of {', '.join(known)}"
+            rig_effects = effect_names(mix["stratum"] == "open")
+            for name in mix.get("effects") or rig_effects:
+                if name not in rig_effects:
+                    mend = f"use some of {', '.join(rig_effects)}"
                     raise BadInput("configuration", "proof.mixes.effects", f"{name!r} is no effect of the rig", mend)
                 without = name if mix.get("without") else ""
                 yield from [replace(sized, effects=(name,), without=without)] * mix["each"]

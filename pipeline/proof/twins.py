@@ -61,18 +61,18 @@ def unexplained_mm(problem: Problem, name: str) -> float:
     if not options:
         return np.inf
     noise = white(FINE * rms(missed))
-    left: list[float] = []
+    left_mm: list[float] = []
     for _ in range(LEADERS):
         search = Search(Linear(problem, begin, noise, {name: options}))
         best = search.explain((name,))
         states = [search.linear.state_of(best.fit, best.keys)]
         states.append(calibrate.refine(problem, noise, states[0]))
-        left += [rms(problem.measured - problem.simulate(state)) for state in states]
+        left_mm += [rms(problem.measured - problem.simulate(state)) for state in states]
         spent = [options[number] for _, number in best.keys]
         options = [nonlinear for nonlinear in options if nonlinear not in spent]
         if not options:
             break
-    return min(left)
+    return min(left_mm)
 
 
 def twin(name: str, seed: int, protocol: Kind, kappa: float) -> dict[str, str | int | float]:

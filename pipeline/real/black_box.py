@@ -72,10 +72,10 @@ class Learnt:
 def learn(method: str, seen: Asked, rows: int, columns: list[str]) -> Learnt:
     """Fit a method to the first rows, over some of the columns; of several zeros the first one's is predicted."""
     make, seeds = learner(method)
-    known, measured = seen.table[columns].to_numpy()[:rows], seen.measured[:rows]
-    mean, spread = known.mean(axis=0), known.std(axis=0)
+    inputs, measured = seen.table[columns].to_numpy()[:rows], seen.measured[:rows]
+    mean, spread = inputs.mean(axis=0), inputs.std(axis=0)
     spread = np.where(spread > 1e-12, spread, 1.0)
-    table = (known - mean) / spread
+    table = (inputs - mean) / spread
     zeros = np.eye(seen.zero.max() + 1)[seen.zero[:rows]]
     design = np.column_stack([zeros, table])
     line = np.linalg.lstsq(design, measured, rcond=1e-6)[0]
@@ -105,8 +105,8 @@ def held_out(run: Run, samples: pd.DataFrame, strokes: pd.DataFrame) -> dict[str
     rows = int(np.searchsorted(seen.time_s, samples["time_s"].iloc[row]))
     errors = {}
     for method in looks():
-        left = learn(method, seen, rows, list(seen.table)).predict(seen)[:, rows:] - seen.measured[rows:]
-        errors[method] = float(np.median(np.sqrt(np.mean(np.square(left), axis=1))))
+        residual = learn(method, seen, rows, list(seen.table)).predict(seen)[:, rows:] - seen.measured[rows:]
+        errors[method] = float(np.median(np.sqrt(np.mean(np.square(residual), axis=1))))
     return errors
 
 

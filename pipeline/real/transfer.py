@@ -32,10 +32,10 @@ def errors(predicted: Array, measured: Array, time_s: Array, tared: bool) -> tup
 
     Each given has the shape (samples,): predicted and measured in the reading's unit, time in s.
     """
-    left = measured - predicted
-    first = left - tare(predicted, measured, time_s) if tared else left
+    residual = measured - predicted
+    first = residual - tare(predicted, measured, time_s) if tared else residual
     return float(np.sqrt(np.mean(np.square(first)))), float(
-        np.std(left) if tared else np.sqrt(np.mean(np.square(left)))
+        np.std(residual) if tared else np.sqrt(np.mean(np.square(residual)))
     )
 
 
@@ -111,10 +111,10 @@ def left_out(runs: dict[str, About], out: Path) -> list[Row]:
     """Rows for every run after learning from all the others together, whose diagnosis goes to `out`/<run>."""
     rows: list[Row] = []
     out.mkdir(parents=True, exist_ok=True)  # also where too few are left to learn from
-    held = {about.recorded.folder.resolve(): about.recorded for about in runs.values()}
+    recorded_by_folder = {about.recorded.folder.resolve(): about.recorded for about in runs.values()}
 
     def reader(folder: Path) -> Recorded:
-        return held.get(folder.resolve()) or read(folder)
+        return recorded_by_folder.get(folder.resolve()) or read(folder)
 
     beside = Beside(reader=reader)
     for name in runs if len(runs) > LEAST_OTHERS else ():

@@ -77,18 +77,18 @@ def numbers(metrics: pd.DataFrame, titles: dict[str, str], directed: Iterable[st
     `directed` names the models that are told the direction. `ratio` is the median over the floor that the model's
     inputs entitle it to.
     """
-    known, rows = {*directed, "floor"}, []
+    directed_names, rows = {*directed, "floor"}, []
     rmse = metrics[metrics["metric"] == "rmse"]
     for (split, way), chosen in rmse.groupby(["split", "map"], sort=False):
         values = {key: group["value"] for key, group in chosen.groupby(["model", *WHERE])}
         for model, title in {**titles, **FLOORS}.items():
             for head, where in columns(chosen).items():
-                seeds, floor = values.get((model, *where)), "floor" if model in known else "floor_blind"
+                seeds, floor = values.get((model, *where)), "floor" if model in directed_names else "floor_blind"
                 if seeds is None:
                     continue
                 spread = [seeds.median(), seeds.min(), seeds.max()]
                 least = values[floor, *where].median() if (floor, *where) in values else float("nan")
-                is_directed, unit = model in known, chosen["unit"].iloc[0]
+                is_directed, unit = model in directed_names, chosen["unit"].iloc[0]
                 rows.append([model, title, is_directed, split, way, unit, head, *spread, least, spread[0] / least])
     return pd.DataFrame(rows, columns=[head for head, _, _ in COLUMNS])
 

@@ -23,18 +23,18 @@ class Otherwise:
     after_one_winding: bool = False  # counts from the second stroke on: what the first winding does is no growth
 
 
-def turns(name: str, made: Callable[[Array], Array], after_one_winding: bool = False) -> Otherwise:
-    """A motion of other twist: `made` maps twist to twist, both in turns and of shape (steps,)."""
+def turns(name: str, to_turns: Callable[[Array], Array], after_one_winding: bool = False) -> Otherwise:
+    """A motion of other twist: `to_turns` maps twist to twist, both in turns and of shape (steps,)."""
     return Otherwise(
         name,
-        lambda commands, step_s: (replace(commands, motor_turns=made(commands.motor_turns)), step_s),
+        lambda commands, step_s: (replace(commands, motor_turns=to_turns(commands.motor_turns)), step_s),
         after_one_winding,
     )
 
 
-def load(name: str, made: Callable[[Array], Array]) -> Otherwise:
-    """A motion under another load: `made` maps load to load, both in N and of shape (steps,)."""
-    return Otherwise(name, lambda commands, step_s: (replace(commands, load_n=made(commands.load_n)), step_s))
+def load(name: str, to_load_n: Callable[[Array], Array]) -> Otherwise:
+    """A motion under another load: `to_load_n` maps load to load, both in N and of shape (steps,)."""
+    return Otherwise(name, lambda commands, step_s: (replace(commands, load_n=to_load_n(commands.load_n)), step_s))
 
 
 def pace(name: str, times: float) -> Otherwise:

@@ -88,13 +88,13 @@ class Move:
         """
         end_s = self.duration_s
         t = np.clip(since_s, 0.0, end_s)
-        made = np.clip(t, self.up_s, end_s - self.down_s) - self.up_s  # in seconds of full speed
+        full_speed_s = np.clip(t, self.up_s, end_s - self.down_s) - self.up_s  # in seconds of full speed
         if self.up_s:
-            made += np.minimum(t, self.up_s) ** 2 / (2.0 * self.up_s)
+            full_speed_s += np.minimum(t, self.up_s) ** 2 / (2.0 * self.up_s)
         if self.down_s:
             left_s = np.minimum(end_s - t, self.down_s)
-            made += (self.down_s**2 - left_s**2) / (2.0 * self.down_s)
-        return np.copysign(self.speed_turns_per_s * made, self.turns)
+            full_speed_s += (self.down_s**2 - left_s**2) / (2.0 * self.down_s)
+        return np.copysign(self.speed_turns_per_s * full_speed_s, self.turns)
 
 
 def commands(motion: Motion, step_s: float) -> Commands:

@@ -75,7 +75,7 @@ def again(raw: Path, first: str, zeroed: bool) -> str:
 
     A displacement sensor that is `zeroed` at each start has another zero in each recording.
     """
-    known = raw / first / "run.yaml"
-    like = raw / first if known.is_file() else raw / "RUN_OF_RECORDING_1"
+    first_yaml = raw / first / "run.yaml"
+    like = raw / first if first_yaml.is_file() else raw / "RUN_OF_RECORDING_1"
     name = free_name(raw, first.rpartition("-")[0])
     return f"{called.command('new_run')} {name} --like {like}{' --tare run' if zeroed else ''}"

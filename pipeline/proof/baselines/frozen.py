@@ -10,7 +10,7 @@ from ...diagnosis.fit.problem import Problem, State
 def frozen(problem: Problem, state: State) -> Problem:
     """The same problem with every dimension fixed at a state's value, so that a fit moves mechanisms and zero alone."""
     fixed = [
-        replace(known, nominal=float(value), sigma=0.0, lowest=-np.inf)
-        for known, value in zip(problem.parameters, state.values, strict=True)
+        replace(parameter, nominal=float(value), sigma=0.0, lowest=-np.inf)
+        for parameter, value in zip(problem.parameters, state.values, strict=True)
     ]
     return replace(problem, parameters=tuple(fixed))

@@ -20,10 +20,10 @@ def learn(seen: Calibrated) -> Learnt:
     """One mechanism or none, its nonlinear parameters refined; the zero stays free, dimensions are frozen."""
     problem = frozen(seen.problem, seen.state)
     catalogue = candidates.catalogue(problem, candidates.suggested(problem, seen.state))
-    known = {id_: options for id_, options in catalogue.items() if physics((id_,))}
+    physical = {id_: options for id_, options in catalogue.items() if physics((id_,))}
     floor = engine.noise_of(problem, seen.state).floor
     noise = white(floor)
-    search = Search(Linear(problem, seen.state, noise, known))
+    search = Search(Linear(problem, seen.state, noise, physical))
     best = search.all_of(1)[0]
     named: list[str] = []
     state = seen.state

@@ -50,8 +50,8 @@ def _sparse(table: Array, target: Array) -> Array:
             warnings.filterwarnings("ignore", "Sparsity parameter is too big", UserWarning)
             model.fit(table, t=1.0, x_dot=target[:, None])
         weights = model.coefficients()[0]
-        left = float(np.mean(np.square(target - table @ weights)))
-        own = samples * np.log(left) + np.log(samples) * np.count_nonzero(weights)
+        mean_square = float(np.mean(np.square(target - table @ weights)))
+        own = samples * np.log(mean_square) + np.log(samples) * np.count_nonzero(weights)
         if own < cost:
             best, cost = weights, own
     return np.asarray(best)

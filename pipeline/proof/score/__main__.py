@@ -42,9 +42,9 @@ def main() -> None:
         write_text(arguments.out / f"{name}.csv", table.to_csv(index=False, float_format="%.6g"))
     hands = section(tables["authors"], tables["laws"])
     write_text(arguments.out / "proof.md", page(cases, scored, twins, hands) + arguments.note)
-    made = cases[cases["skipped"] == ""]
-    draw(made, sizes, arguments.out)
-    print(made["outcome"].value_counts().to_string())
+    made_cases = cases[cases["skipped"] == ""]
+    draw(made_cases, sizes, arguments.out)
+    print(made_cases["outcome"].value_counts().to_string())
 
 
 if __name__ == "__main__":

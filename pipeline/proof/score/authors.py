@@ -44,19 +44,19 @@ def _of_author(author: str, cases: pd.DataFrame) -> Iterator[Score]:
 
 def by_author(cases: pd.DataFrame) -> pd.DataFrame:
     """One row a score and author, `all` first; columns AUTHOR_COLUMNS, with exact 95 % intervals."""
-    made = cases[(cases["skipped"] == "") & (cases["stratum"] != "without")]
-    rows = list(_of_author(ALL, made))
-    for author, of_author in made.groupby("author"):
+    made_cases = cases[(cases["skipped"] == "") & (cases["stratum"] != "without")]
+    rows = list(_of_author(ALL, made_cases))
+    for author, of_author in made_cases.groupby("author"):
         rows += _of_author(str(author), of_author)
     return pd.DataFrame(rows, columns=list(AUTHOR_COLUMNS))
 
 
 def by_law(cases: pd.DataFrame) -> pd.DataFrame:
     """One row an effect, author and law, of single effects that must be named; columns LAW_COLUMNS."""
-    made = cases[(cases["skipped"] == "") & (cases["stratum"] == "single") & (cases["protocol"] != "poor")]
-    made = made[made["kappa"] >= LARGE]
+    made_cases = cases[(cases["skipped"] == "") & (cases["stratum"] == "single") & (cases["protocol"] != "poor")]
+    made_cases = made_cases[made_cases["kappa"] >= LARGE]
     rows = []
-    for (effect, author, law), of_law in made.groupby(["effects", "author", "laws"]):
+    for (effect, author, law), of_law in made_cases.groupby(["effects", "author", "laws"]):
         exact = of_law["outcome"] == "exact"
         other = of_law[~exact].fillna({"named": "", "alternatives": ""})
         verdicts = [f"{case['verdict']} {case['named']}".strip() for _, case in other.iterrows()]

@@ -47,7 +47,7 @@ def _told(answer: Answer) -> Row:
     return row | {"noise_floor_mm": answer["noise_floor_mm"], "heldout_noise_mm": answer["heldout_noise_mm"]}
 
 
-def _judged(answer: Answer, verdict: VerdictJson | None, left: Mapping[str, float]) -> Row:
+def _judged(answer: Answer, verdict: VerdictJson | None, left_over: Mapping[str, float]) -> Row:
     """What was said, and one word for it."""
     truth, nameless = _truth(answer)
     word = outcome(verdict, truth, nameless)
@@ -59,7 +59,7 @@ def _judged(answer: Answer, verdict: VerdictJson | None, left: Mapping[str, floa
     row |= {"named": "+".join(sorted(sets[0])) if sets else "", "sets": len(sets)}
     row["alternatives"] = " | ".join("+".join(sorted(ids)) for ids in sets[1:])
     # of a tie: whether the data part the truth from everything else that stands in it
-    beside = [left[name] for ids in sets if ids != truth for name in ids if name in left]
+    beside = [left_over[name] for ids in sets if ids != truth for name in ids if name in left_over]
     row["least_left_over"] = min(beside) if beside else None
     row["separable"] = bool(min(beside) >= TIE) if beside else None
     return row
@@ -72,12 +72,12 @@ def _measured(answer: Answer, verdict: VerdictJson, run: Path) -> Row:
         interval = verdict.get("parameters", {}).get(key)
         if interval and key in answer["dimensions"]:
             row[f"{short}_inside"] = interval["low"] <= answer["dimensions"][key]["true"] <= interval["high"]
-    held: dict[str, float] = verdict["fit"].get("heldout") or {}
+    heldout: dict[str, float] = verdict["fit"].get("heldout") or {}
     for key in ("nominal_mm", "calibrated_mm", "explained_mm"):
-        row[f"heldout_{key}"] = held.get(key)
-    if held.get("explained_mm"):
-        row["heldout_ratio"] = held["explained_mm"] / answer["heldout_noise_mm"]
-        row["calibrated_ratio"] = held.get("calibrated_mm", float("nan")) / answer["heldout_noise_mm"]
+        row[f"heldout_{key}"] = heldout.get(key)
+    if heldout.get("explained_mm"):
+        row["heldout_ratio"] = heldout["explained_mm"] / answer["heldout_noise_mm"]
+        row["calibrated_ratio"] = heldout.get("calibrated_mm", float("nan")) / answer["heldout_noise_mm"]
     box = (verdict.get("mismatch") or {}).get("location")
     if box and answer["location"]:
         row["location_iou"] = overlap(run, box, answer["location"])
@@ -96,7 +96,7 @@ def _settled(answer: Answer, folder: Path) -> Row:
 
 
 def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
-    left = _json(place / "lookalikes" / f"{batch}.json") or {}
+    left_over = _json(place / "lookalikes" / f"{batch}.json") or {}
     question = _json(place / "verdicts" / batch / "asked.json")
     for answer in _json(place / "sealed" / f"{batch}.json"):
         row, sizes = _told(answer), []
@@ -104,7 +104,7 @@ def _batch(place: Path, batch: str) -> Iterator[tuple[Row, list[Row]]]:
         if not row["skipped"]:
             verdict = _json(place / "verdicts" / batch / run / "diagnosis.json")
             row |= {"seconds": question["seconds"][run]}
-            row |= _judged(answer, verdict, left.get(run, {}))
+            row |= _judged(answer, verdict, left_over.get(run, {}))
             if verdict is not None:
                 row |= _measured(answer, verdict, place / "concealed" / batch / run)
                 row |= _settled(answer, place / "settled" / batch / run)

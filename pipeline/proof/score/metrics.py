@@ -105,20 +105,20 @@ def _ties(cases: pd.DataFrame) -> Iterator[Score]:
 
 def scores(cases: pd.DataFrame, sizes: pd.DataFrame) -> pd.DataFrame:
     """One row a score; columns COLUMNS. `count` of `of` cases where it is a share."""
-    made = cases[cases["skipped"] == ""]
+    made_cases = cases[cases["skipped"] == ""]
     rows: list[Score] = list(share("case could not be made", "all", cases["skipped"] != ""))
-    rows += _controls(made)
-    for protocol, single in made[made["stratum"] == "single"].groupby("protocol"):
+    rows += _controls(made_cases)
+    for protocol, single in made_cases[made_cases["stratum"] == "single"].groupby("protocol"):
         large = single[single["kappa"] >= LARGE]
         for kappa, group in single.groupby("kappa"):
             rows += _named(group, f"single, {protocol}, kappa {kappa:g}")
         rows += _named(large, f"single, {protocol}, kappa at least {LARGE:g}")
         ties = single[single["right"] & (single["sets"] > 0)]
         rows += mean("mean size of the set", f"single, {protocol}", ties["sets"])
-    pairs = made[made["stratum"] == "pair"]
+    pairs = made_cases[made_cases["stratum"] == "pair"]
     rows += _named(pairs, "pair") if len(pairs) else []
     for stratum in ("open", "without"):
-        group = made[made["stratum"] == stratum]
+        group = made_cases[made_cases["stratum"] == stratum]
         rows += share("called unknown", stratum, group["outcome"] == "unknown as it should")
         named = group["outcome"].isin(["wrong", "tie without the truth"])
         rows += share("named all the same", stratum, named)
@@ -126,6 +126,6 @@ def scores(cases: pd.DataFrame, sizes: pd.DataFrame) -> pd.DataFrame:
             parted = named & (group["separable"] == True)  # noqa: E712
             rows += share("named all the same though the data part it", stratum, parted)
         rows += share("found nothing", stratum, group["outcome"] == "missed")
-    rows += _ties(made)
-    rows += _figures(made, sizes)
+    rows += _ties(made_cases)
+    rows += _figures(made_cases, sizes)
     return pd.DataFrame(rows, columns=list(COLUMNS))

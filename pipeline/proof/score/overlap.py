@@ -22,9 +22,9 @@ def inside(box: Box, turns: Array, stroke: NDArray[Any], phase: NDArray[Any]) ->
     low, high = box["motor_turns"]
     first, last = box["strokes"]
     number = np.maximum(stroke, 1)
-    held = (turns >= low - EDGE_TURNS) & (turns <= high + EDGE_TURNS)
-    held &= (number >= max(first, 1)) & (number <= max(last, 1))
-    return np.asarray(held if box["phase"] == "all" else held & (phase == box["phase"]))
+    is_inside = (turns >= low - EDGE_TURNS) & (turns <= high + EDGE_TURNS)
+    is_inside &= (number >= max(first, 1)) & (number <= max(last, 1))
+    return np.asarray(is_inside if box["phase"] == "all" else is_inside & (phase == box["phase"]))
 
 
 def overlap(run: Path, first: Box, other: Box) -> float:
@@ -32,6 +32,6 @@ def overlap(run: Path, first: Box, other: Box) -> float:
     _, samples, strokes = read_strokes(run)
     turns = samples["motor_turns"].to_numpy()
     stroke, phase = of_samples(strokes)
-    held = [inside(box, turns, stroke, phase) for box in (first, other)]
-    either = int((held[0] | held[1]).sum())
-    return float((held[0] & held[1]).sum() / either) if either else 0.0
+    masks = [inside(box, turns, stroke, phase) for box in (first, other)]
+    either = int((masks[0] | masks[1]).sum())
+    return float((masks[0] & masks[1]).sum() / either) if either else 0.0

@@ -115,16 +115,16 @@ def _wrong(cases: pd.DataFrame) -> str:
 
 def page(cases: pd.DataFrame, scores: pd.DataFrame, twins: pd.DataFrame, hands: str = "") -> str:
     """The page as Markdown; `hands` is its first section, the scores by author."""
-    made, skipped = cases[cases["skipped"] == ""], cases[cases["skipped"] != ""]
+    shown, skipped = cases[cases["skipped"] == ""], cases[cases["skipped"] != ""]
     own = scores[~scores["stratum"].str.contains(": ")]
     everything = [(score["metric"], score["stratum"], *_said(score)) for _, score in own.iterrows()]
-    codes = ", ".join(f"`{code}`" for code in sorted(set(made["code"].dropna()))) if "code" in made else ""
+    codes = ", ".join(f"`{code}`" for code in sorted(set(shown["code"].dropna()))) if "code" in shown else ""
     reasons = [f"- {case['run']}: {case['skipped']}" for _, case in skipped.iterrows()]
     return "\n\n".join([
         "# The concealed proof",
         *([hands] if hands else []),
         "## The project's own rig",
-        f"{len(made)} concealed recordings of the synthetic rig, diagnosed before any answer was opened. Sizes are in"
+        f"{len(shown)} concealed recordings of the synthetic rig, diagnosed before any answer was opened. Sizes are in"
         " noise floors after calibration (kappa). Intervals are exact (Clopper and Pearson; order statistics for"
         " medians). `docs/proof.md` says how it is sealed and what each score means.",
         f"Seeds {cases['seed'].min()} to {cases['seed'].max()}; the verdicts' code: {codes}.",
@@ -132,10 +132,10 @@ def page(cases: pd.DataFrame, scores: pd.DataFrame, twins: pd.DataFrame, hands: 
         "![what was named instead of what](confusion.png)",
         "![answers over the effect's size](dose_response.png)",
         "![named sizes over true ones](sizes.png)",
-        "## Named exactly, by effect and size (rich protocol)", _mechanisms(made),
+        "## Named exactly, by effect and size (rich protocol)", _mechanisms(shown),
         "## Beside other methods, on the same recordings", _beside(scores),
         "## What the library's twins leave of the rig's effects, free of noise", _twins(twins),
         "## All scores", _table(("score", "of", "value", "95 % interval", "cases"), everything),
-        "## Every case that is not right", _wrong(made),
+        "## Every case that is not right", _wrong(shown),
         f"## Cases that could not be made: {len(skipped)} of {len(cases)}", "\n".join(reasons) or "None.",
     ]) + "\n"  # fmt: skip

@@ -25,8 +25,8 @@ def taken(path: Path, wanted: list[Lesson], jobs: int, make: Callable[[Lesson], 
     """All lessons that are wanted: those that a file has are kept, the others are made and added to it."""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     lessons = [read(line) for line in lines]
-    known = {(lesson.author, lesson.seed, lesson.effects) for lesson in lessons}
-    missing = [lesson for lesson in wanted if (lesson.author, lesson.seed, lesson.effects) not in known]
+    lesson_keys = {(lesson.author, lesson.seed, lesson.effects) for lesson in lessons}
+    missing = [lesson for lesson in wanted if (lesson.author, lesson.seed, lesson.effects) not in lesson_keys]
     groups = [missing[at : at + AT_ONCE] for at in range(0, len(missing), AT_ONCE)]
     with ProcessPoolExecutor(jobs) as pool:
         for group in steps(groups, f"{AT_ONCE} lessons"):
@@ -41,10 +41,10 @@ def judge_of(lessons: list[Lesson], onwards: Path | None) -> Judge:
     return fitted_judge.listening(fitted_judge.fitted([lesson for lesson in lessons if lesson.ids], before), lessons)
 
 
-def save(path: Path, made: Judge) -> Judge:
+def save(path: Path, new_judge: Judge) -> Judge:
     """Write a judge; the same judge."""
-    write_text(path, json.dumps(fitted_judge.content(made), separators=(",", ":")) + "\n")
-    return made
+    write_text(path, json.dumps(fitted_judge.content(new_judge), separators=(",", ":")) + "\n")
+    return new_judge
 
 
 @program

@@ -58,9 +58,9 @@ def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
     lessons = []
     for author in who:
         draw = random.Random(f"{author} {seed}")
-        known = sorted(authors()[author].laws)
-        inside = [name for name in known if not is_outside(name)]
-        outside = [name for name in known if is_outside(name)]
+        law_names = sorted(authors()[author].laws)
+        inside = [name for name in law_names if not is_outside(name)]
+        outside = [name for name in law_names if is_outside(name)]
         wanted: list[tuple[tuple[str, ...], tuple[float, float]]] = []
         for _ in range(rounds):
             wanted += [((name,), SINGLES) for name in inside]
@@ -89,11 +89,11 @@ def problem_of(lesson: Lesson) -> Problem | None:
     for number in range(TRIES):
         request = Asked(lesson.seed + APART * number, lesson.effects, lesson.kappas, lesson.protocol)
         try:
-            made = authors()[lesson.author].make(request)
+            authored_case = authors()[lesson.author].make(request)
         except OutOfReach:
             continue
-        content: RunYaml = {"run": "lesson", **made.content, "string": {**made.content["string"]}}
-        return make_problem([recorded(content, made.table)])
+        content: RunYaml = {"run": "lesson", **authored_case.content, "string": {**authored_case.content["string"]}}
+        return make_problem([recorded(content, authored_case.table)])
     return None
 
 

@@ -23,9 +23,9 @@ def learn(table: Array, values: Array, seed: int) -> Predict:
     The table has the shape (rows, columns), values and answers the shape (rows,), in one unit.
     """
     size = float(values.std()) or 1.0
-    known = evenly(len(values), POINTS)
+    rows = evenly(len(values), POINTS)
     model = MLPRegressor(hidden_layer_sizes=(64, 64), max_iter=300, random_state=seed)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)  # it stops where its epochs end
-        model.fit(table[known], values[known] / size)
+        model.fit(table[rows], values[rows] / size)
     return lambda other: size * model.predict(other)

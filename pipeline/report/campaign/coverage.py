@@ -10,13 +10,13 @@ SHOWN_LEVEL = 0.9  # of the tables by material and by string
 
 def intervals(coverage: pd.DataFrame, of: str) -> list[str]:
     """The section on intervals; `of` is the title of the model that has them."""
-    known = sorted({int(ahead) for ahead in coverage["ahead"]})
+    strokes_ahead = sorted({int(ahead) for ahead in coverage["ahead"]})
     strings = coverage["string"].nunique()
     text = [
-        f"{of}, fitted on each string alone but for its last {len(known)} strokes, is asked about those."
+        f"{of}, fitted on each string alone but for its last {len(strokes_ahead)} strokes, is asked about those."
         f" Its intervals, pooled over {strings} strings, held as follows; ± is one standard error over them.",
         "", _kept(coverage), _singly(coverage), _flagged(coverage), "",
-        *_levels(coverage, known), *_materials(coverage),
+        *_levels(coverage, strokes_ahead), *_materials(coverage),
     ]  # fmt: skip
     return text
 
@@ -40,8 +40,8 @@ def _kept(coverage: pd.DataFrame) -> str:
 
 def _singly(coverage: pd.DataFrame) -> str:
     """How the share varies from string to string."""
-    held = by_string(coverage, SHOWN_LEVEL)
-    low, middle, high = 100.0 * held.quantile([0.05, 0.5, 0.95])
+    held_shares = by_string(coverage, SHOWN_LEVEL)
+    low, middle, high = 100.0 * held_shares.quantile([0.05, 0.5, 0.95])
     return (
         f"That is over all strings together: of a single string the {100.0 * SHOWN_LEVEL:.0f} % intervals held"
         f" {middle:.0f} % (median); one string in twenty held less than {low:.0f} %, one more than {high:.0f} %."
@@ -56,18 +56,20 @@ def _flagged(coverage: pd.DataFrame) -> str:
     return f"Outside the range that was learnt, so flagged and without an interval, not counted above: {shares}."
 
 
-def _levels(coverage: pd.DataFrame, known: list[int]) -> list[str]:
+def _levels(coverage: pd.DataFrame, strokes_ahead: list[int]) -> list[str]:
     """Shares held and widths by map, level and strokes ahead."""
-    heads = [f"{ahead} ahead: held (%)" for ahead in known] + [f"{ahead} ahead: width" for ahead in known]
+    heads = [f"{ahead} ahead: held (%)" for ahead in strokes_ahead] + [
+        f"{ahead} ahead: width" for ahead in strokes_ahead
+    ]
     lines = [line(["map", "level (%)", "held (%)", *heads]), line(["---"] * (3 + len(heads)))]
     whole = pooled(coverage, ["map", "level"])
     apart = pooled(coverage, ["map", "level", "ahead"]).set_index(["map", "level", "ahead"])
     for _, row in whole.iterrows():
-        each = [apart.loc[(row["map"], row["level"], ahead)] for ahead in known]
-        held = [_percent(pooled_row["held"], pooled_row["error"]) for pooled_row in each]
+        each = [apart.loc[(row["map"], row["level"], ahead)] for ahead in strokes_ahead]
+        held_cells = [_percent(pooled_row["held"], pooled_row["error"]) for pooled_row in each]
         widths = [f"{pooled_row['width']:.3g} {MAPS[row['map']][1]}" for pooled_row in each]
         shown = _percent(row["held"], row["error"])
-        lines.append(line([row["map"], f"{100.0 * row['level']:.0f}", shown, *held, *widths]))
+        lines.append(line([row["map"], f"{100.0 * row['level']:.0f}", shown, *held_cells, *widths]))
     return [*lines, ""]
 
 

@@ -40,8 +40,8 @@ def runs_of_best(table: pd.DataFrame) -> list[tuple[str, list[int], list[float]]
     rows = [(int(str(shots)), str(row["title"]), float(row["middle"])) for shots, row in best(table).iterrows()]
     best_runs = []
     for name, group in groupby(rows, key=lambda row: row[1]):
-        held = list(group)
-        best_runs.append((name, [row[0] for row in held], [row[2] for row in held]))
+        group_rows = list(group)
+        best_runs.append((name, [row[0] for row in group_rows], [row[2] for row in group_rows]))
     return best_runs
 
 
@@ -69,11 +69,11 @@ def pooled(coverage: pd.DataFrame, by: list[str]) -> pd.DataFrame:
     """
     rows = []
     for key, group in coverage.groupby(by, sort=True):
-        held = (group["held"].fillna(0.0) * group["points"]).groupby(group["string"]).sum()
+        held_points = (group["held"].fillna(0.0) * group["points"]).groupby(group["string"]).sum()
         points, outside = group.groupby("string")["points"].sum(), float(group["outside"].sum())
         total, count = float(points.sum()), len(points)
-        share = float(held.sum()) / total if total else np.nan
-        spread = float(np.sum((held - share * points) ** 2)) * count / max(count - 1, 1)
+        share = float(held_points.sum()) / total if total else np.nan
+        spread = float(np.sum((held_points - share * points) ** 2)) * count / max(count - 1, 1)
         error = float(np.sqrt(spread)) / total if total and count > 1 else np.nan
         width = float(group["width"].median())
         rows.append((*key, share, error, width, outside / max(total + outside, 1.0), count))
@@ -83,5 +83,5 @@ def pooled(coverage: pd.DataFrame, by: list[str]) -> pd.DataFrame:
 def by_string(coverage: pd.DataFrame, level: float) -> pd.Series:
     """Share held of each string at one level, both maps together."""
     at_level = coverage[np.isclose(coverage["level"], level) & (coverage["points"] > 0)]
-    held = (at_level["held"] * at_level["points"]).groupby(at_level["string"]).sum()
-    return held / at_level.groupby("string")["points"].sum()
+    held_points = (at_level["held"] * at_level["points"]).groupby(at_level["string"]).sum()
+    return held_points / at_level.groupby("string")["points"].sum()

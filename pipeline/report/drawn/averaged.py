@@ -13,14 +13,14 @@ def averaged(x: pd.Series, values: pd.Series, parts: int = PARTS) -> tuple[Array
 
     Both in the units that are given, shape (parts,).
     """
-    known = (x.notna() & values.notna()).to_numpy()
-    given, sizes = x.to_numpy()[known], values.to_numpy()[known]
+    both_there = (x.notna() & values.notna()).to_numpy()
+    places, sizes = x.to_numpy()[both_there], values.to_numpy()[both_there]
     means = np.full((2, parts), np.nan)
-    if not len(given):
+    if not len(places):
         return means[0], means[1]
-    width = np.ptp(given) or 1.0
-    part = np.minimum((parts * (given - given.min()) / width).astype(int), parts - 1)
+    width = np.ptp(places) or 1.0
+    part = np.minimum((parts * (places - places.min()) / width).astype(int), parts - 1)
     count = np.bincount(part, minlength=parts)
-    for row, numbers in zip(means, (given, sizes), strict=True):
+    for row, numbers in zip(means, (places, sizes), strict=True):
         row[count > 0] = np.bincount(part, numbers, parts)[count > 0] / count[count > 0]
     return means[0], means[1]

@@ -39,17 +39,17 @@ TAKEN = "{}: the model to take, by the rule on the page of the models."
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
 
-def by_range(given: Array, error: Array, low: float, high: float) -> tuple[Array, Array]:
+def by_range(x: Array, error: Array, low: float, high: float) -> tuple[Array, Array]:
     """Middles of equal ranges from `low` to `high`, and the root mean square of the errors there.
 
     NaN where a range holds few points, so that a line breaks between blocks that were held out.
     From shape (points,) to shape (ranges,), each in its own unit.
     """
-    known = np.isfinite(error) & np.isfinite(given)
+    is_finite = np.isfinite(error) & np.isfinite(x)
     edges = np.linspace(low, high, BINS + 1)
-    place = np.clip(np.digitize(given[known], edges) - 1, 0, BINS - 1)
+    place = np.clip(np.digitize(x[is_finite], edges) - 1, 0, BINS - 1)
     count = np.bincount(place, minlength=BINS)
-    squares = np.bincount(place, weights=np.square(error[known]), minlength=BINS)
+    squares = np.bincount(place, weights=np.square(error[is_finite]), minlength=BINS)
     is_enough = count >= LEAST
     return 0.5 * (edges[1:] + edges[:-1]), np.sqrt(np.where(is_enough, squares, np.nan) / np.maximum(count, 1))
 
@@ -111,10 +111,10 @@ def _drawn(
     curve: Axes, below: Axes, shown: pd.DataFrame, way: tuple[str, str, str], style: dict[str, Any], ends: Ends
 ) -> None:
     """A model's curve, and beneath it the size of the curve minus the measurement along the stroke."""
-    given, answer, label = way
-    ordered = shown.dropna().sort_values(given) if style.get("ls") == "--" else shown
-    curve.plot(ordered[given], ordered[label], **style)
-    middle, size = by_range(shown[given].to_numpy(float), (shown[label] - shown[answer]).to_numpy(float), *ends)
+    from_column, answer, label = way
+    ordered = shown.dropna().sort_values(from_column) if style.get("ls") == "--" else shown
+    curve.plot(ordered[from_column], ordered[label], **style)
+    middle, size = by_range(shown[from_column].to_numpy(float), (shown[label] - shown[answer]).to_numpy(float), *ends)
     if style.get("ls"):
         below.plot(middle, size, **{**style, "lw": 1.1})
     else:
@@ -163,16 +163,16 @@ def figure_5(
     shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
     windings_measured, feet = [winding(recorded, stroke) for stroke in strokes], list[str]()
     for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
-        given, answer, _ = way
+        from_column, answer, _ = way
         curve_label, unit = ((MILLIMETRES, "mm"), (TURNS, "turns"))[row]
         for column, stroke in enumerate(strokes):
             curve, below = grid[2 * row, column], grid[2 * row + 1, column]
             below.sharex(curve)
             curve.tick_params(labelbottom=False)
             measured = windings_measured[column]
-            curve.plot(measured[given], measured[answer], label="measured", **MEASURED)
-            known = measured[given].dropna()
-            ends = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+            curve.plot(measured[from_column], measured[answer], label="measured", **MEASURED)
+            x_measured = measured[from_column].dropna()
+            ends = (float(x_measured.min()), float(x_measured.max())) if len(x_measured) else (0.0, 1.0)
             _drawn(curve, below, measured, way, {**TRADITIONAL, "label": "traditional model"}, ends)
             for title, windings in shown.items():
                 style = {**styles[title], "label": f"{title}, held-out points"}

@@ -17,14 +17,14 @@ def reasons(log: Path) -> list[str]:
     except OSError:
         return ["it wrote no log: see what is printed above"]
     errors = [line.removeprefix("error: ") for line in lines if line.startswith("error: ")]
-    left = [line for line in lines if line.startswith("left out: ")]
-    return left + (errors[-1:] or [next((line for line in reversed(lines) if line), "it said nothing")])
+    left_out = [line for line in lines if line.startswith("left out: ")]
+    return left_out + (errors[-1:] or [next((line for line in reversed(lines) if line), "it said nothing")])
 
 
 def without(left_out: Iterable[str]) -> str:
     """The last lines of a main job that made everything else: each run that was left out, and why."""
-    left = [f"left out: {why}" for why in dict.fromkeys(left_out)]
-    return "\n".join([ALL_ELSE, *left]) if left else ""
+    lines = [f"left out: {why}" for why in dict.fromkeys(left_out)]
+    return "\n".join([ALL_ELSE, *lines]) if lines else ""
 
 
 def told(failed: Iterable[tuple[str, str]], left_out: Iterable[str], keep_going: bool) -> str:
@@ -32,14 +32,14 @@ def told(failed: Iterable[tuple[str, str]], left_out: Iterable[str], keep_going:
 
     A reason is said once. That other runs could still be made is said where the command line did not ask for it.
     """
-    left, jobs = list(dict.fromkeys(left_out)), sorted(failed)
-    text = [f"left out: {why}" for why in left]
+    reasons_out, jobs = list(dict.fromkeys(left_out)), sorted(failed)
+    text = [f"left out: {why}" for why in reasons_out]
     for name, log in jobs:
         for reason in reasons(Path(log)):
-            if reason.removeprefix("left out: ") not in left:
-                left.append(reason.removeprefix("left out: "))
+            if reason.removeprefix("left out: ") not in reasons_out:
+                reasons_out.append(reason.removeprefix("left out: "))
                 text.append(reason if reason.startswith("left out: ") else f"failed: {name}: {reason} Its log: {log}")
     if [name for name, _ in jobs] == [LAST] and not any(line.startswith("failed: ") for line in text):
-        return f"{without(left)}\n{FAILS}"
+        return f"{without(reasons_out)}\n{FAILS}"
     head = "Not all was made:" if text else "Not all was made: see the errors above."
     return "\n".join([head, *text, *([] if keep_going else [ELSE])])

@@ -50,15 +50,15 @@ def unmade(materials: Iterable[str], runs: Iterable[str], missing: set[str]) -> 
     return notes
 
 
-def without(command: str, left: list[LeftOut], names: Iterable[str]) -> list[str]:
+def without(command: str, all_left_out: list[LeftOut], names: Iterable[str]) -> list[str]:
     """The words of a rule's command without what is left out, which it is told of instead.
 
     A material of which all reports, by their `names`, are still there stays on a page that says how old they are.
     """
     words = spread(shlex.split(command.partition(" > ")[0])[1:])
     start, names = words.index("-m") + 2, list(names)
-    gone = {left_out.run for left_out in left if not left_out.run.startswith(ALL)}
-    for material in (left_out.material for left_out in left if left_out.run.startswith(ALL)):
+    gone = {left_out.run for left_out in all_left_out if not left_out.run.startswith(ALL)}
+    for material in (left_out.material for left_out in all_left_out if left_out.run.startswith(ALL)):
         all_there = all(Path("reports", material, name).is_file() for name in names)
         if not (all_there and "--planned" in words):
             gone.add(material)
@@ -70,16 +70,16 @@ def without(command: str, left: list[LeftOut], names: Iterable[str]) -> list[str
     words = words[:start] + [word for word in words[start:] if stays(word)]
     if "--planned" in words:
         at = words.index("--planned") + 1
-        words[at] = to_json(from_json(words[at]) + left)
+        words[at] = to_json(from_json(words[at]) + all_left_out)
     return words
 
 
-def rewrite(commands: Iterable[str], left: list[LeftOut], names: Iterable[str], project: str) -> list[str]:
+def rewrite(commands: Iterable[str], all_left_out: list[LeftOut], names: Iterable[str], project: str) -> list[str]:
     """Run the commands of the last pages without what could not be made; returns what went wrong."""
     wrong = []
     environment = {**os.environ, "PYTHONPATH": project}
     for command in commands:
-        words = without(command, left, names)
+        words = without(command, all_left_out, names)
         with suppress(ValueError):  # more words than a command may have
             words = [*words[:3], by_file(words[3:], WORDS)]
         done = subprocess.run(words, env=environment, capture_output=True, text=True, errors="replace")

@@ -41,12 +41,12 @@ def of_material(folder: Path, paths: set[Path]) -> list[str]:
     return text + ([JUMPED] if to_take and read_jumps(notes) else []) + to_take
 
 
-def summary(made: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:
+def summary(made_paths: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:
     """Tables, places of the pages, and a line on each run's diagnosis.
 
-    `made` lists what the run was asked for and is whole: nothing else is named, however old it lies there.
+    `made_paths` lists what the run was asked for and is whole: nothing else is named, however old it lies there.
     """
-    paths, text = {path for path in map(Path, made) if path.exists()}, []
+    paths, text = {path for path in map(Path, made_paths) if path.exists()}, []
     for material in materials:
         lines = of_material(reports / material, paths)
         if lines:

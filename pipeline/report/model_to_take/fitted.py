@@ -42,9 +42,9 @@ def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
     return [*text, *lines, ""]
 
 
-def lines_at_end(material: str, made: Iterable[Path], models_csv: Path) -> list[str]:
+def lines_at_end(material: str, made_paths: Iterable[Path], models_csv: Path) -> list[str]:
     """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there."""
-    files = [path for path in made if path.suffix == ".model" and path.parent.parent.name == material]
+    files = [path for path in made_paths if path.suffix == ".model" and path.parent.parent.name == material]
     saved = [path.parent.name for path in files if path.name == "within-0.model"]
     advice = advice_on(saved, models_csv)
     if not advice.model:

@@ -70,10 +70,10 @@ def cost_of_direction(chosen: pd.DataFrame, inn: pd.Series, unit: str) -> str:
     floors = chosen[chosen["column"] == "all"].set_index("model")["median"]
     if inn["direction"] or not set(FLOORS) <= set(floors.index):
         return ""
-    blind, known = (f"{floors[name]:.3f}" for name in ("floor_blind", "floor"))
-    if blind == known:
+    blind, directed = (f"{floors[name]:.3f}" for name in ("floor_blind", "floor"))
+    if blind == directed:
         return " It is not told the direction, which costs nothing here."
-    return f" It is not told the direction, without which the floor is {blind} {unit} instead of {known} {unit}."
+    return f" It is not told the direction, without which the floor is {blind} {unit} instead of {directed} {unit}."
 
 
 def sentences(chosen: pd.DataFrame) -> list[str]:

@@ -43,13 +43,13 @@ def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
 
 def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
     """Which of some models to take by `RULES`; empty where there is none. Without errors it is the spline, if there."""
-    known = sorted(set(models) - {WHOLE_MOTION})
+    exportable = sorted(set(models) - {WHOLE_MOTION})
     for split in ("later", "within"):
-        errors = {model: errors_mm[model, split] for model in known if (model, split) in errors_mm}
+        errors = {model: errors_mm[model, split] for model in exportable if (model, split) in errors_mm}
         if errors:
             least = min(errors, key=lambda model: errors[model])
             return USUAL if USUAL in errors and errors[USUAL] <= LESS * errors[least] else least
-    return USUAL if USUAL in known else known[0] if known else ""
+    return USUAL if USUAL in exportable else exportable[0] if exportable else ""
 
 
 def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
@@ -72,18 +72,18 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
 
     Where another model errs less on the points that the tables show, the line says so.
     """
-    known = sorted(set(models) - {WHOLE_MOTION})
+    exportable = sorted(set(models) - {WHOLE_MOTION})
     split = next((split for split in ("later", "within") if (chosen, split) in errors_mm), "")
     if not split:
         return ""
-    least_mm = min(errors_mm[model, split] for model in known if (model, split) in errors_mm)
+    least_mm = min(errors_mm[model, split] for model in exportable if (model, split) in errors_mm)
     own_mm = errors_mm[chosen, split]
     rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
     line = (
         f"model to take: {chosen}. Its forward error {WHERE[split]} is {rank} of those that can be exported: "
         f"{own_mm:.3f} mm."
     )
-    inside = [model for model in known if (model, "within") in errors_mm]
+    inside = [model for model in exportable if (model, "within") in errors_mm]
     best = min(inside, key=lambda model: errors_mm[model, "within"], default=chosen)
     if split == "within" or best == chosen or (chosen, "within") not in errors_mm:
         return line

@@ -91,9 +91,9 @@ def sizes(content: Content | None) -> list[str]:
     unit = _unit(content)
     fit: Mapping[str, Any] = content["fit"]
     mismatch: Mapping[str, Any] = content["mismatch"] or {}
-    held = fit["heldout"] or {}
+    heldout = fit["heldout"] or {}
     numbers = [mismatch.get(f"rms_{unit}")]
-    numbers += [held.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
+    numbers += [heldout.get(f"{name}_{unit}") for name in ("nominal", "calibrated", "explained")]
     numbers.append(fit[f"noise_floor_{unit}"])
     cells = ["" if size is None else _said(size, unit) for size in numbers]
     if verdict_of(content) == "unknown" or _of_others(content):  # nothing is named that could have an error there

@@ -60,8 +60,8 @@ def _stiffness(own: pd.DataFrame) -> str:
     """The stiffness in words; a run without one is simulated with the usual one of a string of its size."""
     usual = usual_stiffness(own["radius_mm", "min"], own["length_mm", "min"])
     is_given = ~np.isclose(own["stiffness_n_per_mm", "min"], usual, rtol=1e-9)
-    given = own[is_given]["stiffness_n_per_mm"]
-    return _span(given["min"].min(), given["max"].max()) if is_given.any() else NOT_MEASURED
+    stiffness = own[is_given]["stiffness_n_per_mm"]
+    return _span(stiffness["min"].min(), stiffness["max"].max()) if is_given.any() else NOT_MEASURED
 
 
 def runs_of_strings(strokes: pd.DataFrame) -> dict[str, list[str]]:

@@ -107,11 +107,11 @@ def _unknown(content: Content) -> str:
 
 def found_answer(content: Content, answer: Answer) -> tuple[float, float, float] | None:
     """Value, low and high of a parameter that the literature knows, in its unit, or None where it is not said."""
-    held = content["parameters"]
+    parameters = content["parameters"]
     if answer.mechanism is not None:
         entries = [entry for entry in content["mechanisms"] if entry["id"] == answer.mechanism]
-        held = entries[0]["parameters"] if entries else {}
-    entry: Mapping[str, Any] | None = held.get(answer.parameter)
+        parameters = entries[0]["parameters"] if entries else {}
+    entry: Mapping[str, Any] | None = parameters.get(answer.parameter)
     if not entry or any(entry.get(key) is None for key in ("value", "low", "high")):
         return None
     low, high = sorted(answer.scale * entry[key] for key in ("low", "high"))

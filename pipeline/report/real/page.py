@@ -92,10 +92,10 @@ def relative(results: list[Result]) -> str:
     """What is left over the reading itself, where a diagnosis says it."""
     rows, filters = [], set()
     for result in results:
-        left: Mapping[str, Any] | None = ((result.content or {}).get("fit") or {}).get("relative_residual")
-        if left:
-            filters.add(left["filter"])
-            rows.append([html.escape(result.name), *(f"{100 * left[name]:.1f} %" for name in list(TITLES)[:3])])
+        residuals: Mapping[str, Any] | None = ((result.content or {}).get("fit") or {}).get("relative_residual")
+        if residuals:
+            filters.add(residuals["filter"])
+            rows.append([html.escape(result.name), *(f"{100 * residuals[name]:.1f} %" for name in list(TITLES)[:3])])
     if not rows:
         return ""
     filter_text = html.escape("; ".join(sorted(filters)))
@@ -144,7 +144,7 @@ def page(name: str, rig: Rig, results: list[Result], pairs: pd.DataFrame, unit: 
     """The page's HTML; links are relative to the folder that it lies in."""
     source = f'<a href="{html.escape(rig.repository)}">{html.escape(rig.repository)}</a>, {html.escape(rig.where)}'
     published = [[html.escape(cell) for cell in (number.what, number.value, number.source)] for number in rig.published]
-    expected = {f"{known.said}{f' ({expected_words(known)})' if known.names else ''}" for known in rig.expected}
+    expected = {f"{claim.said}{f' ({expected_words(claim)})' if claim.names else ''}" for claim in rig.expected}
     text = [
         f"<!doctype html>\n<html lang=en><meta charset=utf-8><title>{html.escape(name)}</title>",
         f"<style>{STYLE}{WIDE}</style>",
@@ -183,8 +183,8 @@ def main() -> None:
     if arguments.rig not in rigs:
         raise BadInput("arguments", "rig", f"{arguments.rig!r} is not a known rig", f"use {', '.join(rigs)}")
     rig = rigs[arguments.rig]
-    known = pd.DataFrame(columns=["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"])
-    pairs = pd.concat([pd.read_csv(path) for path in arguments.transfer]) if arguments.transfer else known
+    no_pairs = pd.DataFrame(columns=["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"])
+    pairs = pd.concat([pd.read_csv(path) for path in arguments.transfer]) if arguments.transfer else no_pairs
     results = read_results(arguments.verdicts, arguments.together, arguments.black_boxes, pairs)
     unit = next((result.spoken for result in results if result.unit), "")
     write_text(arguments.out, page(arguments.rig, rig, results, pairs, unit))

@@ -50,8 +50,12 @@ class Result:
     @property
     def heldout(self) -> dict[str, float]:
         """Error of every method on the strokes that no fit has seen."""
-        held: dict[str, float] = (self.content or Content(fit={}))["fit"].get("heldout") or {}
-        own = {name: held[f"{name}_{self.unit}"] for name in SIMULATORS if f"{name}_{self.unit}" in held}
+        heldout_errors: dict[str, float] = (self.content or Content(fit={}))["fit"].get("heldout") or {}
+        own = {
+            name: heldout_errors[f"{name}_{self.unit}"]
+            for name in SIMULATORS
+            if f"{name}_{self.unit}" in heldout_errors
+        }
         return {**own, **self.black_boxes}
 
     @property

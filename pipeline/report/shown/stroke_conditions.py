@@ -44,12 +44,12 @@ def _in_words(by_stroke: pd.DataFrame, kinds: Iterable[Kind]) -> str:
     return " and ".join(f"{word}{_between(by_stroke[column], unit)}" for column, word, unit, _ in kinds)
 
 
-def _is_other_load(load_n: float, known: Iterable[float]) -> bool:
-    return all(abs(load_n - other) > NEAR * max(abs(load_n), abs(other)) for other in known)
+def _is_other_load(load_n: float, loads_n: Iterable[float]) -> bool:
+    return all(abs(load_n - other) > NEAR * max(abs(load_n), abs(other)) for other in loads_n)
 
 
-def _is_other_twist(top_turns: float, known: Iterable[float]) -> bool:
-    return not (1.0 - NEAR) * min(known) <= top_turns <= (1.0 + NEAR) * max(known)
+def _is_other_twist(top_turns: float, tops_turns: Iterable[float]) -> bool:
+    return not (1.0 - NEAR) * min(tops_turns) <= top_turns <= (1.0 + NEAR) * max(tops_turns)
 
 
 def later_apart(dataset: pd.DataFrame | None) -> str:

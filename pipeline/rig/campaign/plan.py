@@ -24,15 +24,15 @@ class Planned:
 
     def recorded(self, rate_hz: float) -> Recorded:
         """The recording; to be made once, for it uses the noise up."""
-        made = [effects.make(*effect) for effect in self.specimen.effects.items()]
-        return recorded(self.specimen, made, self.motion, rate_hz, self.noise)
+        own_effects = [effects.make(*effect) for effect in self.specimen.effects.items()]
+        return recorded(self.specimen, own_effects, self.motion, rate_hz, self.noise)
 
 
 def material_of(seed: int, index: int) -> str:
     """Material of a string: every so many strings in a row have each material once, in an order that is drawn."""
-    known = list(materials())
-    block, place = divmod(index, len(known))
-    return known[np.random.default_rng([seed, block, len(known)]).permutation(len(known))[place]]
+    names = list(materials())
+    block, place = divmod(index, len(names))
+    return names[np.random.default_rng([seed, block, len(names)]).permutation(len(names))[place]]
 
 
 def plan(seed: int, strings: int, strokes: int) -> Iterator[Planned]:

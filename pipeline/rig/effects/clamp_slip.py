@@ -43,14 +43,14 @@ class Model(Effect):
 
 
 @compiled
-def _pull(tired_s: Array, lives_s: Array, slips_mm: Array, glides: float, state: Array, left: Array) -> Array:
+def _pull(tired_s: Array, lives_s: Array, slips_mm: Array, glides: float, state: Array, share_left: Array) -> Array:
     out = np.zeros(len(tired_s))
     for step in range(len(tired_s)):
         state[0] += tired_s[step]
         for slip in range(len(lives_s)):
             if state[0] >= lives_s[slip]:
-                left[slip] /= 1.0 + glides * left[slip]
-            out[step] += slips_mm[slip] * (1.0 - left[slip])
+                share_left[slip] /= 1.0 + glides * share_left[slip]
+            out[step] += slips_mm[slip] * (1.0 - share_left[slip])
     return out
 
 

@@ -28,14 +28,14 @@ class Model(Effect):
 
     def run(self, lived: Lived) -> Array:
         """What the sensor says too much, in mm."""
-        held = math.ceil(self.dead_s / lived.step_s) + 1
+        line_steps = math.ceil(self.dead_s / lived.step_s) + 1
         if self.before_mm is None:
-            self.before_mm = np.full(held, lived.reading_mm[0])
+            self.before_mm = np.full(line_steps, lived.reading_mm[0])
             for state in self.filtered_mm:
                 state[:] = lived.reading_mm[0]
         line_mm = np.concatenate([self.before_mm, lived.reading_mm])
-        self.before_mm = line_mm[-held:]
-        now = np.arange(held, len(line_mm))
+        self.before_mm = line_mm[-line_steps:]
+        now = np.arange(line_steps, len(line_mm))
         late_mm = np.interp(now - self.dead_s / lived.step_s, np.arange(len(line_mm)), line_mm)
         for pole_s, state in zip(self.poles_s, self.filtered_mm, strict=True):
             late_mm = settle(late_mm, -math.expm1(-lived.step_s / pole_s), state)

@@ -74,11 +74,11 @@ def ageing(
         | {"gain": uniform(0.2, 2.0), "rough_turns": 2.0 * specimen.top_turns * uniform(40.0, 400.0)},
     }
     if life == "breaks":
-        sharing, held = uniform(3.0, 12.0), uniform(0.05, 0.5)
+        sharing, holding_share = uniform(3.0, 12.0), uniform(0.05, 0.5)
         lives = strokes / (1.0 - (1.0 - LOST_FIBRES) ** sharing)
         aged["x_fatigue"] = {
-            "work_n_mm": lives * work.contact_n_mm / (1.0 - held),
-            "held_s": lives * work.held_s / held,
+            "work_n_mm": lives * work.contact_n_mm / (1.0 - holding_share),
+            "held_s": lives * work.held_s / holding_share,
             "sharing": sharing,
             "thinning": uniform(0.8, 1.0),
             "shares": rng.uniform(0.05, 0.3, 2).tolist(),
@@ -98,11 +98,11 @@ def _wander(work: Work, rng: np.random.Generator) -> Waves:
 def made(aged: dict[str, Parameters]) -> tuple[list[Effect], x_fatigue.Model | None]:
     """Fresh effects with these parameters, and the bundle of fibres among them if there is one."""
     own = {name: parameters for name, parameters in aged.items() if name in effects.names()}
-    made = [effects.make(*effect) for effect in own.items()]
+    own_effects = [effects.make(*effect) for effect in own.items()]
     galling: dict[str, Any] = {**aged["x_galling"]}
-    made.append(x_galling.Model(**galling))
+    own_effects.append(x_galling.Model(**galling))
     if "x_fatigue" not in aged:
-        return made, None
+        return own_effects, None
     fatigue: dict[str, Any] = {**aged["x_fatigue"]}
     bundle = x_fatigue.Model(**fatigue)
-    return [*made, bundle, x_fatigue.Stretch(bundle)], bundle
+    return [*own_effects, bundle, x_fatigue.Stretch(bundle)], bundle

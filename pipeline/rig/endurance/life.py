@@ -71,15 +71,15 @@ def live(planned: Planned, rate_hz: float) -> Lifetime:
 
 def _measured(commands: Commands, contraction_mm: Array) -> tuple[dict[str, float], Array]:
     """One stroke's truth, and its winding over GRID; the contraction in mm at the steps of `commands`."""
-    start, wound, held, end = (np.searchsorted(commands.time_s, commands.strokes_s[0] - 1e-9)).tolist()
+    start, wound, held_until, end = (np.searchsorted(commands.time_s, commands.strokes_s[0] - 1e-9)).tolist()
     top_turns = float(commands.motor_turns.max())
-    up, down = slice(start, wound + 1), slice(end, held, -1)
+    up, down = slice(start, wound + 1), slice(end, held_until, -1)
 
     def over(part: slice, turns: Array) -> Array:
         return np.interp(turns, commands.motor_turns[part], contraction_mm[part])
 
     half = np.array([top_turns / 2.0])
-    rest_mm, top_mm = float(contraction_mm[start]), float(contraction_mm[held])
+    rest_mm, top_mm = float(contraction_mm[start]), float(contraction_mm[held_until])
     loop_mm = float((over(up, half) - over(down, half))[0])
     measured = {"stroke_mm": top_mm - rest_mm, "rest_mm": rest_mm, "top_mm": top_mm, "loop_mm": loop_mm}
     return measured, over(up, GRID * top_turns)

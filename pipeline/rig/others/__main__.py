@@ -25,14 +25,14 @@ def main() -> None:
     if arguments.answer and arguments.answer.resolve().is_relative_to(arguments.run_dir.resolve()):
         raise BadInput(arguments.answer, "--answer", "is inside the run folder", "put it where no diagnosis looks")
     try:
-        made = make(arguments.case, arguments.seed, plan=arguments.plan, noise=arguments.noise, take=arguments.take)
+        case = make(arguments.case, arguments.seed, plan=arguments.plan, noise=arguments.noise, take=arguments.take)
     except ValueError as error:
         raise BadInput(arguments.case, "--plan", str(error), "choose one of those") from None
     if arguments.run_dir.exists():
         raise BadInput(arguments.run_dir, "RUN_DIR", "is there already", "choose another; runs are never overwritten")
-    write_run(made, arguments.run_dir)
+    write_run(case, arguments.run_dir)
     if arguments.answer:
-        write_text(arguments.answer, json.dumps({"case": arguments.case, **made.truth}, indent=1) + "\n")
+        write_text(arguments.answer, json.dumps({"case": arguments.case, **case.truth}, indent=1) + "\n")
     hidden = f"what is hidden: {arguments.answer}" if arguments.answer else "--answer FILE keeps what is hidden"
     print(f"written: {arguments.run_dir} ({hidden})")
 

@@ -89,8 +89,8 @@ def _lost(steps: Array, strands: Array, angle: Array, give: Array, slip: Array, 
         for i in range(pulleys):
             way = 1.0 if moved >= 0.0 else -1.0
             for b in range(bristles):
-                left = max(1.0 - way * bent[i, b], 0.0)
-                bent[i, b] += left ** bend[i, b] * moved / slip[i, b]
+                unbent = max(1.0 - way * bent[i, b], 0.0)
+                bent[i, b] += unbent ** bend[i, b] * moved / slip[i, b]
                 bent[i, b] = min(max(bent[i, b], -1.0), 1.0)
             now = give[i] * (tight[i] - loose[i] - tight[i + 1] + loose[i + 1])
             moved -= now - kept[i]

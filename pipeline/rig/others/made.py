@@ -100,9 +100,9 @@ def told(
     }
 
 
-def write_run(made: Made, folder: Path) -> Path:
+def write_run(case: Made, folder: Path) -> Path:
     """Write a run folder, run.yaml and recording.parquet, named after the folder; the truth stays out of it."""
-    schemas.write(made.samples, schemas.samples(list(made.samples.columns)), folder / "recording.parquet")
-    content = {"run": folder.resolve().name, **{key: value for key, value in made.run.items() if key != "run"}}
+    schemas.write(case.samples, schemas.samples(list(case.samples.columns)), folder / "recording.parquet")
+    content = {"run": folder.resolve().name, **{key: value for key, value in case.run.items() if key != "run"}}
     write_text(folder / "run.yaml", yaml.safe_dump(content, sort_keys=False))
     return folder

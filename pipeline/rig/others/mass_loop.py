@@ -58,8 +58,8 @@ def ride(
     samples = reference.shape[1]
     log, forces = np.zeros((6, samples)), np.zeros((4, samples))
     fine_s = step_s / FINE
-    held = math.ceil(plant.lag_s * plant.dead_share / fine_s)
-    line = np.zeros(held + 1)
+    dead_steps = math.ceil(plant.lag_s * plant.dead_share / fine_s)
+    line = np.zeros(dead_steps + 1)
     pole_s = plant.lag_s * (1.0 - plant.dead_share)
     share = 1.0 - math.exp(-fine_s / pole_s) if pole_s > 0.0 else 1.0
     at_m = speed = late_m = bristle = rail_bristle = read_before = speed_read = 0.0
@@ -97,7 +97,7 @@ def ride(
             speed += pulled * fine_s
             at_m += speed * fine_s
             line[slot] = at_m
-            slot = (slot + 1) % (held + 1)
+            slot = (slot + 1) % (dead_steps + 1)
             late_m += (line[slot] - late_m) * share
     return log, forces
 
