@@ -27,19 +27,21 @@ def as_in(folder: Path) -> RunYaml:
     return content
 
 
-def with_given(content: RunYaml, given: RunYaml, source: Path) -> RunYaml:
+def with_given(content: RunYaml, from_options: RunYaml, source: Path) -> RunYaml:
     """The content with what the command line gave in its place; raises BadInput for a string that is another's."""
     string: Any = content.get("string")
-    for key, value in (given.get("string") or {}).items():
+    for key, value in (from_options.get("string") or {}).items():
         if string is None or (key in ("id", "material") and value != string[key]):
-            raise _of_another(key, str(value), string, _anew(content, given), source)
+            raise _of_another(key, str(value), string, _anew(content, from_options), source)
     old: dict[str, Any] = {**content}
-    new: dict[str, Any] = {**given}
-    made: Any = {"run": given["run"]} | old | {key: value for key, value in new.items() if key not in SECTIONS}
+    new: dict[str, Any] = {**from_options}
+    new_content: Any = (
+        {"run": from_options["run"]} | old | {key: value for key, value in new.items() if key not in SECTIONS}
+    )
     for section in SECTIONS:
         if new.get(section):
-            made[section] = (old.get(section) or {}) | new[section]
-    return made
+            new_content[section] = (old.get(section) or {}) | new[section]
+    return new_content
 
 
 def _of_another(key: str, value: str, string: StringYaml | None, anew: str, source: Path) -> BadInput:
@@ -52,13 +54,13 @@ def _of_another(key: str, value: str, string: StringYaml | None, anew: str, sour
     return BadInput(option, f"string.{key}", problem, mend)
 
 
-def _anew(content: RunYaml, given: RunYaml) -> str:
+def _anew(content: RunYaml, from_options: RunYaml) -> str:
     """The options that make a run of another string, with the sizes and the rig that the content has."""
-    own = given.get("string") or {}
-    held = content.get("string")
-    string = {**held, **own} if held else own
+    own = from_options.get("string") or {}
+    old_string = content.get("string")
+    string = {**old_string, **own} if old_string else own
     values = {key: value for key, value in string.items() if key != "id"}
-    values |= {"string_id": own.get("id"), **(content.get("rig") or {}), **(given.get("rig") or {})}
+    values |= {"string_id": own.get("id"), **(content.get("rig") or {}), **(from_options.get("rig") or {})}
     if content.get("actuator", STRING_ACTUATORS[0]) != STRING_ACTUATORS[0]:
         values = {"actuator": content["actuator"], **values}
     words = {key: f"{value:g}" if isinstance(value, float) else str(value) for key, value in values.items() if value}

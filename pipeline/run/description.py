@@ -115,12 +115,12 @@ class Run(_Section):
 
     @model_validator(mode="after")
     def _actuator_has_its_parts(self) -> "Run":
-        known = systems()
-        if self.actuator not in known:
+        all_systems = systems()
+        if self.actuator not in all_systems:
             raise ValueError(
-                f"actuator: is {short(self.actuator)}, of which nothing is known; use one of {', '.join(known)}"
+                f"actuator: is {short(self.actuator)}, of which nothing is known; use one of {', '.join(all_systems)}"
             )
-        system = known[self.actuator]
+        system = all_systems[self.actuator]
         if system.needs_string and self.string is None:
             raise ValueError("string: is missing; add the string's material, radius_mm, length_mm")
         keys = {**system.rig, **system.optional_rig}
@@ -141,9 +141,9 @@ class Run(_Section):
 
     def _as_share(self, key: str) -> str:
         """How to write a tolerance under an unknown key, such as one in mm where a share belongs."""
-        share, nominal, known = key.removesuffix("_mm"), getattr(self.string, key, None), self.system.tolerance
-        if share not in known or not nominal:
-            return meant(key, known)
+        share, nominal, tolerances = key.removesuffix("_mm"), getattr(self.string, key, None), self.system.tolerance
+        if share not in tolerances or not nominal:
+            return meant(key, tolerances)
         return f"write {share}: {self.tolerance[key] / nominal:.3g}, which is a share of {nominal:g} mm"
 
     @property

@@ -37,9 +37,9 @@ def by_option(error: BadInput, content: RunYaml) -> BadInput:
     return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
 
 
-def _with_value(own: list[str], value: Any, held: Any, key: str) -> Any:
+def _with_value(own: list[str], value: Any, old_entry: Any, key: str) -> Any:
     """What stands under a key, with the value that is to be given: as all of it, or under its own key `own`."""
-    given = written_out(key, held) if own else {}
-    if own == ["column"] and not given.keys() - {"column"}:
+    new_entry = written_out(key, old_entry) if own else {}
+    if own == ["column"] and not new_entry.keys() - {"column"}:
         own = []  # a column's name alone says it
-    return {**given, own[0]: value} if own else value
+    return {**new_entry, own[0]: value} if own else value

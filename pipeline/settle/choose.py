@@ -119,7 +119,9 @@ def in_words(deviations: float) -> str:
     return f"about {size} standard deviations"
 
 
-def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, left: Budget) -> tuple[Step | None, str]:
+def chosen(
+    options: Sequence[ProposedRun], number: int, limits: Limits | None, budget_left: Budget
+) -> tuple[Step | None, str]:
     """The run that raises the gap most of those that limits and budget allow, and why it is no better one.
 
     Without such a run None, and the sentence that ends the loop.
@@ -139,7 +141,7 @@ def chosen(options: Sequence[ProposedRun], number: int, limits: Limits | None, l
         if limits is not None and not isinstance(limits, ByHand):  # the rig says where its motor stands now
             proposal |= {"from": limits.at_turns, "turns_per_s2": limits.turns_per_s2}
         step = Step(number, "proposed", proposal=proposal)
-        why = beyond(legs, limits) or left.lacks(step)
+        why = beyond(legs, limits) or budget_left.lacks(step)
         if why is None:
             return step, passed_over(refused)
         refused.append((run["title"], why))

@@ -21,9 +21,9 @@ BEFORE = "before adopting, "  # what the steps below it say by their order
 
 def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: Budget, why: str, sentence: str) -> None:
     """Write why the loop ended, the verdict of its last step, the runs and what was spent; and say it."""
-    verdict, left = place.diagnosis(steps[-1].number), budget.left(steps)
+    verdict, budget_left = place.diagnosis(steps[-1].number), budget.left(steps)
     mechanisms = [entry["id"] for entry in verdict["mechanisms"]]
-    spent = {"runs": budget.runs - left.runs, "strokes": budget.strokes - left.strokes}
+    spent = {"runs": budget.runs - budget_left.runs, "strokes": budget.strokes - budget_left.strokes}
     content = {
         "why": why,
         "sentence": sentence,
@@ -31,7 +31,7 @@ def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: B
         "mechanisms": mechanisms,
         "alternatives": verdict["alternatives"],
         "runs": [str(run) for run in runs],
-        "spent": {**spent, "minutes": round(budget.minutes - left.minutes, 3)},
+        "spent": {**spent, "minutes": round(budget.minutes - budget_left.minutes, 3)},
     }
     write_text(place.out / NAME, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     named = f": {sure_and_large(verdict)}" if mechanisms else ""

@@ -35,7 +35,7 @@ def strokes(limits: Limits, count: int, share: float) -> list[Leg]:
     return [*legs, Leg(REST_S, low)]
 
 
-def first_run(run: Run, limits: Limits | None, left: Budget) -> ProposedRun:
+def first_run(run: Run, limits: Limits | None, budget_left: Budget) -> ProposedRun:
     """The first recording as an entry of `next_runs.json` has a run; without limits it is a person's, and has no legs.
 
     Raises BadInput where the limits or the budget leave no room for it.
@@ -54,7 +54,7 @@ def first_run(run: Run, limits: Limits | None, left: Budget) -> ProposedRun:
             entries = [leg_json(leg) for leg in legs]
             proposed: ProposedRun = {"title": title, "legs": entries, "from": limits.at_turns, "load": None}
             proposed["turns_per_s2"] = limits.turns_per_s2
-            why = beyond(legs, limits) or left.lacks(Step(0, "proposed", proposal=proposed)) or ""
+            why = beyond(legs, limits) or budget_left.lacks(Step(0, "proposed", proposal=proposed)) or ""
             if not why:
                 return {**proposed, "curves": foretold(run, legs, limits)}
     mend = "allow more seconds, minutes or strokes, or record it with the capture program"

@@ -39,8 +39,8 @@ class Allowed:
             good = key in PAIRS and isinstance(value, list) and len(value) == 2 and all(map(_number, value))
             if not (good and value[0] <= value[1]) and not (key in NUMBERS and _number(value) and value > 0):
                 raise BadInput(OPTION, str(key), "is no limit, or not of its form", f"write it as in {EXAMPLE}")
-        given: Any = content
-        return Allowed(given)
+        limits: Any = content
+        return Allowed(limits)
 
     def check_unattended(self, rig: Limits) -> None:
         """Raise BadInput where something is missing that nothing may move unattended without."""
@@ -52,13 +52,13 @@ class Allowed:
 
     def within(self, rig: Limits) -> Limits:
         """What both allow."""
-        given = self.given
-        turns, load = given.get("turns", rig.turns), given.get("load_n", rig.load_n)
+        own_limits = self.given
+        turns, load = own_limits.get("turns", rig.turns), own_limits.get("load_n", rig.load_n)
         return replace(
             rig,
             turns=(max(turns[0], rig.turns[0]), min(turns[1], rig.turns[1])),
-            turns_per_s=min(given.get("turns_per_s", rig.turns_per_s), rig.turns_per_s),
-            seconds=min(given.get("seconds", rig.seconds), rig.seconds),
+            turns_per_s=min(own_limits.get("turns_per_s", rig.turns_per_s), rig.turns_per_s),
+            seconds=min(own_limits.get("seconds", rig.seconds), rig.seconds),
             load_n=(max(load[0], rig.load_n[0]), min(load[1], rig.load_n[1])) if rig.load_n and load else None,
         )
 

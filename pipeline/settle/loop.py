@@ -135,8 +135,8 @@ class Loop:
         ):
             self._settled(steps, "verdict", f"the verdict is {last.verdict}")
             return None
-        left = self.budget.left(steps)
-        step, why = chosen(options, last.number + 1, self.motor.bounds(), left)
+        budget_left = self.budget.left(steps)
+        step, why = chosen(options, last.number + 1, self.motor.bounds(), budget_left)
         if step is None and last.verdict == "explained":
             self._settled(steps, "verdict", f"the verdict is explained; no other run confirms it: {why}")
             return None
@@ -156,10 +156,10 @@ class Loop:
 
     def _anew(self, steps: list[Step]) -> str | None:
         """Why a run that was proposed earlier is not asked about: other limits are given now, or it is beyond them."""
-        step, left = steps[-1], self.budget.left(steps[:-1])
+        step, budget_left = steps[-1], self.budget.left(steps[:-1])
         if step.proposal.get("limits", self.motor.allowed.given) != self.motor.allowed.given:
             return "--limits are others now"
-        return (beyond(as_legs(step.legs), self.motor.bounds()) if step.legs else None) or left.lacks(step)
+        return (beyond(as_legs(step.legs), self.motor.bounds()) if step.legs else None) or budget_left.lacks(step)
 
     def _approved(self, step: Step) -> Step | None:
         by_hand = self.motor.takes() is None

@@ -50,10 +50,10 @@ def smooth(at: Array, values: Array, pieces: int) -> tuple[Array, Array]:
         return values - values.mean(), np.full(len(at), 1.0 / len(at))
     sparse = BSpline.design_matrix(at, knots(at, pieces, degree), degree)
     inverse = np.linalg.pinv((sparse.T @ sparse).toarray(), rcond=1e-10, hermitian=True)
-    left = values - sparse @ (inverse @ (sparse.T @ values))
+    residual = values - sparse @ (inverse @ (sparse.T @ values))
     columns, weights = (part.reshape(len(at), degree + 1) for part in (sparse.indices, sparse.data))
     leverage = np.einsum("pi,pij,pj->p", weights, inverse[columns[:, :, None], columns[:, None, :]], weights)
-    return left, leverage
+    return residual, leverage
 
 
 def noise(at: Array, values: Array) -> Array:
@@ -67,10 +67,10 @@ def noise(at: Array, values: Array) -> Array:
     for pieces in PIECES:
         if pieces > 1 and (pieces + DEGREE) * POINTS_A_COEFFICIENT > len(at):
             break
-        left, leverage = smooth(at, values, pieces)
-        score = float(np.mean(np.square(left)) / max(1.0 - leverage.mean(), LEAST_LEFT) ** 2)
+        residual, leverage = smooth(at, values, pieces)
+        score = float(np.mean(np.square(residual)) / max(1.0 - leverage.mean(), LEAST_LEFT) ** 2)
         if score < least:
-            best, least = left / np.sqrt(np.maximum(1.0 - leverage, LEAST_LEFT)), score
+            best, least = residual / np.sqrt(np.maximum(1.0 - leverage, LEAST_LEFT)), score
     return best
 
 
@@ -97,13 +97,13 @@ def predictions(dataset: pd.DataFrame, split: str, missed_mm: Array, missed_turn
 
     What is missed in mm and in turns, of shape (points,).
     """
-    held = np.flatnonzero(dataset[split] == "test")
-    points = dataset.iloc[held]
+    held_out = np.flatnonzero(dataset[split] == "test")
+    points = dataset.iloc[held_out]
     return pd.DataFrame(
         {
-            "point": held,
-            "displacement_mm": points["displacement_mm"].to_numpy() - missed_mm[held],
-            "motor_turns": points["motor_turns"].to_numpy() - missed_turns[held],
+            "point": held_out,
+            "displacement_mm": points["displacement_mm"].to_numpy() - missed_mm[held_out],
+            "motor_turns": points["motor_turns"].to_numpy() - missed_turns[held_out],
         }
     )
 

@@ -69,8 +69,8 @@ class Split:
     def __init__(self, pieces: Iterable[tuple[Mask, Mask]]) -> None:
         """Count what there is; each piece is a mask of what is held out, and one of what may be used."""
         counts = np.array([(np.count_nonzero(may & ~test), np.count_nonzero(test)) for test, may in pieces])
-        learnt, held = counts.sum(axis=0).tolist()
-        self.train, self.test = Thinned(learnt, TRAINING_POINTS), Thinned(held, HELD_OUT_POINTS)
+        learnt, test_count = counts.sum(axis=0).tolist()
+        self.train, self.test = Thinned(learnt, TRAINING_POINTS), Thinned(test_count, HELD_OUT_POINTS)
 
     def labels(self, test: Mask, may: Mask) -> NDArray[np.object_]:
         """The labels of the next piece, of which both masks are given; shape (points,), as labels."""

@@ -22,9 +22,9 @@ class Beside:
     `reader` reads the others: a program that holds recordings gives its own.
     """
 
-    def __init__(self, known: Iterable[Rests] = (), reader: Reader = read) -> None:
+    def __init__(self, rests_read: Iterable[Rests] = (), reader: Reader = read) -> None:
         self._reader = reader
-        self._rests: dict[Path, Rests | None] = {rests.folder.resolve(): rests for rests in known}
+        self._rests: dict[Path, Rests | None] = {rests.folder.resolve(): rests for rests in rests_read}
 
     def at(self, folder: Path) -> Rests | None:
         """The rests of a run, or None where it cannot be read."""
@@ -58,16 +58,16 @@ def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
 
     A run beside them that cannot be read tells nothing.
     """
-    known = {rests.run.run for rests in runs}
+    run_names = {rests.run.run for rests in runs}
     strings = {rests.run.string_id for rests in runs}
     every = list(runs)
     places = {rests.folder.resolve() for rests in runs}
     for place in sorted({folder.parent for folder in places}):
-        every += [rests for rests in beside.of_strings(place, strings, places) if rests.run.run not in known]
+        every += [rests for rests in beside.of_strings(place, strings, places) if rests.run.run not in run_names]
     jumps_found = []
     for string in sorted(strings):
         jumps_found += jumps_among([rests for rests in every if rests.run.string_id == string])
-    return [jump for jump in jumps_found if jump.run in known]
+    return [jump for jump in jumps_found if jump.run in run_names]
 
 
 def advice_on(folder: Path, beside: Beside | None = None) -> list[str]:

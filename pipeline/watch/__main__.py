@@ -25,7 +25,7 @@ class Buttons:
     def __init__(self, settling: Settling) -> None:
         self._settling, self._lock = settling, threading.Lock()
 
-    def __call__(self, button: str, given: dict[str, object]) -> str | None:
+    def __call__(self, button: str, message: dict[str, object]) -> str | None:
         """Press one; why it did nothing, or None."""
         with self._lock:
             state = self._settling.told(self._settling.step())
@@ -34,7 +34,7 @@ class Buttons:
             if button == "stop":
                 self._settling.answers.stop()
                 return None
-            question = given.get("question")
+            question = message.get("question")
             if isinstance(question, str) and question == state["question"] and self._settling.answers.approve(question):
                 return None
             return "this is not what is asked now: look again"

@@ -124,11 +124,11 @@ class Frames:
 class Printed:
     """`recording.lines` of a `run`, its columns named by `given`, or by the rig where nothing is given."""
 
-    def __init__(self, given: tuple[str, ...] = (), run: Run | None = None) -> None:
+    def __init__(self, column_names: tuple[str, ...] = (), run: Run | None = None) -> None:
         self.columns: tuple[str, ...] = ()
         self.rate_hz: float | None = None
         self.device = "a rig that prints lines"
-        self._splitter, self._lines, self._run = Splitter(), Lines(given), run
+        self._splitter, self._lines, self._run = Splitter(), Lines(column_names), run
         self._time_s, self._clock_s, self._jumps, self._timed = 0.0, float("nan"), 0, 0
 
     def feed(self, chunk: bytes) -> Piece | None:

@@ -39,8 +39,12 @@ def _beside(questions: dict[str, Question], first: str, least: str) -> list[str]
     """What the other limits leave, each with its limit."""
     others = []
     for name, question in questions.items():
-        left = question["strokes_left"]
-        if name != first and "limit" in question and (words := _count(least, left["median"], left["low"])):
+        strokes_span = question["strokes_left"]
+        if (
+            name != first
+            and "limit" in question
+            and (words := _count(least, strokes_span["median"], strokes_span["low"]))
+        ):
             others.append(f"{words}, until {_limit(name, question)}")
     return others
 
@@ -55,8 +59,11 @@ def strokes_left(reports: Path, string: str) -> Left | None:
         try:
             content = json.loads(text_of(path))
             question = content["questions"][content["first"]]
-            left = question["strokes_left"]
-            numbers = {name: None if left[name] is None else float(left[name]) for name in ("low", "median", "high")}
+            strokes_span = question["strokes_left"]
+            numbers = {
+                name: None if strokes_span[name] is None else float(strokes_span[name])
+                for name in ("low", "median", "high")
+            }
             least = f"{100.0 * float(content.get('level', 0.9)):.0f} % of the futures"
             seen, runs = content.get("strokes_seen"), [str(run) for run in content.get("runs", [])]
             return {

@@ -64,19 +64,19 @@ class Page:
     def _press(self, button: str) -> bottle.HTTPResponse:
         request, host = bottle.request, bottle.request.get_header("Host", "")
         mine = request.get_header("Origin", f"http://{host}") == f"http://{host}"
-        known = self.same(request.get_header(TOKEN, ""))
-        if not (mine and known and self._named() and request.content_type.startswith("application/json")):
+        token_right = self.same(request.get_header(TOKEN, ""))
+        if not (mine and token_right and self._named() and request.content_type.startswith("application/json")):
             return self._answer(403, b"not allowed: open the address that was printed, with its token\n")
         with contextlib.suppress(ValueError, RecursionError):
-            given = json.loads(request.body.read(LIMITS["max_request_body_size"]))
-            if isinstance(given, dict):
-                why = self.say(button, given)
+            message = json.loads(request.body.read(LIMITS["max_request_body_size"]))
+            if isinstance(message, dict):
+                why = self.say(button, message)
                 return self._answer(200 if why is None else 409, f"{why or 'done'}\n".encode())
         return self._answer(400, b"send one object of JSON\n")
 
-    def same(self, given: str) -> bool:
+    def same(self, token: str) -> bool:
         """Whether this is the token."""
-        return hmac.compare_digest(given.encode(), self.token.encode())
+        return hmac.compare_digest(token.encode(), self.token.encode())
 
     def _named(self) -> bool:
         """Whether the page was asked for by a name of this machine; a name of elsewhere may lead here too."""

@@ -22,13 +22,13 @@ def moves(step: Step) -> Moves | None:
     if step.state not in MOVES or not step.legs:
         return None
     try:
-        made = winds(step) if step.state != "proposed" else None
+        winding = winds(step) if step.state != "proposed" else None
         return {
             "begins": begins(step),
             "head": HEAD,
             "legs": table(step),
             "apart": apart(step.proposal),
-            "winds": made,
+            "winds": winding,
         }
     except (ValueError, KeyError, TypeError, AttributeError, ZeroDivisionError):
         return None

@@ -70,21 +70,21 @@ class Pieces:
         """
         if self.hello is None:
             return
-        held: list[Part] = [(np.zeros(0, np.int64), np.zeros(0, self.hello.sample_type))]
+        waiting: list[Part] = [(np.zeros(0, np.int64), np.zeros(0, self.hello.sample_type))]
 
         def passing() -> Iterator[tuple[Whole, NDArray[np.uint32]]]:
             for part in self._in_order():
-                held.append(part)
+                waiting.append(part)
                 yield part[0], part[1]["t_us"]
 
         empty = True
         for time_us in self._mending.stamps(steps_between(passing())):  # mended stamps come after their samples
-            numbers, raw = joined(held)
-            held[:] = [(numbers[len(time_us) :], raw[len(time_us) :])]
+            numbers, raw = joined(waiting)
+            waiting[:] = [(numbers[len(time_us) :], raw[len(time_us) :])]
             empty = False
             yield self._piece(self.hello, time_us, numbers[: len(time_us)], raw[: len(time_us)])
         if empty:
-            yield self._piece(self.hello, np.zeros(0), *held[0])
+            yield self._piece(self.hello, np.zeros(0), *waiting[0])
 
     @staticmethod
     def _piece(

@@ -94,8 +94,8 @@ class Hello:
             raise ValueError("is not an object")
         protocol = _get(content, "protocol", int)
         if protocol not in CRC:
-            known = " and ".join(map(str, CRC))
-            raise ValueError(f"protocol: is version {protocol}, and only the versions {known} are known here")
+            versions = " and ".join(map(str, CRC))
+            raise ValueError(f"protocol: is version {protocol}, and only the versions {versions} are known here")
         channels = _get(content, "channels", list)
         if not 1 <= len(channels) <= MAX_CHANNELS:
             raise ValueError(f"channels: must be 1 to {MAX_CHANNELS}")

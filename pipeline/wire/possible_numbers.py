@@ -36,8 +36,8 @@ class Numbers:
         doubted, self._doubted = self._doubted, None
         far = number - self.high > LATE
         if far and not (doubted is not None and 0 < number - doubted <= LATE):
-            known = kind == Kind.END and len(payload) == END.size
-            if not known and not self._went_on(kind, number, payload):
+            is_end = kind == Kind.END and len(payload) == END.size
+            if not is_end and not self._went_on(kind, number, payload):
                 self._doubted = number
                 return False
         self.high = max(self.high, number)

@@ -155,6 +155,6 @@ def table_order(models: Iterable[str], default: Iterable[str]) -> list[str]:
     Snakemake puts what a configuration on top of the default one names before all else.
     """
     names, first, last = list(models), PAPER, NOMINAL
-    known = [model for model in default if model in names]
-    middle = [model for model in dict.fromkeys([*known, *names]) if model not in (first, last)]
+    in_default = [model for model in default if model in names]
+    middle = [model for model in dict.fromkeys([*in_default, *names]) if model not in (first, last)]
     return [first, *middle, last]

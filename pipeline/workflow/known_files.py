@@ -37,9 +37,9 @@ class KnownFiles:
         """What `find` says of a file, or said when the file was as it is now; raises OSError."""
         stat = os.stat(path)
         key = [stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns, stat.st_ino]
-        known = self.facts.get(str(path))
-        if isinstance(known, list) and len(known) == 2 and known[0] == key:
-            return known[1]
+        noted = self.facts.get(str(path))
+        if isinstance(noted, list) and len(noted) == 2 and noted[0] == key:
+            return noted[1]
         fact = find(path)
         if time.time() - max(stat.st_mtime, stat.st_ctime) > SETTLED_S:
             self.facts[str(path)] = [key, fact]

@@ -20,7 +20,7 @@ class Needs(dict[str, dict[str, Callable[..., int]]]):
     def __init__(self, materials: Mapping[str, Sequence[str]], measured: Path = MEASURED) -> None:
         rules: Mapping[str, Mapping[str, int]] = yaml.safe_load(measured.read_text(encoding="utf-8"))
 
-        def given(needs: Mapping[str, int], name: str) -> Callable[..., int]:
+        def need_of(needs: Mapping[str, int], name: str) -> Callable[..., int]:
             once, further = needs[name] + (BESIDE_MB if name == "mem_mb" else 0), needs.get(FURTHER[name], 0)
 
             def least(wildcards: Any, attempt: int) -> int:
@@ -29,4 +29,4 @@ class Needs(dict[str, dict[str, Callable[..., int]]]):
 
             return least
 
-        super().__init__({rule: {name: given(needs, name) for name in FURTHER} for rule, needs in rules.items()})
+        super().__init__({rule: {name: need_of(needs, name) for name in FURTHER} for rule, needs in rules.items()})

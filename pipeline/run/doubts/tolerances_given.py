@@ -36,8 +36,8 @@ def tolerances(run: Run) -> Iterator[Tolerance]:
         key = next((key for key in system.tolerance if parameter.name in (key, f"{key}_mm")), None)
         if key is not None:
             unit = unit_of(parameter.name).replace("1", "")
-            share, given = key not in system.absolute, key in run.tolerance
-            yield Tolerance(key, parameter.nominal, parameter.sigma, unit, share, given)
+            share, is_given = key not in system.absolute, key in run.tolerance
+            yield Tolerance(key, parameter.nominal, parameter.sigma, unit, share, is_given)
 
 
 def read_back(run: Run) -> str:

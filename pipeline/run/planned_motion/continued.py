@@ -49,8 +49,8 @@ def _at_step(recorded: pd.DataFrame, step_s: float, channel: str, drawn: bool) -
     if not drawn and abs(own_s - step_s) <= SAME * step_s:
         return recorded
     width, at_s = max(SMOOTH_S, step_s) / own_s, np.arange(time_s[0], time_s[-1], step_s)
-    made = pd.DataFrame({"time_s": at_s})
+    resampled = pd.DataFrame({"time_s": at_s})
     for name in recorded.columns.drop("time_s"):
         values = recorded[name].to_numpy(float)
-        made[name] = np.interp(at_s, time_s, values if name == channel else gaussian_filter1d(values, width))
-    return made[list(recorded.columns)]
+        resampled[name] = np.interp(at_s, time_s, values if name == channel else gaussian_filter1d(values, width))
+    return resampled[list(recorded.columns)]

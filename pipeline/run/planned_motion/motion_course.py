@@ -120,5 +120,5 @@ class Recorded:
     def turns(self) -> Turns:
         """Where the motion turned, in the driver's unit."""
         span = self.ends[1] - self.ends[0]
-        known = [course.turns(span)[1] for course in self.courses]
-        return {top: np.concatenate([turned[top] for turned in known]) for top in (True, False)}
+        course_turns = [course.turns(span)[1] for course in self.courses]
+        return {top: np.concatenate([turned[top] for turned in course_turns]) for top in (True, False)}

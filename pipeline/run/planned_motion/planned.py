@@ -28,7 +28,7 @@ def read_plan(path: Path) -> pd.DataFrame:
 
 
 def planned(
-    run: Run, given: pd.DataFrame, path: Path, recorded: pd.DataFrame | None = None
+    run: Run, plan_table: pd.DataFrame, path: Path, recorded: pd.DataFrame | None = None
 ) -> tuple[pd.DataFrame, bool]:
     """Samples of the motion that a table plans for a run's rig, and whether it was drawn by corners.
 
@@ -38,10 +38,10 @@ def planned(
     samples do are joined by straight lines. Other columns are left out. A load that it lacks is that of what was
     `recorded` if it stood still, or `rig.load_n`. Raises BadInput, also where nothing tells the load.
     """
-    system, table = run.system, _by_own_names(run, given, path)
+    system, table = run.system, _by_own_names(run, plan_table, path)
     lacking = [name for name in ("time_s", system.driver) if name not in table.columns]
     if lacking:
-        columns_there = ", ".join(map(str, given.columns[:12]))
+        columns_there = ", ".join(map(str, plan_table.columns[:12]))
         mend = f"give a table with time_s, {system.driver}{f', {system.load}' if system.load else ''} in these units"
         own = [f"{run.channels[name].column} for {name}" for name in lacking if _own_column(run, name)]
         own_names = f", or with the columns of the recording: {' and '.join(own)}" if own else ""

@@ -55,14 +55,14 @@ class Channels:
             return self.run.channels[name]
         named = [channel.column for channel in self.run.channels.values()]
         if name not in table.columns:
-            known = self.run.system.columns
-            free = [column for column in table.columns if column not in (*known, *named)]
+            own_columns = self.run.system.columns
+            free = [column for column in table.columns if column not in (*own_columns, *named)]
             if in_unit := in_its_unit(name, free):
                 if name not in self._said:
                     self._said.add(name)
                     print(f"{self.path}: {name} is read from its column {in_unit[0]}, in {in_unit[1]}", file=sys.stderr)
                 return Channel.model_validate({"column": in_unit[0], "unit": in_unit[1]})
-            if name not in known[:3]:
+            if name not in own_columns[:3]:
                 return None
         return Channel.model_validate({})
 
@@ -111,9 +111,9 @@ class Channels:
             if channel.step_s is not None:
                 samples[name] = self._counted(table, name, channel)
                 continue
-            place, given = self._placed(table, name, channel), name in self.run.channels
+            place, is_named = self._placed(table, name, channel), name in self.run.channels
             if place in taken:
-                field, other = (name, taken[place]) if given else (taken[place], name)
+                field, other = (name, taken[place]) if is_named else (taken[place], name)
                 problem = f"is column {key_name(table.columns[place])}, which is {other} as well"
                 mend = "give each channel a column of its own"
                 raise BadInput(self.mapping, f"channels.{field}.column", problem, mend)
@@ -162,9 +162,9 @@ class Channels:
         seconds = stamps.seconds(column)
         wrong = (seconds.isna() & column.notna()).to_numpy()
         if self._refuses(wrong):
-            held, good = short(column.iloc[int(np.argmax(wrong))]), short(stamps.example)
+            wrong_cell, good = short(column.iloc[int(np.argmax(wrong))]), short(stamps.example)
             where = FileLines(self.path, self.run.file)(self._sample + int(np.argmax(wrong)))
-            problem = f"{where} holds {held}, not a time of day like {good}"
+            problem = f"{where} holds {wrong_cell}, not a time of day like {good}"
             mend = f"write it as the others, or remove that {where.partition(' ')[0]}"
             raise BadInput(self.path, "time_s", problem, mend)
         return seconds

@@ -16,7 +16,7 @@ class NoColumn(BadInput):
     """A table lacks the column of a channel."""
 
 
-def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, given: bool, described: Path) -> int:
+def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, is_named: bool, described: Path) -> int:
     """Index of a channel's column, which `described` tells; raises BadInput where the file has none, or two."""
     key = name if channel.column is None else channel.column
     if isinstance(key, int):
@@ -30,25 +30,25 @@ def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, given
         raise BadInput(path, name, f"the column {key!r} is there {len(places)} times", mend)
     if not places:
         names = ", ".join(key_name(name) for name in table.columns[:SHOWN])
-        where = f"correct channels.{name}.column" if given else f"name the column under channels.{name}"
+        where = f"correct channels.{name}.column" if is_named else f"name the column under channels.{name}"
         raise NoColumn(path, name, f"there is no column {key!r}, only {names}", f"{where} in {described.name}")
     return places[0]
 
 
 def check_columns(
-    table: pd.DataFrame, wanted: dict[str, Channel], path: Path, given: Container[str], described: Path
+    table: pd.DataFrame, wanted: dict[str, Channel], path: Path, own_channels: Container[str], described: Path
 ) -> None:
     """Raise BadInput where two or more channels name a column that the table lacks, for all of them.
 
-    `given` are the channels whose columns the file `described` tells. One alone is for `place_of` to refuse.
+    `own_channels` are the channels whose columns the file `described` tells. One alone is for `place_of` to refuse.
     """
     keys = {name: name if channel.column is None else channel.column for name, channel in wanted.items()}
     lacking = {name: key for name, key in keys.items() if isinstance(key, str) and key not in table.columns}
     if len(lacking) < 2:
         return
     names = ", ".join(key_name(name) for name in table.columns[:SHOWN])
-    verb = "correct" if all(name in given for name in lacking) else "name the columns under"
-    where = ", ".join(f"channels.{name}{'.column' * (name in given)}" for name in lacking)
+    verb = "correct" if all(name in own_channels for name in lacking) else "name the columns under"
+    where = ", ".join(f"channels.{name}{'.column' * (name in own_channels)}" for name in lacking)
     *several, last = map(repr, lacking.values())
     problem = f"there are no columns {', '.join(several)} and {last}, only {names}"
     raise NoColumn(path, ", ".join(lacking), problem, f"{verb} {where} in {described.name}")

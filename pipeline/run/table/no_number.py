@@ -22,10 +22,10 @@ def are_few(wrong: int, rows: int) -> bool:
     return wrong <= MOST * rows
 
 
-def _mend(held: str, layout: TextFile) -> str:
-    if DECIMAL_COMMA.fullmatch(held) and layout.decimal != ",":
+def _mend(cell: str, layout: TextFile) -> str:
+    if DECIMAL_COMMA.fullmatch(cell) and layout.decimal != ",":
         return "write numbers with a decimal point" if layout.delimiter == "," else 'set file.decimal to ","'
-    if SIGNED.fullmatch(held):
+    if SIGNED.fullmatch(cell):
         return f'write numbers with no other sign in them than the decimal sign "{layout.decimal}"'
     return ""
 
@@ -36,14 +36,14 @@ def no_number(column: pd.Series, wrong: np.ndarray, first: int, layout: TextFile
     `first` is the number of its first row in the file's table, from 0.
     """
     place, count = int(np.argmax(wrong)), int(wrong.sum())
-    held = column.iloc[place]
+    cell = column.iloc[place]
     lines = lines_of(path, layout, [first + place])
     what = "line" if lines else "row"
     more = f"; so do {counted(count - 1, f'more {what}')}" if count > 1 else ""
     mend = f"remove these {what}s, or name the column that is meant" if count > 1 else f"remove that {what}"
     where = f"line {lines[first + place][0]}" if lines else by_row(first - (layout.rows or (0, 0))[0] + place)
-    problem = f"{where} holds {short(held)}, not a number{more}"
-    return BadInput(path, name, problem, _mend(str(held).strip(), layout) or mend)
+    problem = f"{where} holds {short(cell)}, not a number{more}"
+    return BadInput(path, name, problem, _mend(str(cell).strip(), layout) or mend)
 
 
 def without_damaged(samples: pd.DataFrame, path: Path, layout: TextFile) -> tuple[pd.DataFrame, list[int], str]:

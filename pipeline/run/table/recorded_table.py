@@ -19,11 +19,11 @@ __all__ = ["asked_columns", "check_lines", "read_frames", "read_recording", "rec
 def asked_columns(run: Run) -> list[str]:
     """Names of the columns that a run's channels are read from, where it has them by name."""
     columns_given = {name: channel.column for name, channel in run.channels.items()}
-    made = {name for name, channel in run.channels.items() if channel.step_s is not None}
+    stepped = {name for name, channel in run.channels.items() if channel.step_s is not None}
     columns = [
         columns_given.get(name) if columns_given.get(name) is not None else name
         for name in run.system.columns
-        if name not in made
+        if name not in stepped
     ]
     return [column for column in columns if isinstance(column, str)]
 

@@ -25,10 +25,10 @@ def of_string(rows: pd.DataFrame, model: str, settings: dict[str, object], seed:
     Raises BadInput for a string of which too little is left to fit.
     """
     last = int(rows["stroke"].max()) - LEFT_OUT
-    known, ahead = rows[rows["stroke"] <= last].reset_index(drop=True), rows[rows["stroke"] > last]
+    early_rows, ahead = rows[rows["stroke"] <= last].reset_index(drop=True), rows[rows["stroke"] > last]
     intervals = Intervals(lambda: make_model(model, **settings))
     try:
-        intervals.fit(known, seed)
+        intervals.fit(early_rows, seed)
     except TooFew as error:
         problem = f"its points but for the last {LEFT_OUT} strokes {error}"
         raise BadInput("string", str(rows["string"].iloc[0]), problem, "record more of it, or leave it out") from None
@@ -39,10 +39,10 @@ def of_string(rows: pd.DataFrame, model: str, settings: dict[str, object], seed:
                 interval = getattr(intervals, map_)(stroke_points.assign(**{column: np.nan}), level)
                 truth, wide = stroke_points[column].to_numpy(), (interval["high"] - interval["low"]).to_numpy()
                 inside = interval["inside"].to_numpy() & np.isfinite(wide)  # what has no end holds anything
-                held = (interval["low"].to_numpy() <= truth) & (truth <= interval["high"].to_numpy())
+                is_held = (interval["low"].to_numpy() <= truth) & (truth <= interval["high"].to_numpy())
                 width = float(np.median(wide[inside])) if inside.any() else np.nan
                 about = (str(rows["string"].iloc[0]), str(rows["material"].iloc[0]), map_, int(stroke) - last, level)
-                share = float(held[inside].mean()) if inside.any() else np.nan
+                share = float(is_held[inside].mean()) if inside.any() else np.nan
                 results.append((*about, share, width, float(inside.sum()), float((~inside).sum())))
     return pd.DataFrame(results, columns=COVERAGE.names)
 
