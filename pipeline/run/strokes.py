@@ -66,8 +66,8 @@ def _stretches(motion: Motion) -> tuple[Places, Places, Phases]:
     stroke = np.searchsorted(strokes[:-1][rises], first, side="right")
     phase = np.where(up[np.searchsorted(legs[:-1], first, side="right") - 1], "winding", "unwinding").astype(object)
     ends = np.searchsorted(holding.ravel(), first, side="right")  # of stands, up to each: an odd number within one
-    held = (ends % 2).astype(bool)
-    phase[held] = np.where(rests[ends[held] // 2], "rest", "hold")
+    is_hold = (ends % 2).astype(bool)
+    phase[is_hold] = np.where(rests[ends[is_hold] // 2], "rest", "hold")
     change = _changes(stroke, phase)
     return first[change], stroke[change], phase[change]
 

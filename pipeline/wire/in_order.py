@@ -18,19 +18,19 @@ def in_order(parts: Iterable[Part], firsts: Whole, sent: int) -> Iterator[Part]:
     A sample is held until no part is to come that has one before it: memory goes by how late a sample came.
     """
     least = np.minimum.accumulate(np.append(firsts, sent)[::-1])[::-1][1:]  # after each part
-    held: list[Part] = []
+    waiting: list[Part] = []
     for part, later in zip(parts, least.tolist(), strict=True):
         if part[0][0] >= sent:
             continue
-        held.append(part)
-        if min(numbers[0] for numbers, _ in held) >= later:
+        waiting.append(part)
+        if min(numbers[0] for numbers, _ in waiting) >= later:
             continue
-        numbers, samples = joined(held)
+        numbers, samples = joined(waiting)
         order = np.argsort(numbers, kind="stable")
         numbers, samples = numbers[order], samples[order]
         stop = int(np.searchsorted(numbers, later))
         yield numbers[:stop], samples[:stop]
-        held = [(numbers[stop:], samples[stop:])] if stop < len(numbers) else []
+        waiting = [(numbers[stop:], samples[stop:])] if stop < len(numbers) else []
 
 
 def joined(parts: list[Part]) -> Part:

@@ -56,9 +56,9 @@ def find(times: Iterable[float], usual: float) -> tuple[int, list[Lost]]:
     """How many holes there are, and the first of them: samples before it, that time, and about how many are missing."""
     holes: list[Lost] = []
     count, number = 0, 0  # of the buffer's first sample
-    left, stamps, excess, judged = iter(times), np.empty(0), np.empty(0), 0
+    times_left, stamps, excess, judged = iter(times), np.empty(0), np.empty(0), 0
     while 0 < usual < np.inf:
-        piece = np.fromiter(islice(left, PIECE), np.float64)
+        piece = np.fromiter(islice(times_left, PIECE), np.float64)
         excess = np.append(excess, _excess(np.append(stamps[-1:], piece), usual))
         stamps = np.append(stamps, piece)
         over = len(piece) < PIECE

@@ -57,13 +57,13 @@ def _taken(excess: Array, side: int, least: float) -> Array:
     """How many samples each step hides, the highest leaps first, if such leaps count from the least one on."""
     lost = np.zeros(len(excess))
     for _ in range(ROUNDS):
-        left = excess - lost
-        ahead = _ahead(left, side)
-        score = np.where((ahead > least) & (left > OWN), ahead + left, -np.inf)
+        residual = excess - lost
+        ahead = _ahead(residual, side)
+        score = np.where((ahead > least) & (residual > OWN), ahead + residual, -np.inf)
         peaks = _first_highest(score, side)
         if not peaks.any():
             break
-        most = left + (left > LONG)  # the leap also holds some of a hole beside it, and the step its own jitter
+        most = residual + (residual > LONG)  # the leap also holds some of a hole beside it, and the step its own jitter
         lost[peaks] += np.maximum(1.0, np.rint(np.minimum(ahead, most)[peaks]))
     return lost
 

@@ -28,18 +28,18 @@ def likely(columns: Sequence[str], channels: Sequence[str], own: Mapping[object,
     """
     if 2 * sum(is_known((name,)) or name in own for name in columns) < len(columns):
         return ""  # a banner, not names
-    held = {name: own.get(name) or _held(name, channels, columns) for name in columns}
-    taken = {name: channel for name, channel in held.items() if channel}
+    channel_of = {name: own.get(name) or _held(name, channels, columns) for name in columns}
+    taken = {name: channel for name, channel in channel_of.items() if channel}
     free = [channel for channel in channels if channel not in taken.values()]
     for name in columns:
         meant = next((each for each in free if _says(name, each)), None)
         if name not in taken and meant is not None:
             taken[name] = meant
             free.remove(meant)
-    left = [name for name in columns if name not in taken]
+    unmatched = [name for name in columns if name not in taken]
     lacking = [channel for channel in channels[:NEEDED] if channel in free]
-    if len(left) == len(lacking) == 1:  # of several the order would be a guess
-        taken[left[0]] = lacking[0]
+    if len(unmatched) == len(lacking) == 1:  # of several the order would be a guess
+        taken[unmatched[0]] = lacking[0]
     names = [_called(name, taken[name], own) if name in taken else name for name in columns]
     if "" in names or not {*channels[:NEEDED]} <= {*taken.values()}:
         return ""

@@ -35,8 +35,8 @@ def clock_of(info: CaptureJson) -> str:
 def _names(info: CaptureJson, naming: Naming) -> str:
     """The option that names the columns: as they are called now, or as they may be called if these are no names."""
     columns = tuple(info["columns"])
-    known = all(is_known((name,)) for name in columns)
-    return f"--columns {','.join(columns)}" if known else naming.option(len(columns))
+    all_known = all(is_known((name,)) for name in columns)
+    return f"--columns {','.join(columns)}" if all_known else naming.option(len(columns))
 
 
 def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:

@@ -23,8 +23,8 @@ def corrected(columns: Sequence[str], channels: Sequence[str], own: Container[ob
     free = [name for name in (*channels, *TIMES) if name not in columns]
     names = []
     for name in columns:
-        known = name in channels or name in own or any(in_its_unit(channel, [name]) for channel in channels)
-        near = [] if known or TIME.fullmatch(name) else difflib.get_close_matches(name.lower(), free, cutoff=NEAR)
+        is_channel = name in channels or name in own or any(in_its_unit(channel, [name]) for channel in channels)
+        near = [] if is_channel or TIME.fullmatch(name) else difflib.get_close_matches(name.lower(), free, cutoff=NEAR)
         names.append(next((each for each in near if each not in names and _same_unit(name, each)), name))
     return tuple(names)
 
@@ -51,9 +51,9 @@ def _meant(columns: Sequence[str], run: Run | None) -> tuple[tuple[str, ...], st
     """The columns without slips of the pen, and one complete list of what they likely are, empty where none is sure."""
     channels = run.system.columns if run else USUAL
     own = [(channel.column, name) for name, channel in run.channels.items()] if run else []
-    given: dict[object, str] = {column: name for column, name in own if column is not None}
-    meant = corrected(columns, channels, given)
-    return meant, likely(meant, channels, given)
+    name_by_column: dict[object, str] = {column: name for column, name in own if column is not None}
+    meant = corrected(columns, channels, name_by_column)
+    return meant, likely(meant, channels, name_by_column)
 
 
 def doubt(columns: Sequence[str], folder: Path) -> str:

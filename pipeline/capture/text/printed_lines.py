@@ -86,8 +86,8 @@ class Waiting:
         if self._told or not self._from_s < now_s < self._until_s:
             return
         self._told = True
-        left = f"for {self._until_s - now_s:.0f} s more (--wait)"
-        Screen().say(f"waiting for the rig's first line of numbers, {left}: it may boot, home or tare; Ctrl-C ends it")
+        delay = f"for {self._until_s - now_s:.0f} s more (--wait)"
+        Screen().say(f"waiting for the rig's first line of numbers, {delay}: it may boot, home or tare; Ctrl-C ends it")
 
 
 class Telling:

@@ -42,7 +42,7 @@ class ReadChannels:
             self._place(name, self.run)
 
     def _place(self, name: str, run: Run) -> None:
-        columns, known = self.columns, run.system.columns
+        columns, own_columns = self.columns, run.system.columns
         named = [channel.column for channel in run.channels.values()]
         channel = run.channels.get(name, Channel.model_validate({}))
         column: str | int = name if channel.column is None else channel.column
@@ -50,10 +50,10 @@ class ReadChannels:
         if channel.step_s is not None:
             return
         if name not in run.channels and name not in columns:
-            free = [each for each in columns if each not in known and each not in named]
+            free = [each for each in columns if each not in own_columns and each not in named]
             if in_unit := in_its_unit(name, free):
                 column, unit = in_unit
-            elif name not in known[:NEEDED]:
+            elif name not in own_columns[:NEEDED]:
                 return
         if isinstance(column, int) and 0 <= column < len(columns):
             column = columns[column]
