@@ -79,8 +79,7 @@ def main() -> None:
     parser.add_argument(
         "--strokes-before", type=int, metavar="N", help="strokes done before its first recording; default: 0"
     )
-    columns = "needed are the columns time_s, motor_turns, displacement_mm, or what --channels names; load_n, "
-    columns += "temperature_c, motor_current_a may be left out"
+    columns = "needed are the columns time_s, motor_turns, displacement_mm, or what --channels names"
     parser.add_argument("--recording", type=Path, metavar="FILE", help=f".csv, .csv.gz or .parquet; {columns}")
     channels = "what is where: '{time_s: t, motor_turns: {column: a, unit: rad}}'"
     parser.add_argument("--channels", metavar="YAML", help=channels)

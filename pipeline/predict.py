@@ -38,11 +38,17 @@ from .models.parts.saved_files import check_own, datasets, listed
 from .notebook.asked_model import LEVEL, answered_anew, refuse
 from .stages.train import seed
 
+BRIEFLY = (
+    "Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material. A "
+    "question that was not recorded so is answered without an interval: `inside` is false, and `why` says the reason. "
+    "A row that is no question is left unanswered, and the exit status is 2."
+)
+
 
 @program
 def main() -> None:
     """Write the answers to a csv of questions."""
-    parser = Parser(prog=command("predict"), description=__doc__)
+    parser = Parser(prog=command("predict"), description=BRIEFLY)
     parser.ending = listed(exported())
     parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
     parser.add_argument(

@@ -31,37 +31,32 @@ def parsed(description: str) -> SimulateOptions:
     parser.add_argument("run_dir", type=run_dir, metavar="RUN_DIR", help="the run whose motion and load are simulated")
     parser.add_argument(
         "--simulation", type=Path, metavar="FILE.json",
-        help="a diagnosis.json: its mechanisms and dimensions, in place of those of run.yaml, so that nothing counts "
-        "twice; default: the mechanisms that run.yaml has adopted with the dimensions that fit with them",
+        help="a diagnosis.json: its mechanisms and dimensions, in place of those that run.yaml has adopted; default: "
+        "what run.yaml has adopted",
     )  # fmt: skip
     parser.add_argument(
         "--motion", type=Path, metavar="PLAN.csv",
-        help="a motion that nobody has recorded, in place of the run's: .csv or .parquet with time_s, "
-        "motor_turns and, unless it stands still, load_n (a string's channels), or the names of channels in "
-        "run.yaml; corners of a string's motion will do. The answer has a band too: nine of ten readings lie from "
-        "low_mm to high_mm, if the explanation is right. Where the motion leaves what was recorded the column outside "
-        "is 1, and the band is empty",
+        help="a motion that nobody has recorded: time_s, motor_turns and, unless it stands still, load_n, or the "
+        "names of run.yaml; corners of a string's motion will do. Nine of ten readings lie from low_mm to high_mm, if "
+        "the explanation is right; outside is 1 where the motion leaves what was recorded",
     )  # fmt: skip
     parser.add_argument(
         AFTER_RECORDING, action="store_true",
-        help="with --motion: the recorded motion of the run goes before the plan, so that creep, wear and heat are as "
-        "the recording left them. The plan begins at once, from where the recording ended. Default: the string as "
-        "before its first stroke",
+        help="with --motion: the plan begins where the recording ended, crept, warm and worn as it left the string; "
+        "default: as before its first stroke",
     )  # fmt: skip
     parser.add_argument(
         RESIDUAL, action="store_true",
-        help="also what a black box, which is no physics, adds: residual_mm, and residual_low_mm to residual_high_mm, "
-        "where nine of ten readings lie. It says whether it helps on strokes that it has not seen",
+        help="also what a black box, which is no physics, adds, and whether that helps on unseen strokes",
     )  # fmt: skip
     parser.add_argument(
         HOME, action="store_true",
-        help="for a run of which the diagnosis was not made: take that part of it which holds on the first stroke of "
-        "the recording, a motor's zero homed there anew. Default: all of it, with the zero of the diagnosis' own run",
+        help="for a run of which the diagnosis was not made: home the motor's zero on its first stroke, and take what "
+        "holds there; default: all of it, with the zero of the diagnosis' own run",
     )  # fmt: skip
     parser.add_argument(
         "--out", type=Path, required=True, metavar="FILE",
-        help="the file that is written, .parquet or .csv, with a row for each sample and two columns: time_s, and what "
-        "the rig reads, displacement_mm of a string (jaw_deg of a cable_drive, force_n of a moving_mass, …); "
+        help="the file that is written, .parquet or .csv: time_s, and what the rig reads, such as displacement_mm; "
         "with --motion more; required",
     )  # fmt: skip
     arguments = parser.parse_args()

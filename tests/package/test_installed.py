@@ -23,7 +23,7 @@ from pipeline.models.parts.saved import write_json
 
 ROOT = Path(__file__).resolve().parents[2]
 Command = Callable[..., subprocess.CompletedProcess[str]]
-SCREEN = 40  # lines, of 100 columns
+SCREEN = 38  # lines, of 80 columns
 EVERY_HELP = """
 import sys
 from contextlib import suppress
@@ -40,7 +40,7 @@ CLEAN = {name: value for name, value in os.environ.items() if not name.startswit
 
 def ended(*words: object, cwd: Path) -> subprocess.CompletedProcess[str]:
     """How a command ended that sees nothing of the checkout."""
-    environment = {**CLEAN, "COLUMNS": "100", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+    environment = {**CLEAN, "COLUMNS": "80", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
     return subprocess.run([str(word) for word in words], cwd=cwd, capture_output=True, text=True, env=environment)
 
 
