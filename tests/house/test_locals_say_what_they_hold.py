@@ -4,7 +4,9 @@ import ast
 from pathlib import Path
 
 PIPELINE = Path(__file__).parents[2] / "pipeline"
+STRANGERS = PIPELINE / "rig" / "authors"  # by other hands, each in words of its own
 WORDS = {"one", "found", "told", "asked", "said", "here", "there", "those", "it", "some"}
+FILLERS = {"known", "held", "left", "given", "made"}  # strangers may use them
 
 
 def held_by(source: str) -> set[str]:
@@ -19,19 +21,22 @@ def held_by(source: str) -> set[str]:
             named.add(node.arg)
         elif isinstance(node, ast.FunctionDef):
             named |= {inner.name for inner in ast.walk(node) if isinstance(inner, ast.FunctionDef) and inner != node}
-    return named & WORDS
+    return named & (WORDS | FILLERS)
 
 
 def test_a_local_says_what_it_holds() -> None:
     held = {path.relative_to(PIPELINE).as_posix(): held_by(path.read_text("utf-8")) for path in PIPELINE.rglob("*.py")}
-    named = {f"{module}: {word}" for module, words in held.items() for word in words}
+    named = {
+        f"{module}: {word}" for module, words in held.items() for word in words
+        if word in WORDS or not PIPELINE.joinpath(module).is_relative_to(STRANGERS)
+    }  # fmt: skip
     assert len(held) > 600
     assert named == set(), "call it after what it holds"
 
 
 def test_a_word_is_found_wherever_a_name_is_given() -> None:
     assert held_by("def a():\n    one = 1\n") == {"one"}
-    assert held_by("def a(found): ...") == {"found"}
+    assert held_by("def a(found): ...") == {"found"} and held_by("known = 1") == {"known"}
     assert held_by("[some for some in x]\nlambda told: told\nwith x as there: ...\nif (it := 1): ...") == {
         "some", "told", "there", "it",
     }  # fmt: skip
