@@ -26,12 +26,13 @@ from .ground.given_table import opened
 from .ground.jump_notes import NAME, read_jumps
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
-from .models.interface import usual
+from .models.interface import about, usual
 from .models.parts.questions.bad_rows import refusal
 from .models.parts.questions.beside_questions import beside_questions
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.recorded_pairs import pairs_of
 from .models.parts.questions.recorded_strokes import Under
+from .models.parts.questions.strings_alike import one_answer, strings_alike
 from .models.parts.questions.unanswered import first_of
 from .models.parts.rolling_origin import last_strokes
 from .models.parts.saved_files import check_own, datasets, listed
@@ -86,6 +87,7 @@ def main() -> None:
         strings = questions.points["string"].unique()
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)
+        arguments.model = source.name
         pairs, strokes = pairs_of(dataset), last_strokes(dataset)
         under = Under.of(dataset, source.foreseen[1] if source.foreseen else 0)
         table = beside_questions(
@@ -98,6 +100,8 @@ def main() -> None:
             dataset, questions, arguments.model, arguments.settings, arguments.seed, arguments.level, arguments.dataset
         )
         by, less = f"by a {arguments.model} fitted anew to {arguments.dataset}", "without an interval"
+    if not about(arguments.model).each_string_apart and (words := one_answer(arguments.model, strings_alike(dataset))):
+        print(words, file=sys.stderr)
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum()) - len(questions.bad)
     noted = int((table["inside"] & (table["why"] != "")).sum())

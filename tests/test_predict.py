@@ -462,3 +462,26 @@ def test_all_columns_and_all_strings_that_are_missing_are_named_at_once(dataset)
     )
     assert "load_n, recorded are 10 to 17 N" in done.stderr
     assert f"recorded are {', '.join(f'made-{number:02d}' for number in range(8))}" in done.stderr
+
+
+def test_strings_of_the_same_sizes_have_one_answer_and_that_is_said(dataset):
+    """`string` was asked for, both strings had the same number, and nothing said that it is their mean."""
+    first = pd.read_parquet(dataset)
+    second = first.assign(string="made-02", run="made-02", displacement_mm=first["displacement_mm"] * 0.9)
+    path, text = dataset.with_name("two.parquet"), "stroke,direction,motor_turns,string\n2,1,9,made-01\n2,1,9,made-02\n"
+    schemas.write(pd.concat([first.assign(string="made-01"), second], ignore_index=True), schemas.DATASET, path)
+    done = ask(path, text, "--model", "polynomial")
+    answers = pd.read_csv(path.with_name("answers.csv"))["displacement_mm"]
+    beware = "beware: polynomial does not tell strings of the same sizes apart: made-01, made-02 have one answer, "
+    assert answers.nunique() == 1 and beware in done.stderr, done.stderr
+    done = ask(path, text, "--model", "calibrated")
+    assert pd.read_csv(path.with_name("answers.csv"))["displacement_mm"].nunique() == 2 and "beware" not in done.stderr
+    schemas.write(
+        pd.concat([first.assign(string="made-01"), second.assign(radius_mm=0.6)], ignore_index=True),
+        schemas.DATASET,
+        path,
+    )
+    done = ask(
+        path, text.replace("string\n", "string,radius_mm\n").replace("-01\n", "-01,0.4\n").replace("-02\n", "-02,0.6\n")
+    )
+    assert done.returncode == 0 and "beware" not in done.stderr, "their sizes set them apart"

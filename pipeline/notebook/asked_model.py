@@ -29,8 +29,9 @@ def answers(
     The answer repeats the questions, and has the value, its interval of probability `level` (`displacement_mm_low`,
     `displacement_mm_high` in mm, or `motor_turns_low`, `motor_turns_high` in turns), `inside`, whether such a question
     was recorded, and `why` not; then it has no interval. The interval is of one reading: at 0.9 nine of ten measured
-    points lie in it. Displacements have the zero of `points`: `Recording.tare_mm` leads to the sensor's. Raises
-    BadInput for columns that are missing or unknown, and where no row can be answered.
+    points lie in it. Strings of the same sizes have one answer, but by `calibrated`. Displacements have the zero of
+    `points`: `Recording.tare_mm` leads to the sensor's. Raises BadInput for columns that are missing or unknown, and
+    where no row can be answered.
     """
     name = model or usual()
     settings = settings_in_json(name, more)

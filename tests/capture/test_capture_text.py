@@ -557,6 +557,8 @@ def test_columns_that_were_guessed_wrongly_are_named_anew_by_recover(tmp_path):
         recover_lines(folder, ())
     after = recover_lines(folder, ("time_ms", "motor_turns", "displacement_mm"))
     assert after["columns"] == ["time_ms", "motor_turns", "displacement_mm"]
+    with pytest.raises(BadInput, match="nothing to recover: it is read by these columns already"):
+        recover_lines(folder, ("time_ms", "motor_turns", "displacement_mm"))
     assert (after["started_utc"], after["sha256"]) == (before["started_utc"], before["sha256"])
     assert json.loads((folder / "capture.json").read_text()) == after
     assert (folder / "recording.csv").read_bytes().startswith(HEADER.replace(b"\r", b""))

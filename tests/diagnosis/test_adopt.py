@@ -341,7 +341,7 @@ def test_what_was_adopted_is_taken_out_again_and_run_yaml_is_what_it_was(folder:
         "usage: python -m pipeline.adopt DIAGNOSIS.json RUN_DIR [--sure]\n       python -m pipeline.adopt --remove"
     )
     columns = " ".join(programs.run("pipeline.simulate", "--help").stdout.split())
-    assert columns.startswith("usage: python -m pipeline.simulate ") and "two columns: time_s, and what" in columns
+    assert columns.startswith("usage: python -m pipeline.simulate ") and "time_s, and what the rig reads" in columns
 
 
 def test_simulating_prints_the_error_against_the_recording(folder: Path) -> None:

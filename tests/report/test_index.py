@@ -170,6 +170,9 @@ def test_the_table_of_strings_says_what_nobody_measured_and_ranges(tmp_path):
     schemas.write(many, schemas.DATASET, tmp_path / "many.parquet")
     text = recorded_strings(by_stroke(tmp_path / "many.parquet"), "nylon")
     assert "The strings of nylon" in text and text.count("<tr>") == 8 and "String s-1" not in text
+    assert "has one answer for strings of the same sizes" in text
+    one_string = recorded_strings(by_stroke(tmp_path / "dataset.parquet").loc[["a-01"]], "nylon")
+    assert "one answer" not in one_string
 
 
 def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_page_that_was_not_made(

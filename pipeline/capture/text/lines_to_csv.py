@@ -145,6 +145,8 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
     more = bool(columns) and not info.get("columns_given") and info.get("lines", {}).get("unnamed", 0) != 0
     if digests[1] == info.get("csv_sha256") and columns in ((), before) and not more:
         mend = "there is nothing to recover; columns that were read wrongly are named with --columns"
+        if columns:
+            mend = "there is nothing to recover: it is read by these columns already"
         raise BadInput(folder, "capture.json", "is there, so the run is finished", mend)
     columns = columns or (before if info.get("columns_given") else ())
     return commit_lines(folder, columns, began, ended, outcome, anew=True)

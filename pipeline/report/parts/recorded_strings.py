@@ -25,6 +25,10 @@ NOTHING = 1e-3  # of the largest: a twist so small is said as 0
 ROWS = 1 << 16  # of a dataset that are held at once
 FEW = 6  # strings that have a sentence each; more stand in a table
 NOT_MEASURED = "not measured"
+ONE_ANSWER = (
+    "Asked single points, every model but calibrated has one answer for strings of the same sizes, that of all of them "
+    "together. For models of one string alone give its runs a material of their own."
+)
 NONE = "none"
 
 
@@ -105,6 +109,8 @@ def recorded_strings(strokes: pd.DataFrame, material: str, tared: Collection[str
     if len(of_strings) <= FEW:
         by_string = [own for _, own in strokes.groupby(level="string", sort=False)]
         words = [(sentence(row), strokes_of_runs(own, tared)) for row, own in zip(of_strings, by_string, strict=True)]
-        return together([paragraph(" ".join(filter(None, sentences))) for sentences in words])
+        alike = [(ONE_ANSWER,)] if len(of_strings) > 1 else []
+        return together([paragraph(" ".join(filter(None, sentences))) for sentences in [*words, *alike]])
     head = ["string", "runs", *HEAD.values(), "strokes"]
-    return table(head, of_strings, f"The strings of {material}", (0, 1), paged=True)
+    every = table(head, of_strings, f"The strings of {material}", (0, 1), paged=True)
+    return together([every, paragraph(ONE_ANSWER)])
