@@ -20,7 +20,7 @@ from .export.source import opened as opened_model
 from .ground import schemas
 from .ground.command import HOUSE, command
 from .ground.counts import counted
-from .ground.errors import program
+from .ground.errors import BadInput, program
 from .ground.files import write_text
 from .ground.given_table import opened
 from .ground.jump_notes import NAME, read_jumps
@@ -85,6 +85,11 @@ def main() -> None:
     if arguments.saved:
         check_own(arguments.saved, arguments.dataset)
         strings = questions.points["string"].unique()
+        own = arguments.saved.resolve().parent.name  # the model's, as its export takes it
+        if len(strings) > 1 and own in exported() and about(own).each_string_apart:
+            problem = f"are several, and {arguments.saved} answers for one at a time"
+            mend = f"ask about one string in a file, or leave --saved out: --model {own} answers for all"
+            raise BadInput(arguments.questions, "string", problem, mend)
         beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
         source = opened_model(arguments.saved, None, beside)
         arguments.model = source.name

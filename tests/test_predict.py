@@ -476,6 +476,11 @@ def test_strings_of_the_same_sizes_have_one_answer_and_that_is_said(dataset):
     assert answers.nunique() == 1 and beware in done.stderr, done.stderr
     done = ask(path, text, "--model", "calibrated")
     assert pd.read_csv(path.with_name("answers.csv"))["displacement_mm"].nunique() == 2 and "beware" not in done.stderr
+    file = saved_model(path, pd.read_parquet(path), "calibrated", "within-0")
+    done = ask(path, text, "--saved", str(file))
+    assert done.returncode == 2 and "leave --saved out: --model calibrated answers for all" in done.stderr, done.stderr
+    assert "--string" not in done.stderr, "predict has no such option"
+    assert ask(path, text.rpartition("2,1,9")[0], "--saved", str(file)).returncode == 0
     schemas.write(
         pd.concat([first.assign(string="made-01"), second.assign(radius_mm=0.6)], ignore_index=True),
         schemas.DATASET,
