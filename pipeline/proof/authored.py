@@ -7,10 +7,11 @@ import numpy as np
 from ..ground.outside_library import is_outside
 from ..rig.authors import authors
 from ..rig.authors.interface import Asked, Made, OutOfReach, Protocol
+from ..run.run_yaml import RunYaml
 from .plan import Planned
 from .sealed import Answer, EffectJson
 
-__all__ = ["OutOfReach", "answer", "asked_of", "made"]
+__all__ = ["OutOfReach", "answer", "asked_of", "described", "made"]
 
 HIDES = {"none": 0, "single": 1, "pair": 2, "open": 1}  # effects in a case, by stratum
 
@@ -35,6 +36,11 @@ def made(planned: Planned) -> Made:
     if strange:
         raise OutOfReach(f"{planned.author} knows no law of {', '.join(strange)}")
     return author.make(asked_of(planned, list(author.laws)))
+
+
+def described(run: str, authored_case: Made) -> RunYaml:
+    """What `run.yaml` says of an author's recording that is called `run`."""
+    return {"run": run, **authored_case.content, "string": {**authored_case.content["string"]}}
 
 
 def answer(planned: Planned, authored_case: Made) -> Answer:

@@ -8,7 +8,6 @@ from typing import Any, cast
 
 from ..ground.errors import BadInput, program
 from ..ground.files import write_text
-from ..run.run_yaml import RunYaml
 from . import authored
 from .case import Case, Stratum, answer, draw_case, performed
 from .conceal import plain, write_run
@@ -31,11 +30,7 @@ def concealed(planned: Planned, runs: Path) -> Answer:
     try:
         if planned.author:
             authored_case = authored.made(planned)
-            content: RunYaml = {
-                "run": planned.run,
-                **authored_case.content,
-                "string": {**authored_case.content["string"]},
-            }
+            content = authored.described(planned.run, authored_case)
             write_run(content, authored_case.table, runs / planned.run)
             return {**question, **authored.answer(planned, authored_case)}
         case = drawn(planned)

@@ -12,9 +12,8 @@ from .motion_commands import Commands
 from .wandering_strength import Waves
 
 Parameter = float | list[float] | tuple[float, float] | Waves
-Parameters = dict[
-    str, Parameter
-]  # arguments of an effect's `Model`: numbers, or lists of them; and its `unsteady` waves
+# arguments of an effect's `Model`: numbers, or lists of them; and its `unsteady` waves
+Parameters = dict[str, Parameter]
 
 
 @dataclass(frozen=True)

@@ -80,4 +80,6 @@ def test_a_page_has_the_command_that_says_what_the_simulator_leaves_out(pages):
     assert f"What the simulator leaves out of these runs: {command}" in text
     both = f"{command.removesuffix('</code>')}".replace(" --out reports/mine", " --together --out reports/mine/")
     assert both in text and "tell more than each alone" in text, "two runs of one string"
+    odd = left_out_of({"spool 3": ["a-01", "a-02"]})
+    assert "--out &#39;reports/mine/spool 3&#39;</code>" in odd, "a shell reads it as one word"
     assert "--together" not in left_out_of({"a": ["a-01"], "b": ["b-01"]}), "two strings"

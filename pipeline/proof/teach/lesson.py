@@ -22,6 +22,7 @@ from ...run.description import parse_run
 from ...run.run_yaml import RunYaml
 from ...run.samples import check
 from ...run.table.recorded_table import to_samples
+from ..authored import described
 
 PROTOCOLS: tuple[Protocol, ...] = ("rich", "rich", "usual", "poor")
 SINGLES, PAIRS, OPEN = (0.5, 12.0), (0.7, 10.0), (0.7, 12.0)  # sizes in noise floors, drawn evenly in their logarithm
@@ -92,8 +93,7 @@ def problem_of(lesson: Lesson) -> Problem | None:
             authored_case = authors()[lesson.author].make(request)
         except OutOfReach:
             continue
-        content: RunYaml = {"run": "lesson", **authored_case.content, "string": {**authored_case.content["string"]}}
-        return make_problem([recorded(content, authored_case.table)])
+        return make_problem([recorded(described("lesson", authored_case), authored_case.table)])
     return None
 
 

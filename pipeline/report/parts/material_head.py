@@ -46,12 +46,16 @@ def left_out_of(runs_of: Mapping[str, Sequence[str]]) -> Markup:
         "What the simulator leaves out of {}{}: <code>{}</code> writes it into reports/mine/&lt;run&gt;/verdict.txt."
         " The main job shows it on the page of all reports.{}"
     )
-    together_too = next((Markup(TOGETHER).format(string, _diagnose(own, f" --together --out reports/mine/{string}"))
-                         for string, own in runs_of.items() if 1 < len(own) <= NAMED), "")  # fmt: skip
-    each = _diagnose(runs[:NAMED], " --out reports/mine")
-    return paragraph(shape.format("this run" if len(runs) == 1 else "these runs", more, each, together_too))
+    several = [(string, own) for string, own in runs_of.items() if 1 < len(own) <= NAMED]
+    as_one = Markup("").join(
+        Markup(TOGETHER).format(string, _diagnose(own, f"reports/mine/{string}", "--together "))
+        for string, own in several[:1]
+    )
+    each = _diagnose(runs[:NAMED], "reports/mine")
+    return paragraph(shape.format("this run" if len(runs) == 1 else "these runs", more, each, as_one))
 
 
-def _diagnose(runs: Sequence[str], more: str) -> str:
-    """The command that diagnoses runs, with `more` options."""
-    return f"python -m pipeline.diagnose {' '.join(shlex.quote(f'raw/{run}') for run in runs)}{more}"
+def _diagnose(runs: Sequence[str], out: str, options: str = "") -> str:
+    """The command that diagnoses runs into the folder `out`, for a shell."""
+    folders = " ".join(shlex.quote(f"raw/{run}") for run in runs)
+    return f"python -m pipeline.diagnose {folders} {options}--out {shlex.quote(out)}"
