@@ -6,39 +6,42 @@ a stroke that was not recorded around its load, or further ahead than errors cou
 (`inside` false, its reason in `why`) and has no bounds: their cells are empty. Between recorded loads the interval is
 wider: by the errors at recorded loads that were left out whole, or, of two loads, over the answers at both. A row that
 is no question has no answer, and its reason in `why`; the others are answered, and the exit status is 2. With `--saved`
-a model that was fitted before answers, as its export does and without intervals; the same questions are flagged. No
-question tells how long the string has stood: holds and rests are asked of `simulate --motion`.
+a model that was fitted before answers, as its export does and without intervals; the same questions are flagged. Where
+no size sets strings apart they have one answer, and the column `answer_of` names them; with `--each-string` the model
+is fitted to the points of each string alone. No question tells how long the string has stood: holds and rests are asked
+of `simulate --motion`.
 """
 
 import sys
 from pathlib import Path
 
-from .export.asked import answers as saved_answers
+from .export.asked_saved import model_of, saved_answers
 from .export.interface import names as exported
-from .export.source import Beside
-from .export.source import opened as opened_model
 from .ground import schemas
 from .ground.command import HOUSE, command
 from .ground.counts import counted
-from .ground.errors import BadInput, program
+from .ground.errors import program
 from .ground.files import write_text
 from .ground.given_table import opened
 from .ground.jump_notes import NAME, read_jumps
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
-from .models.interface import about, usual
+from .models.interface import usual
 from .models.parts.questions.bad_rows import refusal
-from .models.parts.questions.beside_questions import beside_questions
 from .models.parts.questions.question_points import read_questions
-from .models.parts.questions.recorded_pairs import pairs_of
-from .models.parts.questions.recorded_strokes import Under
-from .models.parts.questions.strings_alike import one_answer, strings_alike
+from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
 from .models.parts.questions.unanswered import first_of
-from .models.parts.rolling_origin import last_strokes
-from .models.parts.saved_files import check_own, datasets, listed
-from .notebook.asked_model import LEVEL, answered_anew, refuse
+from .models.parts.saved_files import dataset_mend, listed, material_of
+from .notebook.asked_model import LEVEL, Fitted, refuse
+from .report.model_to_take.fitted import FLOORS
+from .report.model_to_take.usual_model import chosen_of, errors_in
 from .stages.train import seed
 
+ALONE = "--each-string, or --model calibrated"  # the options that answer for one string alone
+ZERO = (
+    "Contractions have the model's zero, not the sensor's: the rest before a string's first stroke is set to what the "
+    "paper's equation gives there."
+)
 BRIEFLY = (
     "Questions → answers with intervals: the contraction for a twist, or the twist for a contraction, of a material. A "
     "question that was not recorded so is answered without an interval: `inside` is false, and `why` says the reason. "
@@ -64,6 +67,11 @@ def main() -> None:
     )
     saved = "this fitted model answers, as its export: processed/<material>/<model>/<split>-<seed>.model"
     parser.add_argument("--saved", type=Path, metavar="FILE", help=saved)
+    parser.add_argument(
+        "--each-string",
+        action="store_true",
+        help="fit the model to the recordings of each string alone; default: strings of the same sizes have one answer",
+    )
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument(
         "--level", type=float, default=LEVEL, help="probability that an interval holds the truth; default: %(default)s"
@@ -71,42 +79,29 @@ def main() -> None:
     parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--out", type=Path, required=True, help="the file of the answers, csv; required")
     arguments = parser.parse_args()
-    if arguments.saved and (arguments.model or arguments.settings != "{}"):
-        parser.error("--saved takes a model as it is: leave out --model and --settings")
-    arguments.model = arguments.model or usual()
+    if arguments.saved and (arguments.model or arguments.settings != "{}" or arguments.each_string):
+        parser.error("--saved takes a model as it is: leave out --model, --settings and --each-string")
+    is_named, arguments.model = bool(arguments.model), arguments.model or usual()
     refuse(arguments.model, arguments.settings, arguments.level)
     reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
     file_to_write(arguments.out, reads=reads)
-    near = ", ".join(map(str, datasets())) or "processed/<material>/dataset.parquet, which the main job makes"
-    dataset = opened(arguments.dataset, schemas.DATASET, f"name {near}")
+    dataset = opened(arguments.dataset, schemas.DATASET, dataset_mend(arguments.dataset))
     for note in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {note}", file=sys.stderr)
     questions = read_questions(arguments.questions, dataset)
     if arguments.saved:
-        check_own(arguments.saved, arguments.dataset)
-        strings = questions.points["string"].unique()
-        own = arguments.saved.resolve().parent.name  # the model's, as its export takes it
-        if len(strings) > 1 and own in exported() and about(own).each_string_apart:
-            problem = f"are several, and {arguments.saved} answers for one at a time"
-            mend = f"ask about one string in a file, or leave --saved out: --model {own} answers for all"
-            raise BadInput(arguments.questions, "string", problem, mend)
-        beside = Beside(dataset=arguments.dataset, string=str(strings[0]) if len(strings) == 1 else None)
-        source = opened_model(arguments.saved, None, beside)
-        arguments.model = source.name
-        pairs, strokes = pairs_of(dataset), last_strokes(dataset)
-        under = Under.of(dataset, source.foreseen[1] if source.foreseen else 0)
-        table = beside_questions(
-            questions,
-            lambda part, from_column: saved_answers(source, part, from_column, arguments.saved, pairs, strokes, under),
-        )
+        table = saved_answers(arguments.saved, dataset, questions, arguments.dataset, arguments.questions)
+        arguments.model = model_of(arguments.saved)
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:
-        table = answered_anew(
-            dataset, questions, arguments.model, arguments.settings, arguments.seed, arguments.level, arguments.dataset
+        options = arguments.model, arguments.settings, arguments.seed, arguments.level, arguments.each_string
+        table = Fitted(dataset, *options, arguments.dataset).answered(questions, arguments.questions)
+        to = f"each string of {arguments.dataset}" if arguments.each_string else str(arguments.dataset)
+        by, less = f"by a {arguments.model} fitted anew to {to}", "without an interval"
+    if ANSWER_OF in table:
+        print(
+            one_answer(arguments.model, strings_alike(dataset), "--each-string, or --model calibrated"), file=sys.stderr
         )
-        by, less = f"by a {arguments.model} fitted anew to {arguments.dataset}", "without an interval"
-    if not about(arguments.model).each_string_apart and (words := one_answer(arguments.model, strings_alike(dataset))):
-        print(words, file=sys.stderr)
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum()) - len(questions.bad)
     noted = int((table["inside"] & (table["why"] != "")).sum())
@@ -119,8 +114,18 @@ def main() -> None:
     print(f". The column `why` says why{end}" if counts else "")
     for sentence in sentences:
         print(f"  {sentence}")
+    print(ZERO)
+    if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
+        print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")
     if questions.bad:
         raise refusal(arguments.questions, questions.bad, len(questions.points))
+
+
+def _taken_by_page(dataset: Path) -> str:
+    """The model that the page of a dataset's material takes; empty where there is no such page."""
+    models_csv = dataset.resolve().parents[2] / "reports" / material_of(dataset) / "models.csv"
+    errors_mm = errors_in(models_csv) if material_of(dataset) else {}
+    return chosen_of({model for model, _ in errors_mm} - set(FLOORS), errors_mm)
 
 
 if __name__ == "__main__":

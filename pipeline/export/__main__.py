@@ -19,10 +19,11 @@ from . import closing_words
 from .all_points import fitted_to_all
 from .c_header import header
 from .interface import names
-from .source import Beside, opened
+from .source import Beside, opened, strings_apart
 
 TWO = "If one program uses two exports, give the second one its own --name."
 REST = "Its zero, its runs, and what was recorded stand in the {}."
+MOST_STRINGS = 20  # that are exported where none is named
 LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
 
 
@@ -49,7 +50,7 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--split", choices=SPLITS, help="whose training points give the ranges; otherwise the file's")
     anew = f"fit it anew to all points, and export that: the answers of {program_name('predict')} without --saved"
     parser.add_argument("--all-points", action="store_true", help=anew)
-    parser.add_argument("--string", help="which of a calibrated model's strings")
+    parser.add_argument("--string", help="which of a calibrated model's strings; default: each, in its own folder")
     return parser.parse_args(words)
 
 
@@ -99,41 +100,50 @@ def main() -> None:
         )
     is_folder = options.out is None or _names_a_folder(options.out)
     options.out = usual_folder(options.file) if options.out is None else Path(options.out)
+    strings = strings_apart(options.file, options.model) if options.string is None and is_folder else []
+    if len(strings) > MOST_STRINGS:
+        problem = f"it keeps {len(strings)} apart"
+        raise BadInput(options.file, "string", problem, f"say --string with one of {', '.join(strings)}")
+    places = [(string, options.out / string) for string in strings] if len(strings) > 1 else []
+    for string, out in places or [(options.string, options.out)]:
+        lines = _exported(options, out, is_folder, string)
+        print("\n".join([f"{string}:", *lines] if places else lines))
+    if places:
+        print(f"Each of the {len(places)} strings has an export of its own; --string makes one alone.")
+    if options.format == "c":
+        print(f"All of its names begin with {options.name}_. {TWO}")
+    print(REST.format("header's first comment" if options.format == "c" else "graphs' metadata"))
+
+
+def _exported(options: argparse.Namespace, out: Path, is_folder: bool, string: str | None) -> list[str]:
+    """Write the export of one string, or of all, into a folder or as a header; lines that say what it is."""
+    beside = Beside(options.dataset, options.split, string)
     if options.format == "c":
         if is_folder:
-            options.out = folder_to_write(options.out) / f"{options.name}.h"
-        _header_to_write(options.out, [options.file, *([options.dataset] if options.dataset else [])])
+            out = folder_to_write(out) / f"{options.name}.h"
+        _header_to_write(out, [options.file, *([options.dataset] if options.dataset else [])])
     else:
-        options.out = folder_to_write(options.out)
-    beside = Beside(options.dataset, options.split, options.string)
-    if options.all_points:
-        options.file = fitted_to_all(options.file, options.model, beside)
-    source = opened(options.file, options.model, beside)
+        out = folder_to_write(out)
+    file = fitted_to_all(options.file, options.model, beside) if options.all_points else options.file
+    source = opened(file, options.model, beside)
+    same = closing_words.in_python(source, file)
     if options.format == "c":
-        out = options.out
-        with writable(options.file):
+        with writable(file):
             text = header(source, options.name)
         write_text(out, text)
-        first_lines = [
-            f"{out}: {out.stat().st_size} bytes of text",
-            *closing_words.lines(source),
-            *closing_words.compiled(out, options.name),
-        ]
-        more = f"All of its names begin with {options.name}_. {TWO}"
-        same = closing_words.in_python(source, options.file)
-        print("\n".join([*first_lines, same, more, REST.format("header's first comment")]))
-        return
+        tried = closing_words.compiled(out, options.name)
+        return [f"{out}: {out.stat().st_size} bytes of text", *closing_words.lines(source), *tried, same]
     from .onnx_model import GIVEN, graphs  # a header needs no onnx
 
-    with writable(options.file):
+    with writable(file):
         graph_by_way = graphs(source, options.name)
+    lines = []
     for way, graph in graph_by_way.items():
-        out = options.out / f"{options.name}.{way}.onnx"
-        with whole(out) as temporary:
+        path = out / f"{options.name}.{way}.onnx"
+        with whole(path) as temporary:
             temporary.write_bytes(graph.SerializeToString())
-        print(f"{out}: {out.stat().st_size} bytes. {closing_words.columns(source, GIVEN[way])}")
-    same = closing_words.in_python(source, options.file)
-    print("\n".join([*closing_words.lines(source), same, REST.format("graphs' metadata")]))
+        lines.append(f"{path}: {path.stat().st_size} bytes. {closing_words.columns(source, GIVEN[way])}")
+    return [*lines, *closing_words.lines(source), same]
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ from .facts import facts
 from .held_out import ANEW
 from .inputs import MEANING
 from .interface import Source
-from .trained_on import NO_STRING
+from .trained_on import ALIKE, NO_STRING
 
 EXAMPLE = Path("examples/control_loop.c")
 USUAL = "tsa"  # the name that the example is written for
@@ -18,14 +18,15 @@ SENTENCE = re.compile(r"(?<=\.) (?=[A-Z])")
 
 
 def lines(source: Source) -> list[str]:
-    """How large the error is, a line each split; that no string is real; that the fit is a small one."""
+    """How large the error is, a line each split; which strings have one answer; that no string is real; a small fit."""
     sentences = facts(source)
     errors = [text for text in SENTENCE.split((source.errors or "").replace(ANEW, "").strip()) if text]
+    together = [text for text in SENTENCE.split(source.trained or "") if text.endswith(ALIKE)]
     synthetic = [MADE_UP] if NO_STRING in (source.trained or "") else []
     unusual = (
         [sentences["fit"]] if not sentences["fit"].startswith(("Made with the usual", "This model has no")) else []
     )
-    return [*errors, *synthetic, *unusual]
+    return [*errors, *together, *synthetic, *unusual]
 
 
 def compiled(header: Path, name: str) -> list[str]:

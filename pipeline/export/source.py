@@ -24,7 +24,7 @@ from .inputs import Inputs
 from .interface import Source, exporter, names
 from .recorded_ranges import pairs_recorded, strokes_foreseen, twists_recorded, values_recorded
 from .start_state import start_values
-from .trained_on import trained_on
+from .trained_on import one_answer_of, trained_on
 
 TRIED = 20  # queries that a model must answer before it is exported
 
@@ -70,6 +70,19 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
     return source
 
 
+def strings_apart(file: Path, name: str | None) -> list[str]:
+    """The strings that a file's model keeps apart, each with an export of its own; none of any other model or file."""
+    name = name or Path(os.path.realpath(file)).parent.name
+    if name not in names() or not about(name).each_string_apart or not file.is_file():
+        return []
+    model: Any = make_model(name)
+    try:
+        model.load(file)
+    except Exception:  # `opened` says what is wrong with the file
+        return []
+    return sorted(model.moves)
+
+
 def _loaded(file: Path, name: str, beside: Beside) -> Source:
     """The model of a file; raises BadInput for one that cannot be exported, anything for a file of no model."""
     model: Any = make_model(name)
@@ -86,6 +99,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
     dataset = dataset_of(file, beside)
     last, foreseen = inputs.last_stroke, strokes_foreseen(dataset)
     points, trained = twists_recorded(dataset, last), trained_on(dataset, last)
+    alike = "" if about(name).each_string_apart else one_answer_of(dataset, last)
     values, pairs = values_recorded(points), pairs_recorded(points)
     string = beside.string if about(name).each_string_apart else None
     errors = cache(partial(errors_of, file, name, model, dataset, string))
@@ -99,7 +113,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         foreseen,
         pairs=pairs,
         under=Under.of(points, foreseen[1]) if foreseen else None,
-        trained=trained,
+        trained=" ".join(filter(None, (trained, alike))),
         start=start_values(dataset, inputs),
         on_unseen=errors,
     )

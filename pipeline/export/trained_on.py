@@ -8,10 +8,12 @@ from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE
 from ..ground.regular_file import read_regular
+from ..models.parts.questions.strings_alike import SIZES, strings_alike
 from .recorded_ranges import points_to
 
 SHOWN = 3  # runs that are named
 LARGEST = 10_000_000  # bytes of a capture.json
+ALIKE = " are of the same sizes and have one answer, that of all of them together."
 NO_STRING = "They are of twistbench's synthetic rig: a simulation, and no real string. Do not drive a real rig by this."
 
 
@@ -31,6 +33,13 @@ def trained_on(dataset: Path, last_stroke: int) -> str:
     words = f"Fitted to points of run{'s' * (len(runs) > 1)} {named}{material}: {span}."
     made_up = processed and (folder.name == SYNTHETIC or _of_the_synthetic_rig(folder.parents[1] / "raw", runs))
     return f"{words} {NO_STRING}" if made_up else words
+
+
+def one_answer_of(dataset: Path, last_stroke: int) -> str:
+    """Which strings of a dataset a model that reads their sizes does not tell apart; empty where it does."""
+    points = points_to(dataset, last_stroke, ["string", *SIZES])
+    groups = dict.fromkeys(strings_alike(points).values()) if len(points) else {}
+    return " ".join(f"Strings {strings}{ALIKE}" for strings in groups)
 
 
 def _of_the_synthetic_rig(raw: Path, runs: Sequence[str]) -> bool:

@@ -24,6 +24,11 @@ def recover_command(folder: Path) -> str:
     return f"{command('capture')} --recover {shlex.quote(str(folder))}"
 
 
+def make_command(file: Path) -> str:
+    """What a person types in a checkout to make one file of the main job; empty where it is installed."""
+    return "" if INSTALLED else f"snakemake --cores 2 -- {shlex.quote(str(file))}"
+
+
 def quoted(text: str) -> str:
     """A word of a command line in quotes, in double ones where it has single ones and nothing that a shell reads."""
     return f'"{text}"' if "'" in text and not set(text) & set('"$`\\!') else shlex.quote(text)

@@ -1,5 +1,6 @@
 """Questions about a string, answered with intervals by a model that is fitted to recorded points, in memory."""
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import pandas as pd
@@ -8,8 +9,10 @@ from ..ground.errors import BadInput
 from ..models.interface import about, usual
 from ..models.parts.configured import configured, fitting
 from ..models.parts.questions.beside_questions import beside_questions, with_intervals
+from ..models.parts.questions.each_string import Answer, by_string, check_recorded
 from ..models.parts.questions.prediction_intervals import Intervals, TooFew
 from ..models.parts.questions.question_points import Questions, questions_of
+from ..models.parts.questions.strings_alike import strings_alike, with_whom
 from ..models.parts.thinned import thinned
 from .as_arguments import as_arguments, settings_in_json
 
@@ -17,8 +20,9 @@ LEVEL = 0.9  # the probability that an interval holds the truth, unless told oth
 
 
 def answers(
-    points: pd.DataFrame, questions: pd.DataFrame, model: str = "", seed: int = 0, level: float = LEVEL, **more: object
-) -> pd.DataFrame:
+    points: pd.DataFrame, questions: pd.DataFrame, model: str = "", seed: int = 0, level: float = LEVEL,
+    each_string: bool = False, **more: object,
+) -> pd.DataFrame:  # fmt: skip
     """The contraction of each twist, or the twist of each contraction, that is asked about, with its interval.
 
     `points` are those of recordings, as `twistbench.points` gives them. `questions` has a row for each question:
@@ -29,15 +33,17 @@ def answers(
     The answer repeats the questions, and has the value, its interval of probability `level` (`displacement_mm_low`,
     `displacement_mm_high` in mm, or `motor_turns_low`, `motor_turns_high` in turns), `inside`, whether such a question
     was recorded, and `why` not; then it has no interval. The interval is of one reading: at 0.9 nine of ten measured
-    points lie in it. Strings of the same sizes have one answer, but by `calibrated`. Displacements have the zero of
-    `points`: `Recording.tare_mm` leads to the sensor's. Raises BadInput for columns that are missing or unknown, and
-    where no row can be answered.
+    points lie in it. Strings of the same sizes have one answer, and `answer_of` names them; `calibrated` tells them
+    apart, and so does any model with `each_string`, which is fitted to the points of each string alone. Displacements
+    have the zero of `points`: `Recording.tare_mm` leads to the sensor's. Raises BadInput for columns that are missing
+    or unknown, and where no row can be answered.
     """
     name = model or usual()
     settings = settings_in_json(name, more)
     with as_arguments():
         refuse(name, settings, level)
-        return answered_anew(points, questions_of(questions, points), name, settings, seed, level, Path("points"))
+        fitted = Fitted(points, name, settings, seed, level, each_string, Path("points"))
+        return fitted.answered(questions_of(questions, points), Path("questions"))
 
 
 def refuse(name: str, settings: str, level: float) -> None:
@@ -50,19 +56,47 @@ def refuse(name: str, settings: str, level: float) -> None:
         raise BadInput("--model", name, problem, f"choose another, such as {usual()}")
 
 
-def answered_anew(
-    dataset: pd.DataFrame, questions: Questions, name: str, settings: str, seed: int, level: float, source: Path
-) -> pd.DataFrame:
-    """Questions beside the answers of a model of a name, with settings in JSON, that is fitted to a dataset's points.
+@dataclass(frozen=True)
+class Fitted:
+    """A model of a name, with settings in JSON, that is fitted to a dataset's points; `source` is their file.
 
-    Raises BadInput where too few points of the `source` tell how the model errs.
+    With `each_string` it is fitted to the points of each string that is asked about alone.
     """
-    intervals = Intervals(lambda: configured(name, settings))
-    try:
-        with fitting(name):
-            intervals.fit(thinned(dataset), seed)
-            return beside_questions(
-                questions, lambda part, from_column: with_intervals(intervals, part, from_column, level)
-            )
-    except TooFew as error:
-        raise BadInput(source, "points", str(error), "record more strokes, or more samples a stroke") from None
+
+    dataset: pd.DataFrame
+    name: str
+    settings: str
+    seed: int
+    level: float
+    each_string: bool
+    source: Path
+
+    def answered(self, questions: Questions, asked_in: Path) -> pd.DataFrame:
+        """Questions beside their answers; `asked_in` is the file of the questions, for complaints.
+
+        Raises BadInput where too few points tell how the model errs, and for a string alone that was not recorded.
+        """
+        strings = questions.points["string"].astype(str)
+        if self.each_string:
+            check_recorded(strings, self.dataset, asked_in)
+            return beside_questions(questions, by_string(self._fitted_to))
+        answers = beside_questions(questions, self._fitted_to())
+        alike = {} if about(self.name).each_string_apart else strings_alike(self.dataset)
+        return with_whom(answers, strings.set_axis(questions.rows, axis=0), alike)
+
+    def _fitted_to(self, string: str = "") -> Answer:
+        """What answers questions by a fit to the points of one string, or of all where none is named."""
+        points = self.dataset[self.dataset["string"].astype(str) == string] if string else self.dataset
+        intervals = Intervals(lambda: configured(self.name, self.settings))
+        try:
+            with fitting(self.name):
+                intervals.fit(thinned(points), self.seed)
+        except TooFew as error:
+            of = f"points of {string}" if string else "points"
+            raise BadInput(self.source, of, str(error), "record more strokes, or more samples a stroke") from None
+
+        def answer(part: pd.DataFrame, from_column: str) -> pd.DataFrame:
+            with fitting(self.name):  # between recorded loads more is fitted
+                return with_intervals(intervals, part, from_column, self.level)
+
+        return answer

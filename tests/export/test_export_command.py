@@ -198,6 +198,34 @@ def test_the_ranges_need_the_dataset_and_one_string(source: Any, folder: Path, t
     assert export(of_four, "--format", "c", "--out", out, "--string", "s1").returncode == 0
 
 
+@pytest.mark.parametrize("form", ["c", "onnx"])
+def test_each_string_that_a_model_keeps_apart_gets_an_export(tmp_path: Path, form: str) -> None:
+    """The command that a material's page prints was refused where the model to take was calibrated."""
+    of_four, out = saved("calibrated", "campaign", tmp_path / "four"), tmp_path / "out"
+    done = export(of_four, "--format", form, "--out", out)
+    assert done.returncode == 0, done.stderr
+    files = sorted(path.relative_to(out).as_posix() for path in out.rglob("*.*"))
+    names = ["tsa.h"] if form == "c" else ["tsa.forward.onnx", "tsa.inverse.onnx"]
+    assert files == [f"s{number}/{name}" for number in range(4) for name in names]
+    assert "Each of the 4 strings has an export of its own" in done.stdout
+    if form == "c":
+        texts = {path.read_text() for path in out.rglob("tsa.h")}
+        assert len(texts) == 4, "each has its own numbers"
+        alone = export(of_four, "--format", form, "--out", tmp_path / "alone.h", "--string", "s2")
+        assert alone.returncode == 0 and (tmp_path / "alone.h").read_text() == (out / "s2" / "tsa.h").read_text()
+
+
+def test_an_export_says_which_strings_it_does_not_tell_apart(tmp_path: Path) -> None:
+    file = saved("spline", "one", tmp_path / "two")
+    points = pd.read_parquet(tmp_path / "two" / "dataset.parquet")
+    both = pd.concat([points, points.assign(string="made-02", run="made-02")], ignore_index=True)
+    schemas.write(both, schemas.DATASET, tmp_path / "two" / "dataset.parquet")
+    sentence = "Strings made-01, made-02 are of the same sizes and have one answer, that of all of them together."
+    done = export(file, "--format", "c", "--out", tmp_path / "tsa.h")
+    comment = " ".join((tmp_path / "tsa.h").read_text().partition("*/")[0].replace("*", " ").split())
+    assert sentence in done.stdout and sentence in comment
+
+
 @pytest.mark.parametrize(
     "wrong",
     [

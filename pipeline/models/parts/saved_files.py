@@ -4,6 +4,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from ...ground import seal
+from ...ground.command import make_command
 from ...ground.counts import counted
 from ...ground.errors import BadInput
 from ..interface import usual
@@ -47,6 +48,19 @@ def listed(names: Collection[str]) -> str:
 def datasets() -> list[Path]:
     """The materials' datasets in `processed/`."""
     return [path for folder in _materials() if (path := folder / "dataset.parquet").is_file()]
+
+
+def material_of(dataset: Path) -> str:
+    """The material of a dataset that lies where the main job puts it; empty of any other."""
+    folder = dataset.resolve().parent
+    return folder.name if folder.parent.name == PROCESSED.name else ""
+
+
+def dataset_mend(dataset: Path) -> str:
+    """What to do where a dataset is not there: name one of those that are, or make it alone."""
+    paths = ", ".join(map(str, datasets())) or "processed/<material>/dataset.parquet, which the main job makes"
+    make = make_command(dataset) if material_of(dataset) and not dataset.exists() else ""
+    return f"name {paths}{f'; or make it alone, in seconds: {make}' if make else ''}"
 
 
 def dataset_beside(file: Path, name: str = "dataset.parquet") -> Path:

@@ -27,7 +27,8 @@ FEW = 6  # strings that have a sentence each; more stand in a table
 NOT_MEASURED = "not measured"
 ONE_ANSWER = (
     "Asked single points, every model but calibrated has one answer for strings of the same sizes, that of all of them "
-    "together. For models of one string alone give its runs a material of their own."
+    "together. predict --each-string answers for each string alone. For an export of one string alone write another "
+    "material: into the run.yaml of its runs."
 )
 NONE = "none"
 

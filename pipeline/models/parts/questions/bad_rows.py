@@ -64,9 +64,10 @@ def _mends(bad: Sequence[BadRow]) -> str:
         rows_by_mend.setdefault(entry.mend, []).append(entry.row)
     if len(rows_by_mend) == 1:
         return next(iter(rows_by_mend))
-    return "; ".join(f"{_numbers(rows)}: {mend}" for mend, rows in rows_by_mend.items())
+    return "; ".join(f"{numbered(rows)}: {mend}" for mend, rows in rows_by_mend.items())
 
 
-def _numbers(rows: Sequence[int]) -> str:
-    """Rows by number: row 3, rows 2, 5."""
-    return f"row{'s' * (len(rows) > 1)} {', '.join(map(str, rows))}"
+def numbered(rows: Sequence[int]) -> str:
+    """Rows by number: row 3; rows 2, 5; of many the first."""
+    more = f" and {len(rows) - SHOWN} more" if len(rows) > SHOWN else ""
+    return f"row{'s' * (len(rows) > 1)} {', '.join(map(str, rows[:SHOWN]))}{more}"

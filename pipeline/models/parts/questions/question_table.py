@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 
 from ....formats.text import read_text
-from ....ground.complaint import key_name, meant, short
+from ....ground.complaint import key_name, short
 from ....ground.errors import BadInput
 from ....ground.text_file import TextFile
 from ....ground.units import unit_of
@@ -18,6 +18,7 @@ IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the m
     "file.delimiter": ("columns", "part the columns by commas, and write numbers with a point: 3.5"),
     "file.encoding": ("file", "save it as CSV in UTF-8"),
 }
+ALIKE = 0.7  # from there on a name is a misspelt one: `note` is no `stroke`, `stroek` is
 MOST = 10  # wrong columns that are named
 OTHER_NAMES = {  # of a column's quantity, without unit
     "displacement_mm": {"contraction", "displacement", "shortening", "x"},
@@ -97,7 +98,7 @@ def _nearest(name: str, columns: Collection[str]) -> str:
     if renamed := _renamed(name, columns):
         return renamed
     begun = [column for column in columns if len(name) > 2 and column.startswith(name)]
-    close = begun if len(begun) == 1 else difflib.get_close_matches(name[:60], list(columns), n=1)
+    close = begun if len(begun) == 1 else difflib.get_close_matches(name[:60], list(columns), n=1, cutoff=ALIKE)
     return close[0] if close else ""
 
 
@@ -105,9 +106,11 @@ def _meant(name: str, columns: Collection[str]) -> str:
     """The column that a misspelt one is nearest to, with its unit; or all of them."""
     if renamed := _renamed(name, columns):
         return f"rename it: {renamed}? That is in {unit_of(renamed)}"
-    mend = meant(name, columns)
-    unit = next((unit_of(column) for column in columns if mend == f"did you mean {column!r}?"), "1")
-    return mend if unit == "1" else f"{mend} It is in {unit}"
+    nearest = _nearest(name, columns)
+    if not nearest:
+        return f"take it out; known are {', '.join(columns)}"
+    unit = unit_of(nearest)
+    return f"did you mean {nearest!r}?" + ("" if unit == "1" else f" It is in {unit}")
 
 
 def _has_comma(cell: str) -> bool:

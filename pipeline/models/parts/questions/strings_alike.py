@@ -8,24 +8,45 @@ from ..conditions import MEASURED, Conditions
 
 SIZES = tuple(name for name in MEASURED if name != "load_n")  # a load is told by each question
 NAMED = 4  # strings that are named
+ANSWER_OF = "answer_of"  # the column that says of which strings together an answer is
 
 
-def strings_alike(dataset: pd.DataFrame) -> list[str]:
-    """The strings of a dataset that no size and no material sets apart from another one, sorted."""
+def strings_alike(dataset: pd.DataFrame) -> dict[str, str]:
+    """Each string of a dataset that no size and no material sets apart from another: those alike, in words."""
     conditions = Conditions.of(dataset, SIZES)
     by_sizes: dict[tuple[float, ...], list[str]] = {}
     for string, points in dataset.groupby("string"):
         sizes = np.median(conditions.table(points), axis=0)
         by_sizes.setdefault(tuple(np.round(sizes, 6)), []).append(str(string))
-    return sorted(string for alike in by_sizes.values() if len(alike) > 1 for string in alike)
+    return {string: _named(alike) for alike in by_sizes.values() if len(alike) > 1 for string in alike}
 
 
-def one_answer(model: str, strings: list[str]) -> str:
-    """That a model of a name has one answer for strings that are alike; empty where none are."""
-    if not strings:
+def one_answer(model: str, alike: dict[str, str], options: str) -> str:
+    """That a model of a name has one answer for strings that are alike; empty where none are.
+
+    The `options` are those of the command that answers for each string alone.
+    """
+    if not alike:
         return ""
-    more = f" and {counted(len(strings) - NAMED, 'more string')}" if len(strings) > NAMED else ""
+    groups = "; ".join(dict.fromkeys(alike.values()))
     return (
-        f"beware: {model} does not tell strings of the same sizes apart: {', '.join(strings[:NAMED])}{more} have one "
-        "answer, that of all of them together. For answers of one string alone give its runs a material of their own."
+        f"beware: {model} does not tell strings of the same sizes apart: {groups} have one answer, that of all of them "
+        f"together (column `{ANSWER_OF}`). For answers of one string alone: {options}."
     )
+
+
+def with_whom(answers: pd.DataFrame, strings: pd.Series, alike: dict[str, str]) -> pd.DataFrame:
+    """Answers with a column that says of which strings together each is; as they are where no strings are alike.
+
+    `strings` are those that were asked about, with the answers' index; an answer of one string alone has an empty cell.
+    """
+    if alike:
+        whom = strings.astype(str).map(alike).reindex(answers.index).fillna("")
+        answers.insert(list(answers.columns).index("inside"), ANSWER_OF, whom)
+    return answers
+
+
+def _named(strings: list[str]) -> str:
+    """The first of some strings, and how many more they are."""
+    more = f" and {counted(len(strings) - NAMED, 'more string')}" if len(strings) > NAMED else ""
+    return f"{', '.join(sorted(strings)[:NAMED])}{more}"

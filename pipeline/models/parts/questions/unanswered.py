@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 
 from ..box import MARGIN
 from ..rolling_origin import too_far
+from .bad_rows import numbered
 from .beyond_range import also, beyond, held
 from .prediction_intervals import Intervals
 from .reached_contraction import reached_mm
 from .recorded_pairs import around
 
-SHOWN = 5  # questions of which the reason is printed; the file has all
+SHOWN = 5  # reasons that are printed; the file has all
 
 
 def reasons(
@@ -84,10 +85,14 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
 
 
 def first_of(sentences: Sequence[str]) -> list[str]:
-    """The first sentences that say something, each with the number of its row."""
-    numbered = [f"row {number}: {sentence}" for number, sentence in enumerate(sentences, start=1) if sentence]
-    unshown = len(numbered) - SHOWN
-    return numbered[:SHOWN] + ([f"and {unshown} more, each with its reason in the column `why`"] if unshown > 0 else [])
+    """The first reasons, each once with the numbers of its rows; empty sentences are none."""
+    rows_by_reason: dict[str, list[int]] = {}
+    for number, sentence in enumerate(sentences, start=1):
+        if sentence:
+            rows_by_reason.setdefault(sentence, []).append(number)
+    lines = [f"{numbered(rows)}: {reason}" for reason, rows in list(rows_by_reason.items())[:SHOWN]]
+    unshown = sum(map(len, list(rows_by_reason.values())[SHOWN:]))
+    return lines + ([f"and {unshown} more, each with its reason in the column `why`"] if unshown else [])
 
 
 def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: int) -> str:
