@@ -18,7 +18,7 @@ from pathlib import Path
 from .export.asked_saved import model_of, saved_answers
 from .export.interface import names as exported
 from .ground import schemas
-from .ground.command import HOUSE, command
+from .ground.command import HOUSE, command, make_command
 from .ground.counts import counted
 from .ground.errors import program
 from .ground.files import write_text
@@ -54,7 +54,9 @@ def main() -> None:
     """Write the answers to a csv of questions."""
     parser = Parser(prog=command("predict"), description=BRIEFLY)
     parser.ending = listed(exported())
-    parser.add_argument("dataset", type=Path, help="processed/<material>/dataset.parquet")
+    usual_file = "processed/<material>/dataset.parquet"
+    make = make_command(Path(usual_file))
+    parser.add_argument("dataset", type=Path, help=f"{usual_file}{make and f'; made alone by: {make}'}")
     parser.add_argument(
         "questions",
         type=Path,
