@@ -15,7 +15,7 @@ of `simulate --motion`.
 import sys
 from pathlib import Path
 
-from .export.asked_saved import model_of, saved_answers
+from .export.asked_saved import keeps_strings_apart, model_of, saved_answers
 from .export.interface import names as exported
 from .ground import schemas
 from .ground.command import HOUSE, command, make_command
@@ -76,13 +76,15 @@ def main() -> None:
     )
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument(
-        "--level", type=float, default=LEVEL, help="probability that an interval holds the truth; default: %(default)s"
+        "--level", type=float, help=f"probability that an interval holds one measured reading; default: {LEVEL:g}"
     )
     parser.add_argument("--seed", type=seed, default=0)
     parser.add_argument("--out", type=Path, required=True, help="the file of the answers, csv; required")
     arguments = parser.parse_args()
-    if arguments.saved and (arguments.model or arguments.settings != "{}" or arguments.each_string):
-        parser.error("--saved takes a model as it is: leave out --model, --settings and --each-string")
+    anew = arguments.model, arguments.settings != "{}", arguments.each_string, arguments.level is not None
+    if arguments.saved and any(anew):
+        parser.error("--saved takes a model as it is: leave out --model, --settings, --each-string and --level")
+    arguments.level = LEVEL if arguments.level is None else arguments.level
     is_named, arguments.model = bool(arguments.model), arguments.model or usual()
     refuse(arguments.model, arguments.settings, arguments.level)
     reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
@@ -90,14 +92,16 @@ def main() -> None:
     dataset = opened(arguments.dataset, schemas.DATASET, dataset_mend(arguments.dataset))
     for note in read_jumps([arguments.dataset.with_name(NAME)]):
         print(f"beware: {note}", file=sys.stderr)
-    questions = read_questions(arguments.questions, dataset)
     if arguments.saved:
-        table = saved_answers(arguments.saved, dataset, questions, arguments.dataset, arguments.questions)
+        questions = read_questions(arguments.questions, dataset, keeps_strings_apart(arguments.saved))
+        table = saved_answers(arguments.saved, dataset, questions, arguments.dataset)
         arguments.model = model_of(arguments.saved)
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:
         options = arguments.model, arguments.settings, arguments.seed, arguments.level, arguments.each_string
-        table = Fitted(dataset, *options, arguments.dataset).answered(questions, arguments.questions)
+        fitted = Fitted(dataset, *options, arguments.dataset)
+        questions = read_questions(arguments.questions, dataset, fitted.apart)
+        table = fitted.answered(questions)
         to = f"each string of {arguments.dataset}" if arguments.each_string else str(arguments.dataset)
         by, less = f"by a {arguments.model} fitted anew to {to}", "without an interval"
     if ANSWER_OF in table:

@@ -316,7 +316,7 @@ def test_a_saved_model_of_another_material_is_refused(dataset: Path, tmp_path: P
 def test_a_saved_model_takes_no_settings_and_a_file_of_none_is_refused(dataset: Path) -> None:
     text = "stroke,direction,motor_turns\n1,1,3\n"
     done = ask(dataset, text, "--saved", "spline/within-0.model", "--model", "spline")
-    assert done.returncode == 2 and "leave out --model, --settings and --each-string" in done.stderr
+    assert done.returncode == 2 and "leave out --model, --settings, --each-string and --level" in done.stderr
     done = ask(dataset, text, "--saved", str(dataset.parent / "spline" / "no.model"))
     assert done.returncode == 2 and f"is not there. Mend: name one of {dataset.parent}/spline/" in done.stderr
 
@@ -530,14 +530,29 @@ def test_a_saved_model_of_each_string_answers_about_all_of_them(of_two: Path) ->
     done = ask(of_two, TWO, "--saved", str(file))
     assert done.returncode == 0 and not done.stderr, done.stderr
     assert answered(of_two)["displacement_mm"].nunique() == 2 and answered(of_two)["inside"].all()
+    for options in (["--saved", str(file)], ["--model", "calibrated"], ["--model", "polynomial", "--each-string"]):
+        done = ask(of_two, TWO.replace("made-02", "made-03"), *options)
+        table = answered(of_two)
+        assert done.returncode == 2 and not table["inside"][1] and table["displacement_mm"][0] and len(table) == 2
+        reason = "string is made-03, which has no recording; recorded are made-01, made-02"
+        assert table["why"][1] == f"no question: {reason}" and "string: is made-03 in row 2" in done.stderr
+        assert "--string" not in done.stderr, "predict has no such option"
+    file = saved_model(of_two, pd.read_parquet(of_two), "spline", "within-0")
     done = ask(of_two, TWO.replace("made-02", "made-03"), "--saved", str(file))
-    mend = "Mend: ask about made-01, made-02"
-    assert (
-        done.returncode == 2
-        and "string: is made-03, of which there is no recording" in done.stderr
-        and mend in done.stderr
-    )
-    assert "--string" not in done.stderr, "predict has no such option"
+    table = answered(of_two)
+    assert done.returncode == 0 and table["inside"].tolist() == [True, False]
+    assert table["why"][1].startswith("string made-03 is none that it was fitted to"), "it was answered as inside"
+
+
+def test_a_string_of_several_has_the_range_of_its_own_recording(of_two: Path) -> None:
+    """Asked for a contraction that the other string reached, calibrated gave the end of its range as an answer."""
+    points = pd.read_parquet(of_two)
+    most_mm = points.groupby("string")["displacement_mm"].max()
+    assert most_mm["made-01"] > 1.05 * most_mm["made-02"]
+    text = f"stroke,direction,displacement_mm,string\n2,1,{most_mm['made-01'] - 0.01},made-02\n"
+    for options in (["--model", "calibrated"], ["--model", "polynomial", "--each-string"]):
+        assert ask(of_two, text, *options).returncode == 0
+        assert not answered(of_two)["inside"][0] and answered(of_two)["motor_turns_low"][0] == ""
 
 
 def test_the_model_that_the_page_takes_is_named_where_another_answers(of_two: Path) -> None:
@@ -553,11 +568,15 @@ def test_the_model_that_the_page_takes_is_named_where_another_answers(of_two: Pa
     assert "The page of" not in ask(of_two, TWO).stdout
 
 
-def test_a_dataset_that_is_not_there_can_be_made_alone(dataset: Path) -> None:
-    questions, missing = dataset.with_name("questions.csv"), dataset.parent / "processed" / "nylon" / "dataset.parquet"
-    questions.write_text(TWO)
-    done = programs.run("pipeline.predict", missing, questions, "--out", dataset.with_name("answers.csv"))
-    assert done.returncode == 2 and f"or make it alone, in seconds: snakemake --cores 2 -- {missing}." in done.stderr
+def test_a_dataset_that_is_not_there_can_be_made_alone_if_its_material_was_recorded(tmp_path: Path) -> None:
+    (tmp_path / "raw" / "nylon-1").mkdir(parents=True)
+    (tmp_path / "raw" / "nylon-1" / "run.yaml").write_text("material: nylon  # of spool 3\n")
+    (tmp_path / "questions.csv").write_text(TWO)
+    for material in ("nylon", "nylom"):
+        missing = f"processed/{material}/dataset.parquet"
+        done = programs.run("pipeline.predict", missing, "questions.csv", "--out", "answers.csv", cwd=tmp_path)
+        make = f"or make it alone, in seconds: snakemake --cores 2 -- {missing}."
+        assert done.returncode == 2 and (make in done.stderr) == (material == "nylon"), done.stderr
 
 
 def test_a_column_that_is_near_none_is_to_be_taken_out(dataset: Path) -> None:

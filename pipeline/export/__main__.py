@@ -13,10 +13,12 @@ from ..ground.errors import BadInput, program
 from ..ground.files import whole, write_text
 from ..ground.outputs import file_to_write, folder_to_write
 from ..ground.parser import Parser
+from ..models.interface import about
 from ..models.parts.divided import SPLITS
 from ..models.parts.saved_files import listed
 from . import closing_words
 from .all_points import fitted_to_all
+from .asked_saved import model_of
 from .c_header import header
 from .interface import names
 from .source import Beside, opened, strings_apart
@@ -50,7 +52,11 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--split", choices=SPLITS, help="whose training points give the ranges; otherwise the file's")
     anew = f"fit it anew to all points, and export that: the answers of {program_name('predict')} without --saved"
     parser.add_argument("--all-points", action="store_true", help=anew)
-    parser.add_argument("--string", help="which of a calibrated model's strings; default: each, in its own folder")
+    of_string = (
+        "one string alone: a calibrated model has numbers for each, and writes all of them, each in its folder, if "
+        "none is named; another model is fitted anew to that string, with --all-points"
+    )
+    parser.add_argument("--string", help=of_string)
     return parser.parse_args(words)
 
 
@@ -99,7 +105,11 @@ def main() -> None:
             "--name", f"{options.name[:40]}…", f"has {len(options.name)} characters", f"use at most {LONGEST}"
         )
     is_folder = options.out is None or _names_a_folder(options.out)
-    options.out = usual_folder(options.file) if options.out is None else Path(options.out)
+    usual = usual_folder(options.file) / (options.string or "")
+    options.out = usual if options.out is None else Path(options.out)
+    if options.string and not options.all_points and _is_of_all(options.file, options.model):
+        mend = "add --all-points: the model is then fitted anew to that string alone"
+        raise BadInput("--string", options.string, "is no part of a model of all strings together", mend)
     strings = strings_apart(options.file, options.model) if options.string is None and is_folder else []
     if len(strings) > MOST_STRINGS:
         problem = f"it keeps {len(strings)} apart"
@@ -113,6 +123,12 @@ def main() -> None:
     if options.format == "c":
         print(f"All of its names begin with {options.name}_. {TWO}")
     print(REST.format("header's first comment" if options.format == "c" else "graphs' metadata"))
+
+
+def _is_of_all(file: Path, name: str | None) -> bool:
+    """Whether a file's model has no numbers of its own for each string."""
+    name = name or model_of(file)
+    return name in names() and not about(name).each_string_apart
 
 
 def _exported(options: argparse.Namespace, out: Path, is_folder: bool, string: str | None) -> list[str]:

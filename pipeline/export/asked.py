@@ -26,6 +26,7 @@ from .interface import Source
 
 NEAR = 1e-6  # of the range: a twist that was brought to its end
 UNCHECKED = "the export answers, as it checks each number alone (in C tsa_recorded says of which pairs)"
+NAMELESS = "the export answers, as it reads no name"
 FURTHER = "the export answers, by the model's law of n"
 
 
@@ -67,6 +68,9 @@ def answers(
             why[row] = f"{held(value[row], float(least_mm), float(most_mm), conditions)} (TSA_HELD)"
     turns = points["motor_turns"].to_numpy(float) if from_column == "motor_turns" else value
     refused = why != ""
+    for row, string in enumerate(points["string"].astype(str)):
+        if strokes and string not in strokes:
+            why[row] = why[row] or f"string {string} is none that it was fitted to; {NAMELESS}"
     for paired in pairs:
         for row, reason in enumerate(paired.never(points, turns)):
             why[row] = why[row] or (f"{reason}; {UNCHECKED}" if reason else "")

@@ -6,13 +6,14 @@ import pandas as pd
 
 from ..models.interface import about
 from ..models.parts.questions.beside_questions import beside_questions
-from ..models.parts.questions.each_string import Answer, by_string, check_recorded
+from ..models.parts.questions.each_string import Answer, by_string
 from ..models.parts.questions.question_points import Questions
 from ..models.parts.questions.recorded_pairs import pairs_of
 from ..models.parts.questions.recorded_strokes import Under
 from ..models.parts.questions.strings_alike import strings_alike, with_whom
 from ..models.parts.rolling_origin import last_strokes
 from ..models.parts.saved_files import check_own
+from .all_points import string_alone
 from .asked import answers
 from .interface import names
 from .source import Beside, opened
@@ -23,24 +24,28 @@ def model_of(file: Path) -> str:
     return file.resolve().parent.name
 
 
-def saved_answers(
-    file: Path, dataset: pd.DataFrame, questions: Questions, dataset_file: Path, asked_in: Path
-) -> pd.DataFrame:
+def keeps_strings_apart(file: Path) -> bool:
+    """Whether the model of a file answers for each recorded string alone."""
+    return model_of(file) in names() and about(model_of(file)).each_string_apart
+
+
+def saved_answers(file: Path, dataset: pd.DataFrame, questions: Questions, dataset_file: Path) -> pd.DataFrame:
     """Questions beside the answers of a file's model; one that keeps strings apart answers for each of them.
 
-    `dataset` are the points of the `dataset_file`, `asked_in` is the file of the questions. Raises BadInput where the
-    model was fitted to another dataset, holds no model that can be asked, or knows no string that is asked about.
+    `dataset` are the points of the `dataset_file`. Raises BadInput where the file was fitted to another dataset, or
+    holds no model that can be asked.
     """
     check_own(file, dataset_file)
-    pairs, strokes, strings = pairs_of(dataset), last_strokes(dataset), questions.points["string"]
+    strings, alone = questions.points["string"], string_alone(file)
+    fitted = dataset[dataset["string"].astype(str) == alone] if alone else dataset
+    pairs, strokes = pairs_of(fitted), last_strokes(fitted)
 
     def answer_of(string: str | None = None) -> Answer:
         source = opened(file, None, Beside(dataset=dataset_file, string=string))
-        under = Under.of(dataset, source.foreseen[1] if source.foreseen else 0)
+        under = Under.of(fitted, source.foreseen[1] if source.foreseen else 0)
         return lambda part, from_column: answers(source, part, from_column, file, pairs, strokes, under)
 
-    if model_of(file) in names() and about(model_of(file)).each_string_apart:
-        check_recorded(strings, dataset, asked_in)
+    if keeps_strings_apart(file):
         return beside_questions(questions, by_string(answer_of))
     table = beside_questions(questions, answer_of())
-    return with_whom(table, strings.set_axis(questions.rows, axis=0), strings_alike(dataset))
+    return with_whom(table, strings.set_axis(questions.rows, axis=0), strings_alike(fitted))

@@ -3,6 +3,7 @@
 import hashlib
 import textwrap
 
+from ..models.interface import about
 from ..models.parts.box import COLUMNS
 from .c_pairs import USAGE, checked_pairs
 from .c_text import Body, function, real, renamed
@@ -13,6 +14,10 @@ from .recorded_ranges import WHO_SAYS
 from .start_state import start_state, usage
 
 LINE = 110  # characters of a line of the first comment
+BAKED = {
+    False: "Constant in training",
+    True: "Fitted to the string, or constant",
+}  # whether dimensions are the string's
 CODES = (*COLUMNS, "material")  # the same numbers in every header, whichever fields it has
 
 MATHS = """\
@@ -97,9 +102,11 @@ def _comment(source: Source, c_body: Body) -> str:
     inputs, sentences = source.inputs, facts(source)
     who_says = WHO_SAYS if source.pairs is None else "tsa_recorded"
     baked = [f"{field} {value:.6g}" for field, value in inputs.baked.items() if field not in inputs.unread]
+    fitted = about(source.name).each_string_apart
     assumed = [f"{field} is {assumption}." for field, assumption in inputs.assumed.items()]
     lines = [
         f"A twisted string actuator's kinematics, the fitted model {source.name}: twist to contraction and back.",
+        *([f"It is of string {source.string} alone."] if source.string else []),
         "C99 (and C++), no dependency but <math.h>, no allocation, no state. Numbers are float; -DTSA_REAL=double.",
         "Every name begins with tsa_. If one program uses two exports, give the second one its own --name.",
         "",
@@ -119,7 +126,7 @@ def _comment(source: Source, c_body: Body) -> str:
         *_wrapped(sentences.get("errors", "")),
         *_wrapped(f"Zero: {sentences['zero']}"),
         *_wrapped(f"Fit: {sentences['fit']}"),
-        *_wrapped(f"Constant in training, and baked in: {', '.join(baked) or 'nothing'}."),
+        *_wrapped(f"{BAKED[fitted]}, and baked in: {', '.join(baked) or 'nothing'}."),
         *_wrapped(sentences.get("unread", "")),
         *_wrapped(sentences.get("recorded", "").replace(WHO_SAYS, who_says)),
         *assumed,

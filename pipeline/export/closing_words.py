@@ -5,6 +5,7 @@ import shlex
 from pathlib import Path
 
 from ..ground.command import HOUSE, command
+from ..models.interface import about
 from .facts import facts
 from .held_out import ANEW
 from .inputs import MEANING
@@ -54,5 +55,7 @@ def in_python(source: Source, file: Path) -> str:
     if not dataset.is_file():
         model = f'{HOUSE}.load("{source.name}", "{file}")'
         return f"The same answers in Python: {model}, then .forward(points) or .inverse(points)."
-    ask = f"{command('predict')} {shlex.quote(str(dataset))} questions.csv --saved {shlex.quote(str(file))}"
+    alone = source.string and not about(source.name).each_string_apart
+    by = f"--each-string --model {source.name}" if alone else f"--saved {shlex.quote(str(file))}"
+    ask = f"{command('predict')} {shlex.quote(str(dataset))} questions.csv {by}"
     return f"The same answers in Python: {ask} --out answers.csv"

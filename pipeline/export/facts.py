@@ -30,10 +30,10 @@ def facts(source: Source) -> dict[str, str]:
     return always | {name: text for name, text in more.items() if text}
 
 
-def zeroed_runs(dataset: Path) -> tuple[str, ...]:
+def zeroed_runs(dataset: Path, string: str = "") -> tuple[str, ...]:
     """Of each string of a dataset the run in whose first rest its sensor's zero was taken; none where it has many.
 
-    None as well where no such dataset is there.
+    Of a `string` that is named its run alone. None as well where no such dataset is there.
     """
     columns = ["string", "run", "stroke"]
     try:
@@ -41,6 +41,7 @@ def zeroed_runs(dataset: Path) -> tuple[str, ...]:
         points = table.to_pandas()[columns]
     except (OSError, pa.ArrowException, KeyError):
         return ()
+    points = points[points["string"].astype(str) == string] if string else points
     first = points.sort_values("stroke", kind="stable").groupby("string", observed=True, sort=True)["run"].first()
     return tuple(f"{string} in run {run}" for string, run in first.items()) if len(first) <= MOST_STRINGS else ()
 
@@ -66,7 +67,8 @@ def _zero(source: Source) -> str:
 
 def _strokes(source: Source) -> str:
     """How far ahead of the training strokes an error was ever measured."""
-    trained = f"Strokes to {source.inputs.last_stroke} were trained on. Beyond, the model's law of n goes on."
+    trained = f"Strokes to {source.inputs.last_stroke} were trained on."
+    trained += "" if "stroke" in source.deaf else " Beyond, the model's law of n goes on."
     if source.foreseen is None:
         return f"{trained} So many strokes ahead errors are measured, and pipeline.predict gives intervals: {RULE}."
     strokes, ahead = source.foreseen

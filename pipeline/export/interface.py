@@ -20,6 +20,8 @@ FOLDER = Path(__file__).parent / "exporters"
 class Source:
     """A fitted model, its name and its inputs; `zero_mm` is a calibrated sensor's zero.
 
+    `string` is the one that it was fitted to alone; empty where it was fitted to all.
+
     As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `values` what was
     recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
     errors are measured. `pairs` are the twists that were recorded around each condition, `under` the strokes around
@@ -31,6 +33,7 @@ class Source:
     model: Any
     inputs: Inputs
     zero_mm: float = 0.0
+    string: str = ""
     zeroed: tuple[str, ...] = ()
     values: dict[str, str] = field(default_factory=dict)
     foreseen: tuple[int, int] | None = None

@@ -29,9 +29,9 @@ ALONE = (
 )
 
 
-def twists_recorded(dataset: Path, last_stroke: int) -> pd.DataFrame:
+def twists_recorded(dataset: Path, last_stroke: int, string: str = "") -> pd.DataFrame:
     """String, twist and the measured columns of a dataset's points up to a stroke; empty where no dataset is there."""
-    return points_to(dataset, last_stroke, ["string", "motor_turns", *MEASURED])
+    return points_to(dataset, last_stroke, ["string", "motor_turns", *MEASURED], string)
 
 
 def values_recorded(points: pd.DataFrame) -> dict[str, str]:
@@ -49,9 +49,12 @@ def pairs_recorded(points: pd.DataFrame) -> tuple[Paired, ...] | None:
     return pairs_of(points) if len(points) else None
 
 
-def strokes_foreseen(dataset: Path) -> tuple[int, int] | None:
-    """How many strokes a dataset's longest string has, and how many ahead errors are measured; None where unknown."""
-    points = _columns(dataset, ["string", "stroke"])
+def strokes_foreseen(dataset: Path, string: str = "") -> tuple[int, int] | None:
+    """How many strokes a dataset's longest string has, and how many ahead errors are measured; None where unknown.
+
+    Of a `string` that is named it is that one's strokes.
+    """
+    points = _columns(dataset, ["string", "stroke"], string)
     if not len(points):
         return None
     strokes = int(points.groupby("string")["stroke"].nunique().max())
@@ -82,18 +85,22 @@ def unread(source: Source) -> str:
     return " ".join(sentences)
 
 
-def points_to(dataset: Path, last_stroke: int, names: list[str]) -> pd.DataFrame:
-    """The stroke and other columns of a dataset's points up to a stroke; empty where there is no such dataset."""
-    points = _columns(dataset, ["stroke", *names])
+def points_to(dataset: Path, last_stroke: int, names: list[str], string: str = "") -> pd.DataFrame:
+    """The stroke and other columns, `string` among them, of a dataset's points up to a stroke; of one string if named.
+
+    Empty where there is no such dataset.
+    """
+    points = _columns(dataset, ["stroke", *names], string)
     return points[points["stroke"] <= last_stroke] if len(points) else points
 
 
-def _columns(dataset: Path, names: list[str]) -> pd.DataFrame:
-    """Columns of a dataset, which may be large; an empty table where there is no such dataset."""
+def _columns(dataset: Path, names: list[str], string: str = "") -> pd.DataFrame:
+    """Columns of a dataset, which may be large, of one string if named; empty where there is no such dataset."""
     try:
-        return pq.read_table(dataset, columns=names).to_pandas()[names]
+        points = pq.read_table(dataset, columns=names).to_pandas()[names]
     except (OSError, pa.ArrowException, KeyError):
         return pd.DataFrame(columns=names)
+    return points[points["string"].astype(str) == string] if string else points
 
 
 def _in_words(values: Array, points: pd.DataFrame, name: str) -> str:

@@ -96,25 +96,25 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         inputs = Inputs.of(box, exporter(name).READS, *varying)
     except ValueError as error:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
-    dataset = dataset_of(file, beside)
-    last, foreseen = inputs.last_stroke, strokes_foreseen(dataset)
-    points, trained = twists_recorded(dataset, last), trained_on(dataset, last)
-    alike = "" if about(name).each_string_apart else one_answer_of(dataset, last)
-    values, pairs = values_recorded(points), pairs_recorded(points)
-    string = beside.string if about(name).each_string_apart else None
-    errors = cache(partial(errors_of, file, name, model, dataset, string))
+    dataset, apart = dataset_of(file, beside), about(name).each_string_apart
+    string = beside.string or (next(iter(model.moves)) if apart else "")
+    last, foreseen = inputs.last_stroke, strokes_foreseen(dataset, string)
+    points, trained = twists_recorded(dataset, last, string), trained_on(dataset, last, string)
+    alike = "" if string else one_answer_of(dataset, last)
+    errors = cache(partial(errors_of, file, name, model, dataset, string or None))
     return Source(
         name,
         model,
         inputs,
         zero_mm,
-        zeroed_runs(dataset),
-        values,
+        string,
+        zeroed_runs(dataset, string),
+        values_recorded(points),
         foreseen,
-        pairs=pairs,
+        pairs=pairs_recorded(points),
         under=Under.of(points, foreseen[1]) if foreseen else None,
         trained=" ".join(filter(None, (trained, alike))),
-        start=start_values(dataset, inputs),
+        start=start_values(dataset, inputs, string),
         on_unseen=errors,
     )
 
@@ -160,6 +160,7 @@ def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tupl
     if points.empty:
         raise BadInput(path, split, "has no points: the strings have too few strokes", "say --split with another")
     if not about(name).each_string_apart:
+        points = points[points["string"].astype(str) == beside.string] if beside.string else points
         if points["actuator"].nunique() > 1:  # of which the models that keep no ranges know nothing
             problem = "was trained on strings with and without separator in one model"
             raise BadInput(file, "model", problem, "train one model for each kind")

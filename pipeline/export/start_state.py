@@ -17,10 +17,13 @@ from .recorded_ranges import points_to
 USAGE = "tsa_start() gives a state to begin with: {}."
 
 
-def start_values(dataset: Path, inputs: Inputs) -> dict[str, float]:
-    """Of a dataset's first stroke the median of each field, in its unit; empty where no such dataset is there."""
+def start_values(dataset: Path, inputs: Inputs, string: str = "") -> dict[str, float]:
+    """Of a dataset's first stroke, of one string if named, the median of each field, in its unit.
+
+    Empty where no such dataset is there.
+    """
     conditions = [name for name in inputs.names if name in MEASURED]
-    points = points_to(dataset, inputs.last_stroke, ["string", *conditions])
+    points = points_to(dataset, inputs.last_stroke, ["string", *conditions], string)
     points = points[points["stroke"] >= inputs.fields[0].low] if len(points) else points
     if not len(points):
         return {}

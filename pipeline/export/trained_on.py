@@ -17,9 +17,12 @@ ALIKE = " are of the same sizes and have one answer, that of all of them togethe
 NO_STRING = "They are of twistbench's synthetic rig: a simulation, and no real string. Do not drive a real rig by this."
 
 
-def trained_on(dataset: Path, last_stroke: int) -> str:
-    """The runs and the material that a dataset's points up to a stroke are of; empty where no dataset is there."""
-    points = points_to(dataset, last_stroke, ["run", "string", "motor_turns"])
+def trained_on(dataset: Path, last_stroke: int, string: str = "") -> str:
+    """The runs and the material that a dataset's points up to a stroke are of, of one string if it is named.
+
+    Empty where no dataset is there.
+    """
+    points = points_to(dataset, last_stroke, ["run", "string", "motor_turns"], string)
     if not len(points):
         return ""
     runs = list(dict.fromkeys(points["run"].astype(str)))

@@ -9,7 +9,7 @@ from ..ground.errors import BadInput
 from ..models.interface import about, usual
 from ..models.parts.configured import configured, fitting
 from ..models.parts.questions.beside_questions import beside_questions, with_intervals
-from ..models.parts.questions.each_string import Answer, by_string, check_recorded
+from ..models.parts.questions.each_string import Answer, by_string
 from ..models.parts.questions.prediction_intervals import Intervals, TooFew
 from ..models.parts.questions.question_points import Questions, questions_of
 from ..models.parts.questions.strings_alike import strings_alike, with_whom
@@ -43,7 +43,7 @@ def answers(
     with as_arguments():
         refuse(name, settings, level)
         fitted = Fitted(points, name, settings, seed, level, each_string, Path("points"))
-        return fitted.answered(questions_of(questions, points), Path("questions"))
+        return fitted.answered(questions_of(questions, points, fitted.apart))
 
 
 def refuse(name: str, settings: str, level: float) -> None:
@@ -60,7 +60,8 @@ def refuse(name: str, settings: str, level: float) -> None:
 class Fitted:
     """A model of a name, with settings in JSON, that is fitted to a dataset's points; `source` is their file.
 
-    With `each_string` it is fitted to the points of each string that is asked about alone.
+    With `each_string` it is fitted to the points of each string that is asked about alone, and so is a model that has
+    numbers of its own for every string.
     """
 
     dataset: pd.DataFrame
@@ -71,18 +72,18 @@ class Fitted:
     each_string: bool
     source: Path
 
-    def answered(self, questions: Questions, asked_in: Path) -> pd.DataFrame:
-        """Questions beside their answers; `asked_in` is the file of the questions, for complaints.
+    @property
+    def apart(self) -> bool:
+        """Whether each string is answered by a fit to its own points, so that it must be a recorded one."""
+        return self.each_string or about(self.name).each_string_apart
 
-        Raises BadInput where too few points tell how the model errs, and for a string alone that was not recorded.
-        """
-        strings = questions.points["string"].astype(str)
-        if self.each_string:
-            check_recorded(strings, self.dataset, asked_in)
+    def answered(self, questions: Questions) -> pd.DataFrame:
+        """Questions beside their answers; raises BadInput where too few points tell how the model errs."""
+        if self.apart:
             return beside_questions(questions, by_string(self._fitted_to))
         answers = beside_questions(questions, self._fitted_to())
-        alike = {} if about(self.name).each_string_apart else strings_alike(self.dataset)
-        return with_whom(answers, strings.set_axis(questions.rows, axis=0), alike)
+        strings = questions.points["string"].set_axis(questions.rows, axis=0)
+        return with_whom(answers, strings, strings_alike(self.dataset))
 
     def _fitted_to(self, string: str = "") -> Answer:
         """What answers questions by a fit to the points of one string, or of all where none is named."""

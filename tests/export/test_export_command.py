@@ -211,8 +211,43 @@ def test_each_string_that_a_model_keeps_apart_gets_an_export(tmp_path: Path, for
     if form == "c":
         texts = {path.read_text() for path in out.rglob("tsa.h")}
         assert len(texts) == 4, "each has its own numbers"
+        assert all(f"It is of string {path.parent.name} alone." in path.read_text() for path in out.rglob("tsa.h"))
+        runs = [
+            said_of(path.read_text()).partition("Fitted to points of ")[2][:9] for path in sorted(out.rglob("tsa.h"))
+        ]
+        assert len(set(runs)) == 4, "each names its own run alone"
+        assert "the model's law of n" not in min(texts), "it reads no stroke"
         alone = export(of_four, "--format", form, "--out", tmp_path / "alone.h", "--string", "s2")
         assert alone.returncode == 0 and (tmp_path / "alone.h").read_text() == (out / "s2" / "tsa.h").read_text()
+
+
+def test_any_model_can_be_exported_of_one_string_alone(tmp_path: Path) -> None:
+    file = saved("spline", "one", tmp_path / "processed" / "two")
+    points = pd.read_parquet(tmp_path / "processed" / "two" / "dataset.parquet")
+    other = points.assign(string="made-02", run="made-02", displacement_mm=points["displacement_mm"] * 0.9)
+    both = pd.concat([points, other], ignore_index=True)
+    schemas.write(both, schemas.DATASET, tmp_path / "processed" / "two" / "dataset.parquet")
+    done = export(file, "--format", "c", "--string", "made-02")
+    assert (
+        done.returncode == 2 and "Mend: add --all-points: the model is then fitted anew to that string" in done.stderr
+    )
+    done = export(file, "--format", "c", "--string", "made-3", "--all-points")
+    assert done.returncode == 2 and "Mend: say one of" in done.stderr and "made-02" in done.stderr
+    done = export(file, "--format", "c", "--string", "made-02", "--all-points")
+    assert done.returncode == 0 and "--each-string --model spline" in done.stdout, done.stderr
+    text = said_of((tmp_path / "reports" / "two" / "spline" / "made-02" / "tsa.h").read_text())
+    assert "It is of string made-02 alone." in text and "Fitted to points of run made-02 of material two" in text
+    alone = make_model("spline")
+    alone.load(file.with_name("all-of-made-02.model"))
+    error_mm = alone.forward(other) - other["displacement_mm"]
+    assert np.sqrt(np.mean(error_mm**2)) < 0.5 * np.sqrt(
+        np.mean((alone.forward(points) - points["displacement_mm"]) ** 2)
+    )
+    (tmp_path / "q.csv").write_text("stroke,direction,motor_turns,string\n2,1,9,made-02\n2,1,9,made-01\n")
+    words = ("--saved", file.with_name("all-of-made-02.model"), "--out", tmp_path / "a.csv")
+    dataset = tmp_path / "processed" / "two" / "dataset.parquet"
+    assert programs.run("pipeline.predict", dataset, tmp_path / "q.csv", *words).returncode == 0
+    assert pd.read_csv(tmp_path / "a.csv")["inside"].tolist() == [True, False], "it knows nothing of another string"
 
 
 def test_an_export_says_which_strings_it_does_not_tell_apart(tmp_path: Path) -> None:

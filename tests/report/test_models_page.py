@@ -327,7 +327,7 @@ def test_the_page_names_the_file_of_every_fit_and_how_it_is_used():
     metrics = metrics[~((metrics["model"] == "mlp") & (metrics["split"] == "later"))]
     text = "\n".join(lines_on_files(metrics, "nylon"))
     assert "`python -m pipeline.export processed/nylon/spline/within-0.model --format c`" in text
-    assert "`python -m pipeline.predict processed/nylon/dataset.parquet questions.csv --saved proc" in text
+    assert "`python -m pipeline.predict processed/nylon/dataset.parquet questions.csv --model spline --out" in text
     inn = ", ".join(f"`within-{seed}.model`" for seed in range(3))
     assert f"| `processed/nylon/inn/` | {inn} | {inn.replace('within', 'later')} |" in text
     assert f"| `processed/nylon/mlp/` | {inn} |  |" in text and "floor" not in text
@@ -343,7 +343,7 @@ def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
     assert lines_at_end("nylon", [*made, Path("processed/silk/mlp/within-0.model")], none) == [
         "to a controller: python -m pipeline.export processed/nylon/spline/within-0.model --format c",
         "to ask it: python -m pipeline.predict processed/nylon/dataset.parquet questions.csv"
-        " --saved processed/nylon/spline/within-0.model --out reports/mine/answers.csv",
+        " --model spline --out reports/mine/answers.csv",
         "questions.csv has a row for each question: docs/use_a_model.md shows one",
         "fitted too: cinn",
     ]

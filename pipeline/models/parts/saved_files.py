@@ -1,5 +1,6 @@
 """Which fitted models lie in a project, for whoever is to name one."""
 
+import re
 from collections.abc import Collection
 from pathlib import Path
 
@@ -9,6 +10,7 @@ from ...ground.counts import counted
 from ...ground.errors import BadInput
 from ..interface import usual
 
+RAW = Path("raw")  # of the folder that a program is started in
 PROCESSED = Path("processed")  # of the folder that a program is started in
 FIRST = "within-0.model"  # of a model's files the one that is shown
 MOST_MATERIALS = 5  # that a help lists
@@ -59,8 +61,15 @@ def material_of(dataset: Path) -> str:
 def dataset_mend(dataset: Path) -> str:
     """What to do where a dataset is not there: name one of those that are, or make it alone."""
     paths = ", ".join(map(str, datasets())) or "processed/<material>/dataset.parquet, which the main job makes"
-    make = make_command(dataset) if material_of(dataset) and not dataset.exists() else ""
+    make = make_command(dataset) if not dataset.exists() and _is_recorded(material_of(dataset)) else ""
     return f"name {paths}{f'; or make it alone, in seconds: {make}' if make else ''}"
+
+
+def _is_recorded(material: str) -> bool:
+    """Whether a run in `raw/` says that it is of a material, read as a line of text."""
+    line = re.compile(rf"^material: *[\"']?{re.escape(material)}[\"']? *(#.*)?$", re.MULTILINE)
+    files = RAW.glob("*/run.yaml") if material else ()
+    return any(line.search(file.read_text("utf-8", "replace")) for file in files if file.is_file())
 
 
 def dataset_beside(file: Path, name: str = "dataset.parquet") -> Path:

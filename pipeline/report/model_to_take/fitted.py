@@ -36,7 +36,8 @@ def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
         "motion: it is neither exported nor asked.",
         "",
         f"- On a controller (or `--format onnx`): `{export}`",
-        f"- Questions in a table: `{ask}`. Without `--saved` a model is fitted anew, and its answers have intervals.",
+        f"- Questions in a table: `{ask}` fits the model anew, and its answers have intervals.",
+        "- The answers of an export: `--saved` with the file in place of `--model`; they have no intervals.",
         "",
     ]
     return [*text, *lines, ""]

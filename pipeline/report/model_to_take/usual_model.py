@@ -94,7 +94,7 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
 
 
 def uses(material: str, model: str) -> tuple[str, str]:
-    """The commands that export a model and that ask it, of the split `within`."""
-    file = f"processed/{material}/{model}/within-0.model"
-    ask = f"python -m pipeline.predict processed/{material}/dataset.parquet questions.csv --saved {file}"
-    return f"python -m pipeline.export {file} --format c", f"{ask} --out reports/mine/answers.csv"
+    """The commands that export a model, of the split `within`, and that fit it anew and ask it, with intervals."""
+    ask = f"python -m pipeline.predict processed/{material}/dataset.parquet questions.csv --model {model}"
+    export = f"python -m pipeline.export processed/{material}/{model}/within-0.model --format c"
+    return export, f"{ask} --out reports/mine/answers.csv"

@@ -28,6 +28,7 @@ def model_to_take(folder: Path) -> Markup:
         Markup("To {}: <code>{}</code>").format(where, uses(folder.name, model)[0])
         for where, model in advice.controllers.items()
     ]
+    ways.append(Markup("To ask it: <code>{}</code>").format(uses(folder.name, advice.model)[1]))
     name, _, because = advice.reason.partition(". ")
     first = paragraph(Markup("<b>{}{}.</b> {} {}").format(name[:1].upper(), name[1:], because, advice.at_inverse))
     return together([first, paragraph(Markup("<br>").join(ways))])

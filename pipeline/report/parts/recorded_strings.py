@@ -27,8 +27,8 @@ FEW = 6  # strings that have a sentence each; more stand in a table
 NOT_MEASURED = "not measured"
 ONE_ANSWER = (
     "Asked single points, every model but calibrated has one answer for strings of the same sizes, that of all of them "
-    "together. predict --each-string answers for each string alone. For an export of one string alone write another "
-    "material: into the run.yaml of its runs."
+    "together, and their errors here are those of such fits. predict --each-string fits a model to each string alone "
+    "and answers for it; export --all-points --string does so for a controller."
 )
 NONE = "none"
 

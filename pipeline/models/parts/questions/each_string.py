@@ -1,13 +1,9 @@
 """Questions about several strings, each answered by what its own string was fitted to."""
 
 from collections.abc import Callable
-from pathlib import Path
 
 import pandas as pd
 
-from ....ground.errors import BadInput
-
-NAMED = 8  # strings that a complaint names
 Answer = Callable[[pd.DataFrame, str], pd.DataFrame]  # of questions, and the column that they tell
 
 
@@ -26,12 +22,3 @@ def by_string(answer_of: Callable[[str], Answer]) -> Answer:
         return pd.concat(tables).sort_index()
 
     return answer
-
-
-def check_recorded(strings: pd.Series, dataset: pd.DataFrame, asked_in: Path) -> None:
-    """Raise BadInput where questions of a file are about strings without points, so that nothing answers for them."""
-    recorded = sorted(set(dataset["string"].astype(str)))
-    if strange := sorted(set(strings.astype(str)) - set(recorded)):
-        problem = f"is {', '.join(strange[:NAMED])}, of which there is no recording to answer for that string alone"
-        more = f" and {len(recorded) - NAMED} more" * (len(recorded) > NAMED)
-        raise BadInput(asked_in, "string", problem, f"ask about {', '.join(recorded[:NAMED])}{more}")

@@ -39,18 +39,20 @@ class Questions:
     cells: pd.DataFrame  # what stands in the bad rows, numbers alone; the index is the row, from 0
 
 
-def read_questions(path: Path, dataset: pd.DataFrame) -> Questions:
+def read_questions(path: Path, dataset: pd.DataFrame, each_string: bool = False) -> Questions:
     """Questions of a csv about a dataset. What does not vary in it need not be told.
 
-    Raises BadInput naming all columns that are missing, or all rows where none can be answered.
+    With `each_string` a row about a string that was not recorded is no question. Raises BadInput naming all columns
+    that are missing, or all rows where none can be answered.
     """
-    return _questions(question_table(path, _known(dataset)), path, dataset)
+    return _questions(question_table(path, _known(dataset)), path, dataset, each_string)
 
 
-def questions_of(table: pd.DataFrame, dataset: pd.DataFrame) -> Questions:
+def questions_of(table: pd.DataFrame, dataset: pd.DataFrame, each_string: bool = False) -> Questions:
     """Questions of a table about a dataset, a row each, as those of a csv; raises BadInput as for a csv."""
     source = Path("questions")
-    return _questions(known_columns(table.reset_index(drop=True), source, _known(dataset)), source, dataset)
+    known_table = known_columns(table.reset_index(drop=True), source, _known(dataset))
+    return _questions(known_table, source, dataset, each_string)
 
 
 def _known(dataset: pd.DataFrame) -> list[str]:
@@ -58,7 +60,7 @@ def _known(dataset: pd.DataFrame) -> list[str]:
     return [name for name in (*COLUMNS, *LABELS) if name in dataset]
 
 
-def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame) -> Questions:
+def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_string: bool) -> Questions:
     """Questions of a table whose columns are known; `path` is where it is from, for complaints."""
     from_columns = [name for name in EITHER if name in questions.columns]
     if not from_columns:
@@ -87,7 +89,8 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame) -> Qu
         problem = "are missing, and vary" if len(missing) > 1 else "is missing, and varies"
         mend = f"add the columns: {each}" if len(missing) > 1 else f"add the column: {_which(dataset[missing[0]])}"
         raise BadInput(path, ", ".join(missing), f"{problem} in the recordings", mend)
-    bad = first_of_each([*wrong, *_bad_rows(path, questions, points, dataset)])
+    strange = _unrecorded(points["string"], dataset) if each_string else []
+    bad = first_of_each([*wrong, *strange, *_bad_rows(path, questions, points, dataset)])
     if len(bad) == len(points):
         raise refusal(path, bad, answered=0)
     is_bad = np.isin(np.arange(len(points)), [entry.row - 1 for entry in bad])
@@ -135,6 +138,13 @@ def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset
         mend = f"leave the column out: a question is of a motor that turns; {holds}"
         bad += of_mask(strange, "phase", each, "", mend)
     return bad
+
+
+def _unrecorded(strings: pd.Series, dataset: pd.DataFrame) -> list[BadRow]:
+    """The rows about a string without a recording, where nothing answers for that string alone."""
+    strange = (strings.notna() & ~strings.astype(str).isin(set(dataset["string"].astype(str)))).to_numpy()
+    each = [f"is {shown(str(string))}" for string in strings[strange]]
+    return of_mask(strange, "string", each, ", which has no recording", _which(dataset["string"]))
 
 
 def _which(recorded: pd.Series) -> str:
