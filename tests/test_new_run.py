@@ -98,6 +98,21 @@ def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_pat
         assert status == 2 and says in said
 
 
+def test_the_folder_is_made_though_nobody_reads_what_is_said(tmp_path):
+    """`new_run … | head -1` left no folder where Python does not hold back what it prints."""
+    GOOD.to_csv(tmp_path / "log.csv", index=False)
+    sizes = shlex.split("--material m --radius-mm 0.4 --length-mm 400 --torsion-zone-mm 150 --separator-mm 8")
+    command = [sys.executable, "-um", "pipeline.new_run", "a-01", *sizes, "--recording", tmp_path / "log.csv"]
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run([*command, "--out", tmp_path / "raw"], stdout=writer, stderr=subprocess.PIPE, text=True)
+    os.close(writer)
+    assert done.stderr == "" and sorted(path.name for path in (tmp_path / "raw" / "a-01").iterdir()) == [
+        "recording.csv",
+        "run.yaml",
+    ]
+
+
 def test_columns_that_nothing_is_read_from_are_named(new, tmp_path):
     """A load in a column of another name was taken as 0 N, and no line said that the column is there."""
     status, told, _ = new("a-01", samples=GOOD.drop(columns="load_n", errors="ignore").assign(pull=15.0))

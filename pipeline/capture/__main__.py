@@ -9,16 +9,17 @@ from ..ground.errors import BadInput, program
 from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.parser import Parser
 from ..run.capture_json import CaptureJson
-from ..run.folder import read_run
+from ..run.folder import capture_info, read_run
 from ..run.run_arguments import run_dir
 from .commit import recover
 from .log import LINES
 from .motion_program import read_legs
+from .refused_run import is_refused, tell_refused
 from .session import capture, capture_lines
 from .text.clock_words import tell_clock
 from .text.fields import names
 from .text.fitting_columns import check_channels, unusable_columns
-from .text.lines_to_csv import recover_lines
+from .text.lines_to_csv import Finished, recover_lines
 from .text.lines_words import clock_question, tell_lines
 from .text.naming import GAP
 from .text.near_names import doubt
@@ -71,11 +72,15 @@ def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
     if not info["samples"]["received"]:
         return
     hello = info.get("hello")
-    if hello and info["exit_status"] == "complete":
-        whole = hello["strokes"]
-    elif info["exit_status"] != "fault":
-        whole = strokes_unwound(folder, reader)
-    elif (whole := strokes_of_use(folder, reader)) == 0:
+    try:
+        if hello and info["exit_status"] == "complete":
+            whole = hello["strokes"]
+        elif info["exit_status"] != "fault":
+            whole = strokes_unwound(folder, reader)
+        else:
+            whole = strokes_of_use(folder, reader)
+    except BadInput as error:
+        tell_refused(error, folder, info)
         return
     anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
     print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
@@ -146,7 +151,14 @@ def main() -> int:
         if arguments.port is not None:
             parser.error("--recover takes no port")
         folder = arguments.recover
-        info = recover_lines(folder, columns) if (folder / LINES).is_file() else recover(folder)
+        try:
+            info = recover_lines(folder, columns) if (folder / LINES).is_file() else recover(folder)
+        except Finished:
+            if not is_refused(folder):
+                raise
+            print(f"{folder}: nothing is to be recovered: it is read by these columns already")
+            tell(capture_info(folder), folder)
+            return 2
     else:
         if arguments.run_dir is None:
             parser.error("PORT and RUN_DIR are needed")

@@ -1,15 +1,13 @@
 """While it records: what is wrong with the samples themselves, in a sentence said once."""
 
 import struct
-from collections import deque
 
+from ..run.doubts.wrong_sign import FALLS, POSITIVE
 from ..wire import Frame, Hello
+from .motion_faults import FROZEN, LEAST_TURNS, REVERSED, MotionFaults, stands_words
 
 CODES = {"i8": "b", "u8": "B", "i16": "h", "u16": "H", "i32": "i", "u32": "I"}
 LOOKS_HZ = 50.0  # so many samples a second are looked at
-WINDOW_S = 3.0
-LEAST_TURNS = 3.0  # near the untwisted string a turn contracts less than a sensor can see
-WRONG_QUANTA = 5.0  # a displacement that moves less is noise
 STANDS = 10  # so many looks in a row at which a clock has not gone on
 
 
@@ -23,11 +21,8 @@ class Watch:
         self._every = max(1, round(hello.rate_hz / LOOKS_HZ))
         self._seen = self._stands = 0
         self._t_us: int | None = None
-        size = max(2, round(WINDOW_S * hello.rate_hz / self._every))
-        self._past: deque[tuple[float, float]] = deque(maxlen=size)  # turns, mm
-        self._travel = 0.0  # turns since the displacement last changed
         self._said: set[str] = set()
-        self._quantum_mm = next((abs(c.scale) for c in hello.channels if c.name == "displacement_mm"), 0.0)
+        self._motion = MotionFaults(next((abs(c.scale) for c in hello.channels if c.name == "displacement_mm"), 0.0))
 
     def look(self, frame: Frame) -> str | None:
         """Take note of a SAMPLE; a sentence when something new is wrong."""
@@ -45,16 +40,12 @@ class Watch:
         turns, measured_mm = self.now.get("motor_turns"), self.now.get("displacement_mm")
         if turns is None or measured_mm is None:
             return None
-        self._travel += abs(turns - self._past[-1][0]) if self._past else 0.0
-        if self._past and measured_mm != self._past[-1][1]:
-            self._travel = 0.0
-        self._past.append((turns, measured_mm))
-        if self._travel >= LEAST_TURNS:
-            turned = f"displacement_mm has not changed while the motor turned {LEAST_TURNS:g} turns"
-            return self._say("frozen", f"{turned}: check the sensor and its cable")
-        if self._wrong_way():
-            mend = "contraction is positive: swap the sensor's sign in the firmware, or set scale to -1 in run.yaml"
-            return self._say("reversed", f"displacement_mm falls while the motor winds; {mend}")
+        wrong = self._motion.look(turns, measured_mm)
+        if wrong == FROZEN:
+            return self._say(wrong, stands_words(LEAST_TURNS))
+        if wrong == REVERSED:
+            mend = f"{POSITIVE}: swap the sensor's sign in the firmware, or set scale to -1 in run.yaml"
+            return self._say(wrong, f"displacement_mm {FALLS}; {mend}")
         return None
 
     def _clock(self, t_us: int) -> str | None:
@@ -66,12 +57,6 @@ class Watch:
             return None
         how = "stands" if went_us == 0 else "runs backwards"
         return self._say("clock", f"the device's clock (t_us) {how}: nobody will know when samples were taken")
-
-    def _wrong_way(self) -> bool:
-        """Whether the displacement fell from the least to the most twisted of the last seconds, by more than noise."""
-        least, most = (pick(self._past, key=lambda moves: abs(moves[0])) for pick in (min, max))
-        wound = abs(most[0]) - abs(least[0])
-        return wound >= LEAST_TURNS and most[1] - least[1] < -WRONG_QUANTA * self._quantum_mm
 
     def _say(self, what: str, sentence: str) -> str | None:
         if what in self._said:

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from ..ground.counts import counted
-from ..ground.errors import BadInput
 from ..ground.unwound import HOME
 from ..string.from_raw import read
 from ..string.history import Recorded
@@ -26,13 +25,9 @@ def once(folder: Path) -> Reader:
 
 
 def strokes_of_use(folder: Path, reader: Reader) -> int:
-    """Say of a run that a fault ended whether its samples can be used, and why not; how many strokes, or 0."""
-    try:
-        with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
-            recorded = reader(folder)
-    except BadInput as error:
-        print(f"{error} Until then nothing can use this run.")
-        return 0
+    """Say of a run that a fault ended that it can be used; how many strokes. Raises BadInput if it cannot."""
+    with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
+        recorded = reader(folder)
     count = int(recorded.strokes["stroke"].max())
     kept = f"{counted(len(recorded.table), 'sample')} in {counted(count, 'stroke')}"
     print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")
@@ -40,13 +35,9 @@ def strokes_of_use(folder: Path, reader: Reader) -> int:
 
 
 def strokes_unwound(folder: Path, reader: Reader) -> int:
-    """Warn of a run that ended on request and cannot be used as it is described; how many strokes unwound, or 0."""
-    try:
-        with redirect_stderr(io.StringIO()):
-            strokes = reader(folder).strokes
-    except BadInput as error:
-        print(f"warning: {error}")
-        return 0
+    """How many strokes of a run that ended on request unwound; raises BadInput where it cannot be used as described."""
+    with redirect_stderr(io.StringIO()):
+        strokes = reader(folder).strokes
     unwound = set(strokes.loc[strokes["complete"] & (strokes["stroke"] > 0), "stroke"])
     turns, last = strokes[["start_turns", "end_turns"]].to_numpy(), strokes.iloc[-1]
     if last["phase"] == "unwinding" and last["end_turns"] > turns.min() + HOME * np.ptp(turns):

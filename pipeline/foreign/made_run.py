@@ -65,7 +65,7 @@ def make_run(
         try:
             log = read_log(run, recording, path, lambda: read_table(recording, run.file))
             counting = check_samples(run, log.samples, recording, sure, log.where)
-            print(read_as(run, counting, recording, len(log.samples), list(log.table.columns)))
+            reads = read_as(run, counting, recording, len(log.samples), list(log.table.columns))
         except BadInput as error:
             raise by_look(error, recording, run) or by_option(error, content) from None
     if folder.exists():  # recorded before it was described
@@ -81,4 +81,6 @@ def make_run(
             file = {"file": {**content["file"], "rows": rows}} if rows else {}
             text = copy_log(log, temporary / kept) + write_yaml({**content, **file})
         (temporary / "run.yaml").write_text(text, encoding="utf-8")
+    if recording is not None:
+        print(reads)  # now that the folder is there, whoever reads it may leave
     return folder

@@ -3,6 +3,8 @@
 import ast
 import copy
 import re
+import shlex
+from pathlib import Path
 from typing import Any
 
 from ..ground.bare_columns import written_out
@@ -12,6 +14,7 @@ from ..ground.strict_yaml import write_yaml
 from .run_yaml import RunYaml
 
 KEY = re.compile(r"\b(channels|file|tolerance)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
+GAP = "…"  # where a mend names no value
 VALUE = re.compile(r""" to ('[^'\n]*'|"[^"\n]*"|-?\d+(?:\.\d+)?)""")  # behind it, where the mend knows the value
 
 
@@ -20,21 +23,47 @@ def by_option(error: BadInput, content: RunYaml) -> BadInput:
 
     The option in it has all that `content` has for it too: what is typed as it stands replaces what was given.
     """
-    named = KEY.search(error.mend)
-    if named is None:
+    change = _section(error.mend, content)
+    if change is None:
         return error
+    section, whole, mend, rest = change
+    option = f"here by --{section} {quoted(write_yaml(whole, flow=True))}"
+    return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
+
+
+def in_file(mend: str, content: RunYaml, path: Path) -> str:
+    """What a person types, or writes into the run.yaml at `path`, so that its `content` says what a mend asks for.
+
+    Empty where the mend asks for no value of a key. A section that is there is written anew, with all it has.
+    """
+    change = _section(mend, content)
+    if change is None or GAP in str(change[1]):
+        return ""
+    section, whole, _, _ = change
+    line, text = f"{section}: {write_yaml(whole, flow=True)}", path.read_text(encoding="utf-8")
+    is_there = re.search(rf"^{section}\s*:", text, re.MULTILINE)
+    if is_there or not text.endswith("\n"):
+        place = f"in the place of its {section}" if is_there else "as a line of its own"
+        return f"write into {path}, {place}: {line}"
+    return f"echo {quoted(line)} >> {shlex.quote(str(path))}"
+
+
+def _section(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str] | None:
+    """The section that a mend asks for a change of, that section changed, and the mend up to that and after it."""
+    named = KEY.search(mend)
+    if named is None:
+        return None
     sections: dict[str, Any] = {**content}
     section, whole = named[1], copy.deepcopy(sections.get(named[1]) or {})
-    end = error.mend.find("; ", named.end())
-    mend, rest = (error.mend, "") if end < 0 else (error.mend[:end], error.mend[end:])
+    end = mend.find("; ", named.end())
+    mend, rest = (mend, "") if end < 0 else (mend[:end], mend[end:])
     for match in KEY.finditer(mend):
         key, *own = match[2].split(".")
         if match[1] == section:
             to = VALUE.match(mend, match.end())
-            value = ast.literal_eval(to[1]) if to else "…"  # a gap where the mend names no value
+            value = ast.literal_eval(to[1]) if to else GAP
             whole[key] = _with_value(own, value, whole.get(key) or {}, key)
-    option = f"here by --{section} {quoted(write_yaml(whole, flow=True))}"
-    return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
+    return section, whole, mend, rest
 
 
 def _with_value(own: list[str], value: Any, old_entry: Any, key: str) -> Any:

@@ -13,9 +13,10 @@ from ..ground.command import command
 from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.files import whole
-from ..ground.kinematics import Geometry, Places
+from ..ground.kinematics import Places
 from ..ground.rows import Rows, Stored, rows_of
 from .description import STRING_ACTUATORS, Run
+from .dimensions import geometry
 from .doubts.plausible import check_string, doubts
 from .doubts.wild_samples import wild_samples
 from .doubts.wrapping import wrapped
@@ -30,19 +31,6 @@ ROUNDED = 1e-4  # of a step: what stamps that are written with few digits make o
 SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill
 LEAST_SAMPLES = 20
 LONGEST_GAP_S = 7 * 86_400.0
-
-
-def geometry(run: Run) -> Geometry:
-    """Nominal dimensions of a string run."""
-    assert run.string is not None
-    return Geometry(
-        run.actuator,
-        run.string.radius_mm,
-        run.string.length_mm,
-        run.string.nominal_stiffness_n_per_mm,
-        run.rig.get("torsion_zone_mm", np.nan),
-        run.rig.get("separator_mm", np.nan),
-    )
 
 
 def check_finite(samples: pd.DataFrame | Rows, path: Path, where: Where = by_row) -> None:

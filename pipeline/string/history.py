@@ -18,8 +18,8 @@ from ..ground.left_out import LeftOut
 from ..ground.rows import Rows, opened, rows_of
 from ..ground.spans import blocks
 from ..run.description import Run
+from ..run.dimensions import geometry
 from ..run.folder import read_run, started_utc
-from ..run.samples import geometry
 
 LEVEL = ("motor_turns", "load_n", "displacement_mm")
 

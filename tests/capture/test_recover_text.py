@@ -58,6 +58,7 @@ def test_times_as_large_as_numbers_go_are_committed(folder, printed, holes):
 def test_names_that_no_channel_has_are_said_with_the_command_that_mends_them(folder):
     """A newcomer named the columns as his rig does: it ended as a success, and the next program refused the run."""
     (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    (folder / "recording.lines").write_text(wound())
     done = recover(folder, "--columns", "t_ms,turns,mm")
     words = "there are no columns 'motor_turns' and 'displacement_mm', only t_ms, turns, mm"
     assert done.returncode == 2 and words in done.stdout and "Until then nothing can use this run." in done.stdout

@@ -10,15 +10,15 @@ from capture.test_capture_text import rig
 from made_recording import content
 
 from pipeline.capture.text.lines import Lines
-from pipeline.capture.text.printed_lines import Telling
 from pipeline.capture.text.read_channels import ReadChannels
+from pipeline.capture.text.telling import Telling
 
 __all__ = ["rig"]
 ROW = b"%d,%.4f,20.0,%.3f\r\n"
 OWN = {"time_s": {"column": "t_ms", "unit": "ms"}, "motor_turns": "turns", "load_n": "load", "displacement_mm": "disp"}
 
 
-def printing(rig, folder, *options, header=b"", greets_s=0.0, channels=None):
+def printing(rig, folder, *options, header=b"", greets_s=0.0, channels=None, sign=1.0):
     """Exit status and words of a recording of a rig that greets, homes, and prints four numbers in its own order."""
     ours, start = rig
     folder.mkdir(exist_ok=True)
@@ -32,7 +32,7 @@ def printing(rig, folder, *options, header=b"", greets_s=0.0, channels=None):
     number = 0
     while process.poll() is None and time.monotonic() - began_s < 60.0:
         turns = 0.05 * number
-        os.write(ours, header * (number % 10 == 0) + ROW % (50 * number, turns, turns**2 / 34.0))
+        os.write(ours, header * (number % 10 == 0) + ROW % (50 * number, turns, sign * turns**2 / 34.0))
         number += 1
         time.sleep(0.05)
     return process.returncode, process.stdout.read()
@@ -75,7 +75,7 @@ def test_a_header_that_the_run_does_not_know_is_warned_of_beside_what_is_read_an
 def test_what_is_read_as_which_channel_is_said_of_each_column_with_its_unit(rig, tmp_path):
     """Three of four columns were shown, by their own names: a swap could not be seen."""
     channels = {**OWN, "displacement_mm": {"column": "disp", "scale": -1}}
-    status, words = printing(rig, tmp_path / "run-1", header=b"t_ms,turns,load,disp\r\n", channels=channels)
+    status, words = printing(rig, tmp_path / "run-1", header=b"t_ms,turns,load,disp\r\n", channels=channels, sign=-1.0)
     line = next(line for line in words.splitlines() if line.startswith("reads "))
     assert status == 0 and "time_s = " in line and " ms (from t_ms), motor_turns = " in line, words
     assert "load_n = 20.0 N (from load), displacement_mm = " in line and " mm (from disp, times -1);" in line

@@ -12,7 +12,8 @@ from pipeline.ground.kinematics import RAD_PER_TURN
 from pipeline.rig.campaign.plan import plan
 from pipeline.rig.campaign.specimen import SIGMA, Bands, draw_specimen, materials
 from pipeline.rig.folder import whole_recordings
-from pipeline.run.samples import geometry, read_samples
+from pipeline.run.dimensions import geometry
+from pipeline.run.samples import read_samples
 from pipeline.run.strokes import segment
 
 ROOT = Path(__file__).parents[2]

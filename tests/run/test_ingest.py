@@ -42,6 +42,7 @@ def repeated(values):
 EXCHANGED = GOOD.assign(
     displacement_mm=20 + 0.2 * np.sin(GOOD["time_s"]), load_n=GOOD["displacement_mm"]
 )  # by a wrong order of names
+TWIST_EXCHANGED = GOOD.assign(motor_turns=GOOD["displacement_mm"] + 5.0, displacement_mm=GOOD["motor_turns"])
 
 
 @pytest.mark.parametrize(
@@ -64,6 +65,8 @@ EXCHANGED = GOOD.assign(
         (spoiled("motor_turns", lambda v: -v), "motor_turns", "negative throughout.*scale to -1"),
         (spoiled("displacement_mm", lambda v: -v), "displacement_mm", "falls while the motor winds"),
         (EXCHANGED, "displacement_mm", "exchange the columns of displacement_mm and load_n"),
+        (TWIST_EXCHANGED, "displacement_mm", "exchange the columns of motor_turns and displacement_mm"),
+        (EXCHANGED.assign(displacement_mm=20.0), "displacement_mm", "exchange the columns of displacement_mm and load"),
         (spoiled("displacement_mm", lambda v: v * 0 + 3), "displacement_mm", "never changes"),
         (spoiled("motor_turns", lambda v: v * 0), "motor_turns", "no stroke in it"),
         (GOOD.iloc[:0], "file", "holds 0 samples"),

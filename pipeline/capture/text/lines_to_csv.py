@@ -21,6 +21,10 @@ from .naming import naming_in
 CSV = "recording.csv"
 
 
+class Finished(BadInput):
+    """That a recording is read already, by the columns that were asked for."""
+
+
 class Printed:
     """A text recording read from its beginning, once: `rows` gives its samples; what is said of it is whole then."""
 
@@ -129,7 +133,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
     """Commit a text recording that has no capture.json yet, or one whose columns had other names.
 
     Its start and end, and what ended it, are those that the capture program noted beside it; of one that was killed,
-    which is `recovered`, the file's last change is the end. Raises BadInput.
+    which is `recovered`, the file's last change is the end. Raises BadInput, and Finished where nothing would change.
     """
     path, info = folder / LINES, committed(folder)
     if in_use(path):
@@ -147,7 +151,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
         mend = "there is nothing to recover; columns that were read wrongly are named with --columns"
         if columns:
             mend = "there is nothing to recover: it is read by these columns already"
-        raise BadInput(folder, "capture.json", "is there, so the run is finished", mend)
+        raise Finished(folder, "capture.json", "is there, so the run is finished", mend)
     columns = columns or (before if info.get("columns_given") else ())
     return commit_lines(folder, columns, began, ended, outcome, anew=True)
 

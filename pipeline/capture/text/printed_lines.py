@@ -1,4 +1,4 @@
-"""A rig that prints lines of numbers: PORT → recording.lines as it came; what is read as what is said while it runs."""
+"""A rig that prints lines of numbers: PORT → recording.lines as it came."""
 
 import math
 import time
@@ -6,25 +6,20 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from ...ground.command import recover_command
-from ...ground.counts import counted
 from ...ground.errors import BadInput
 from ..log import Log
 from ..port import Port, Unplugged
-from ..screen import Screen, clock
+from ..screen import Screen
 from ..stream import PERSON, Outcome
-from .fields import MAX_LINE, TIME, is_known
+from .fields import MAX_LINE, is_known
 from .lines import Lines, Splitter
-from .naming import naming_in
-from .read_channels import ReadChannels
+from .telling import Telling
 
 WAIT_S = 30.0  # a board that was reset by opening its port boots, homes its motor and tares before it prints
 HEADER_S = 5.0  # from the first line on, within which a header or samples are to come
 SAID_AFTER_S = 2.0  # of waiting, what is waited for
 NAMELESS = 5  # so many lines of as many numbers are a rig, though no header has come
 SILENCE_S = 3.0
-GREETING_S = 5.0  # so long nothing but text is no reason to warn
-SOON_S = 1.0  # after so long it says what is read as what, or why nothing is
 
 
 class Beginning(NamedTuple):
@@ -90,65 +85,6 @@ class Waiting:
         Screen().say(f"waiting for the rig's first line of numbers, {delay}: it may boot, home or tare; Ctrl-C ends it")
 
 
-class Telling:
-    """What the person sees while it records."""
-
-    def __init__(self, lines: Lines, folder: Path, began_s: float) -> None:
-        self.lines, self.folder, self.screen = lines, folder, Screen()
-        self.recover, self.naming = recover_command(folder), naming_in(folder)
-        self._began_s, self._looked_s = began_s, time.monotonic()
-        self._told = ""
-        self._read = self._not_read = 0
-
-    def show(self) -> None:
-        """Say what is read as what as soon as it is known, why nothing is, and renew the line."""
-        lines, now_s = self.lines, time.monotonic()
-        if now_s - self._looked_s >= SOON_S:
-            self._looked_s = now_s
-            read, not_read = lines.good, lines.not_read
-            if lines.good and self._told != "reads":
-                self._say("reads", self._reading())
-            elif not lines.good and not_read and not self._greets(now_s):
-                problem, mend = lines.problem(now_s - self._began_s, self.recover, self.naming)
-                kept = f"warning: no line is read yet, but all are kept: {problem}"
-                now = "let the rig print its header again, or when the run has ended " if lines.unnamed.size > 1 else ""
-                self._say("nothing", f"{kept}. Mend: {now}{mend}")
-            elif read - self._read < not_read - self._not_read and lines.bad:
-                problem, mend = lines.problem(0.0, self.recover, self.naming)
-                self._say("most", f"warning: most lines are not read now; {lines.counts()}; {problem}. Mend: {mend}")
-            self._read, self._not_read = read, not_read
-        if self.screen.due:
-            self.screen.show(self._parts())
-
-    def close(self) -> None:
-        """The last line."""
-        if self.lines.good and self._told != "reads":
-            self.screen.say(self._reading())
-        self.screen.close(self._parts())
-
-    def _greets(self, now_s: float) -> bool:
-        """Whether nothing but readable text came, for no longer than a rig may take to boot, home and tare."""
-        lines = self.lines
-        only_text = not (lines.noise or lines.unnamed.count or lines.wrong[0])
-        return only_text and now_s - self._began_s < GREETING_S
-
-    def _reading(self) -> str:
-        """What is read as what, and in a second line why nothing can use it so."""
-        channels = ReadChannels(self.folder, self.lines.columns)
-        return "\n".join(filter(None, (self.lines.reading(channels.values(self.lines.last)), channels.warning())))
-
-    def _parts(self) -> list[str]:
-        passed, lines = f"{clock(time.monotonic() - self._began_s)} recorded", self.lines
-        pairs = zip(lines.columns, lines.last, strict=False)  # of a narrow line the end is cut off
-        values = [f"{name} = {value}" for name, value in pairs if not TIME.fullmatch(name)]
-        return [passed, *([counted(lines.good, "line"), *values] if lines.good else []), lines.counts()]
-
-    def _say(self, what: str, sentence: str) -> None:
-        if what != self._told:
-            self.screen.say(sentence)
-        self._told = what
-
-
 def follow(
     port: Port,
     log: Log,
@@ -170,7 +106,7 @@ def follow(
     log.append(chunk)
     while outcome is None:
         for line in splitter.feed(chunk):
-            lines.take(line)
+            telling.sample(lines.take(line))
         telling.show()
         numbers = lines.good or lines.unnamed.count or lines.bad
         if not numbers:

@@ -11,7 +11,7 @@ import numpy as np
 import pandas as pd
 
 from ...ground.kinematics import Array
-from ...run.samples import geometry
+from ...run.dimensions import geometry
 from ...string.history import Recorded
 
 Spans = list[tuple[int, int]]  # first samples, and the first after each

@@ -10,15 +10,16 @@ from ...ground.rows import Rows
 from ...ground.too_short import MOST_STRETCH
 from ...ground.units import conversion
 from ..description import Channel, Run
+from .exchanged_columns import exchange, exchanged
 from .plausible_load import DOUBT_STRETCH, check_load, load_mistake
 from .plausible_temperature import temperature_mistake
-from .recorded_curve import AS_LIKELY, DOUBT_RATIO, LIKELY, Curve, Guess, bound
+from .recorded_curve import AS_LIKELY, DOUBT_RATIO, Curve, Guess, bound
+from .wrong_sign import FALLS, turned_sign
 
 # A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
 SPAN_RATIO = 4.0
 ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m", "um", "in")
 IN_WORDS = {"in": "inches"}
-EXCHANGED = "load_n reads as the displacement would: exchange the columns of displacement_mm and load_n"
 
 
 def _others(channel: Channel, column: str, units: tuple[str, ...]) -> list[tuple[float, str]]:
@@ -59,13 +60,7 @@ def _freely(curve: Curve) -> list[tuple[float, str]]:
     return fitting
 
 
-def _exchanged(samples: Rows, base: Geometry) -> bool:
-    """Whether the column of the load reads as the displacement would."""
-    load = Curve(samples, base, "load_n")
-    return 1.0 / DOUBT_RATIO <= load.ratio() <= DOUBT_RATIO and load.misfit() <= LIKELY
-
-
-def _span(run: Run, samples: Rows, curve: Curve, path: Path) -> BadInput:
+def _span(run: Run, curve: Curve, path: Path) -> BadInput:
     """That the string should contract by another length, with the mends that were tried and fit."""
     freely = _freely(curve)
     best = min((misfit for misfit, _ in freely), default=np.inf)
@@ -82,8 +77,6 @@ def _span(run: Run, samples: Rows, curve: Curve, path: Path) -> BadInput:
         mend = "check the units of motor_turns and displacement_mm, counts_per_turn, gears and the string's dimensions"
         fitting = [words for misfit, words in freely if misfit <= bound(best)]
         mend += f"; it would fit {' or '.join(fitting)}" if fitting else ""
-        if _exchanged(samples, curve.base):
-            field, mend = "displacement_mm", EXCHANGED
     ratio = curve.ratio()
     expected = f"{curve.span_mm / ratio:.3g} mm" if np.isfinite(ratio) and ratio else "more than the string is long"
     expected = "0 mm" if np.isinf(ratio) else expected
@@ -100,17 +93,17 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
         raise mistake
     if curve.high - curve.low < 0.05:
         return  # no stroke in it: the segmentation says so
+    if pair := exchanged(run, samples, base):
+        raise BadInput(path, "displacement_mm", "does not follow the twist as this string would", exchange(pair))
     if curve.high <= 0:
         mend = "winding is positive: set channels.motor_turns.scale to -1"
         raise BadInput(path, "motor_turns", "is negative throughout", mend)
     if curve.span_mm == 0:
         raise BadInput(path, "displacement_mm", "never changes while the motor turns", "check the sensor and its cable")
     if samples.correlation("motor_turns", "displacement_mm") < -0.5:
-        scale = run.channels.get("displacement_mm", Channel.model_validate({})).scale
-        mend = f"contraction is positive: set channels.displacement_mm.scale to {-scale:g}"
-        raise BadInput(path, "displacement_mm", "falls while the motor winds", mend + f", not {scale:g}" * (scale < 0))
+        raise BadInput(path, "displacement_mm", FALLS, turned_sign(run))
     if not 1.0 / SPAN_RATIO <= curve.ratio() <= SPAN_RATIO:
-        raise _span(run, samples, curve, path)
+        raise _span(run, curve, path)
 
 
 def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
@@ -125,7 +118,7 @@ def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput
         problem = f"begins at {begins:.3g} turns and its lowest is {curve.low:.3g}, but 0 must be the untwisted string"
         questions.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
     elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
-        questions.append(_span(run, samples, curve, path))
+        questions.append(_span(run, curve, path))
     if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
         questions.append(mistake)
     if odd := temperature_mistake(samples, path):

@@ -1,11 +1,12 @@
 """A recording's displacement over twist beside the analytic model's, and mistakes that would bring both together."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
-from ...ground.kinematics import Array, Geometry
-from ...ground.rows import Rows
+from ...ground.kinematics import Array, Geometry, Places
 
 DOUBT_RATIO = 1.8  # a simulated span so far off the recorded one may still be physics, but is questioned
 LIKELY = 0.2  # of the span: a curve that a guess leaves further off is not what was recorded
@@ -25,21 +26,33 @@ class Guess:
     mend: str
 
 
+class Readings(Protocol):
+    """What is asked of samples, in whatever form they are."""
+
+    def __len__(self) -> int:
+        """How many there are."""
+
+    def at(self, name: str, places: Places) -> Array:
+        """Values of a channel in some samples, in its unit; shape (places,)."""
+
+    def percentiles(self, name: str, q: Sequence[float]) -> Array:
+        """Percentiles `q` of a channel, in its unit; shape (q,)."""
+
+    def median(self, name: str) -> float:
+        """Median of a channel, in its unit."""
+
+
 class Curve:
-    """A recording's displacement over twist, held against the analytic model of its string.
+    """A recording's displacement over twist, held against the analytic model of its string."""
 
-    `reading` may be another channel, which is then asked whether it is the displacement.
-    """
-
-    def __init__(self, samples: Rows, base: Geometry, reading: str = "displacement_mm") -> None:
+    def __init__(self, samples: Readings, base: Geometry) -> None:
         rows = np.unique(np.linspace(0, len(samples) - 1, POINTS).astype(int))
         self.turns = samples.at("motor_turns", rows)
         self.low, self.high = samples.percentiles("motor_turns", [1, 99])
-        low_mm, high_mm = samples.percentiles(reading, [1, 99])
-        self.measured_mm = np.clip(samples.at(reading, rows), low_mm, high_mm)
+        low_mm, high_mm = samples.percentiles("displacement_mm", [1, 99])
+        self.measured_mm = np.clip(samples.at("displacement_mm", rows), low_mm, high_mm)
         self.span_mm = float(high_mm - low_mm)
-        load = "load_n" if reading == "displacement_mm" else "displacement_mm"
-        self.base, self.load_n = base, np.float64(samples.median(load))
+        self.base, self.load_n = base, np.float64(samples.median("load_n"))
 
     def ratio(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
         """Recorded span over the simulated one, factors and offset applied; NaN where a pair cannot be wound so far."""

@@ -1,0 +1,78 @@
+"""Two columns of a string's recording that stand in each other's place: they fit the string the other way."""
+
+from collections.abc import Sequence
+
+from ...ground.kinematics import Array, Geometry, Places
+from ...ground.units import conversion
+from ..description import Channel, Run
+from .recorded_curve import AS_LIKELY, DOUBT_RATIO, LIKELY, Curve, Readings
+
+PAIRS = (("displacement_mm", "load_n"), ("motor_turns", "displacement_mm"))
+Pair = tuple[str, str]
+
+
+class Exchanged:
+    """Samples in which two channels have each other's columns; `factor` is by what the first one's unit is larger."""
+
+    def __init__(self, samples: Readings, pair: Pair, factor: float = 1.0) -> None:
+        first, second = pair
+        self._samples = samples
+        self._from = {first: (second, factor), second: (first, 1.0 / factor)}
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self._samples)
+
+    def _of(self, name: str) -> tuple[str, float]:
+        return self._from.get(name, (name, 1.0))
+
+    def at(self, name: str, places: Places) -> Array:
+        """Values of a channel in some samples, in its unit; shape (places,)."""
+        source, factor = self._of(name)
+        return self._samples.at(source, places) * factor
+
+    def percentiles(self, name: str, q: Sequence[float]) -> Array:
+        """Percentiles `q` of a channel, in its unit; shape (q,)."""
+        source, factor = self._of(name)
+        values = self._samples.percentiles(source, q if factor > 0 else [100 - each for each in q])
+        return values * factor
+
+    def median(self, name: str) -> float:
+        """Median of a channel, in its unit."""
+        source, factor = self._of(name)
+        return self._samples.median(source) * factor
+
+
+def exchanged(run: Run, samples: Readings, base: Geometry) -> Pair | None:
+    """The two channels of a string run that have each other's columns; None where no two have."""
+    as_it_stands = Curve(samples, base)
+    misfit = as_it_stands.misfit()
+    if _passes(as_it_stands) and misfit <= LIKELY:
+        return None
+    for pair in PAIRS:
+        curve = Curve(Exchanged(samples, pair, _unit(run, pair[0]) / _unit(run, pair[1])), base)
+        if _passes(curve) and AS_LIKELY * curve.misfit() <= min(LIKELY, misfit):
+            return pair
+    return None
+
+
+def exchange(pair: Pair) -> str:
+    """The mend of two such channels."""
+    first, second = pair
+    reads = "load_n reads as the displacement would"
+    if "load_n" not in pair:
+        reads = f"{first} reads as {second} would, and {second} as {first}"
+    return f"{reads}: exchange the columns of {first} and {second}"
+
+
+def _passes(curve: Curve) -> bool:
+    return 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO
+
+
+def _unit(run: Run, name: str) -> float:
+    """By what a channel's own column is multiplied."""
+    channel = run.channels.get(name, Channel.model_validate({}))
+    try:
+        return conversion(name, channel.unit, channel.counts_per_turn)[0] * channel.scale or 1.0
+    except ValueError:
+        return 1.0

@@ -1,0 +1,195 @@
+"""A text rig whose columns cannot be what they are read as: said while it records, and mended by what can be copied."""
+
+import os
+import re
+import shlex
+import signal
+import subprocess
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import ready
+import yaml
+from capture.test_capture_text import rig
+from made_recording import BASE, content, recording
+
+from pipeline.capture.text.live_faults import LiveFaults
+
+__all__ = ["rig"]
+COLUMNS = ["time_ms", "motor_turns", "displacement_mm", "load_n"]
+NAMED = {"time_s": {"column": "t", "unit": "ms"}, "motor_turns": "theta", "displacement_mm": "disp", "load_n": "cell"}
+ROOT = Path(__file__).parents[2]
+PACE = 20.0  # times as fast as life
+FALLS = "displacement_mm falls while the motor winds; contraction is positive: "
+STANDS = "displacement_mm has not changed while the motor turned"
+LOAD = "load_n reads as the displacement would: exchange the columns of displacement_mm and load_n"
+TWIST = "exchange the columns of motor_turns and displacement_mm"
+
+
+def printed(strokes: int = 6, **changes: object) -> pd.DataFrame:
+    """What a good rig prints: six strokes, some noise, and a load cell that trembles."""
+    table = recording(strokes, speed=4.0)
+    load_n = 20.0 + 0.1 * np.random.default_rng(1).standard_normal(len(table))
+    return table.assign(time_ms=(1000.0 * table["time_s"]).round(), load_n=load_n).assign(**changes)[COLUMNS]
+
+
+def lines(table: pd.DataFrame) -> list[bytes]:
+    return [b"%d,%.3f,%.3f,%.3f\r\n" % tuple(row) for row in table.to_numpy()]
+
+
+class Recorded:
+    """A recording of what a rig prints, by the real program, that is ended by Ctrl-C: its words, live and all."""
+
+    def __init__(self, rig, folder: Path, table: pd.DataFrame, header=COLUMNS, channels=None) -> None:
+        ours, start = rig
+        folder.mkdir()
+        (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", channels=channels), sort_keys=False))
+        process, said = start(), []
+        reading = threading.Thread(target=lambda: said.extend(iter(process.stdout.readline, "")), daemon=True)
+        reading.start()
+        while not (folder / "recording.lines").exists():
+            assert process.poll() is None, said
+            os.write(ours, (",".join(header) + "\r\n").encode())
+            time.sleep(0.1)
+        began_s = time.monotonic()
+        for time_ms, line in zip(table["time_ms"], lines(table), strict=True):
+            time.sleep(max(0.0, began_s + time_ms / 1000.0 / PACE - time.monotonic()))
+            os.write(ours, line)
+        time.sleep(1.0)
+        self.live = "".join(said)
+        process.send_signal(signal.SIGINT)
+        self.status = process.wait(60)
+        reading.join(60)
+        self.said = "".join(said)
+
+    @property
+    def next(self) -> list[str]:
+        """The commands that come next."""
+        return [line for line in self.said.splitlines() if line.startswith(("Next:", "Then:", "  "))]
+
+
+def test_a_good_recording_is_not_complained_of(rig, tmp_path):
+    done = Recorded(rig, tmp_path / "run-1", printed())
+    assert done.status == 0 and "warning" not in done.said, done.said
+    assert "pipeline.diagnose" in done.next[0]
+
+
+def test_a_wrong_sign_is_said_while_it_records_and_mended_by_a_command(rig, tmp_path):
+    """26 s went by without a word, and the end sent the person to a diagnosis."""
+    folder, table = tmp_path / "run-1", printed()
+    done = Recorded(rig, folder, table.assign(displacement_mm=-table["displacement_mm"]))
+    assert done.live.count(f"warning: {FALLS}set channels.displacement_mm.scale to -1") == 1, done.live
+    command = f"echo 'channels: {{displacement_mm: {{scale: -1}}}}' >> {folder}/run.yaml"
+    assert f"When the recording has ended: {command}\n" in done.live
+    assert done.status == 0 and "Until then nothing can use this run." in done.said
+    assert done.next[0] == f"Next: mend it, and record nothing anew: {command}"
+    assert done.next[1].startswith("Then: ") and "pipeline.diagnose" in done.next[1]
+    again = ready.run("pipeline.capture", "--recover", folder)
+    assert again.returncode == 2 and f"anew: {command}\n" in again.stdout, "said again, not only that it is finished"
+    subprocess.run(command, shell=True, check=True)
+    assert "there is nothing to recover" in ready.run("pipeline.capture", "--recover", folder).stderr
+
+
+def test_the_sign_of_a_run_with_channels_is_a_line_with_all_of_them(rig, tmp_path):
+    folder, table = tmp_path / "run-1", printed(2)
+    turned = table.assign(displacement_mm=-table["displacement_mm"])
+    done = Recorded(rig, folder, turned, ["t", "theta", "disp", "cell"], NAMED)
+    line = re.search(r"in the place of its channels: (channels: .*)\n", done.live)[1]
+    assert line.count("scale: -1") == 1 and f"write into {folder}/run.yaml, in the place" in done.next[0]
+    text = yaml.safe_load((folder / "run.yaml").read_text())
+    (folder / "run.yaml").write_text(yaml.safe_dump(text | yaml.safe_load(line)))
+    assert "there is nothing to recover" in ready.run("pipeline.capture", "--recover", folder).stderr
+
+
+@pytest.mark.parametrize("noise_mm", [0.0, 0.03])
+def test_a_displacement_that_stands_is_said_while_it_records(rig, tmp_path, noise_mm):
+    noise = noise_mm * np.random.default_rng(2).standard_normal(len(printed()))
+    done = Recorded(rig, tmp_path / "run-1", printed(displacement_mm=7.0 + noise))
+    assert done.live.count(f"warning: {STANDS}") == 1 and ": check the sensor and its cable\n" in done.live, done.live
+    assert "nothing can use this run" in done.said and not done.next, "nobody is sent to a diagnosis of it"
+
+
+@pytest.mark.parametrize(
+    ("header", "sentence", "mended"),
+    [
+        (["time_ms", "motor_turns", "load_n", "displacement_mm"], LOAD, COLUMNS),
+        (["time_ms", "displacement_mm", "motor_turns", "load_n"], TWIST, COLUMNS),
+    ],
+    ids=["load", "twist"],
+)
+def test_exchanged_columns_are_said_while_it_records_with_the_whole_command(rig, tmp_path, header, sentence, mended):
+    folder = tmp_path / "run-1"
+    done = Recorded(rig, folder, printed(), header)
+    command = f"python -m pipeline.capture --recover {folder} --columns {','.join(mended)}"
+    assert done.live.count(sentence) == 1 and f"{sentence}. When the recording has ended: {command}\n" in done.live
+    assert "check the sensor" not in done.said and done.status == 0, done.said
+    assert done.next == [f"Next: mend it, and record nothing anew: {command}"], "no diagnosis of exchanged columns"
+    again = ready.run("pipeline.capture", "--recover", folder, "--columns", ",".join(header))
+    assert again.returncode == 2 and f"anew: {command}\n" in again.stdout and "warning: " in again.stdout
+    right = ready.run("pipeline.capture", *shlex.split(command)[3:])
+    assert right.returncode == 0 and "pipeline.diagnose" in right.stdout and "warning" not in right.stdout
+
+
+GOOD = recording(3, noise_mm=0.0)
+TURNS, TIME_S = GOOD["motor_turns"].to_numpy(), GOOD["time_s"].to_numpy()
+NOISE = 0.02 * np.random.default_rng(0).standard_normal(len(GOOD))
+
+
+def contracts(turns):
+    return BASE.contraction_mm(turns, 20.0)
+
+
+def with_play(width: float):
+    """The twist behind a play of so many turns."""
+    behind = [0.0]
+    for turn in TURNS[1:]:
+        behind.append(min(max(behind[-1], turn - width / 2), turn + width / 2))
+    return np.array(behind)
+
+
+def said_of(folder: Path, table: pd.DataFrame, form: str = "%.3f") -> list[str]:
+    """What is said while the samples of a table come, asked every second for exchanged columns."""
+    folder.mkdir()
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    faults, said = LiveFaults(folder, COLUMNS), []
+    for at, row in enumerate(table[["time_s", *COLUMNS[1:]]].to_numpy()):
+        said.append(faults.look([f"{1000 * row[0]:.0f}", *(form % value for value in row[1:])]))
+        said += [faults.exchange()] if at % 25 == 24 else []
+    return [sentence for sentence in [*said, faults.exchange(last=True)] if sentence]
+
+
+@pytest.mark.parametrize(
+    ("turns", "measured_mm"),
+    [
+        *((TURNS, contracts(with_play(width))) for width in (1.0, 6.0)),
+        *((TURNS, np.maximum(contracts(TURNS) - contracts(0.0) - slack, 0.0)) for slack in (0.4, 2.5)),
+        (TURNS, contracts(np.maximum(TURNS - 5.0, 0.0)) - 0.02 * TIME_S),  # hangs slack, and creeps
+        (TURNS, contracts(TURNS) - 3.0 * TIME_S / 60.0),
+        (TURNS, contracts(TURNS) + 0.6 * np.sin(2.0 * np.pi * TURNS)),
+        (TURNS, contracts(TURNS) - 4.0 * (TIME_S > 12.0)),  # the clamp slips
+        (TURNS, np.minimum(contracts(TURNS), 15.0)),  # a stop
+        (TURNS + 8.0, contracts(TURNS + 8.0)),
+        (TURNS - 5.0, contracts(TURNS)),  # 0 is not the untwisted string, and it unwinds first
+        (TURNS, contracts(TURNS) + 20.0 * NOISE),
+    ],
+)
+@pytest.mark.parametrize("noise", [0.0, NOISE], ids=["still", "noise"])
+def test_what_a_good_string_does_is_not_complained_of(tmp_path, turns, measured_mm, noise):
+    table = GOOD.assign(motor_turns=turns, displacement_mm=measured_mm + noise)
+    assert said_of(tmp_path / "run-1", table) == []
+
+
+@pytest.mark.parametrize("begin", ["wound", "at its top"])
+def test_a_recording_that_begins_in_the_middle_of_a_stroke_is_not_complained_of(tmp_path, begin):
+    first = int(np.argmax(TURNS > 8.0) if begin == "wound" else np.argmax(TURNS > 26.9))
+    assert said_of(tmp_path / "run-1", GOOD.iloc[first:]) == []
+
+
+@pytest.mark.parametrize("form", ["%.3f", "%.1f", "%.0f"])
+@pytest.mark.parametrize(("top", "speed"), [(5.0, 2.0), (12.0, 10.0), (27.0, 0.5)])
+def test_few_strokes_of_any_height_pace_and_resolution_are_not_complained_of(tmp_path, form, top, speed):
+    assert said_of(tmp_path / "run-1", recording(1, top=top, speed=speed), form) == []
