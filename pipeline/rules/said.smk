@@ -5,7 +5,7 @@ from snakemake.exceptions import WorkflowError
 
 from pipeline.ground.errors import BadInput
 from pipeline.report.end_of_job.stale_reports import remove_stale, rewrite, unmade
-from pipeline.report.end_of_job.failures import STOPPED, told, without
+from pipeline.report.end_of_job.failures import STOPPED, concerned, told, without
 from pipeline.report.left_out import noted_in
 
 
@@ -46,7 +46,8 @@ def made():
 
 def left():
     # By the plan, and by the stages of what the workflow was asked for. An unreadable note is made again at the next start.
-    planned, there = PLAN.left_out, {str(file) for job in workflow.dag.jobs for file in job.output}
+    there = {str(file) for job in workflow.dag.jobs for file in job.output}
+    planned = concerned(PLAN.left_out, there)
     try:
         found = noted_in(path for path in map(Path, LEFT_OUT) if str(path) in there and path.is_file())
     except BadInput:

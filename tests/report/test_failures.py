@@ -43,6 +43,9 @@ def test_the_main_job_ends_with_what_failed(tmp_path):
     command = [sys.executable, "-m", "pipeline.new_run", "bad-01", *make, "--separator-mm", "8"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
     (run / "recording.csv").write_text("time_s,motor_turns,displacement_mm\n0,0,0\n")
+    silk = ["silk-01", *make, "--separator-mm", "8"]  # without a recording, and of a material that nobody asks for
+    silk[silk.index("nylon")] = "silk"
+    subprocess.run([*command[:3], *silk], cwd=tmp_path, check=True, capture_output=True)
     (tmp_path / "raw" / "A copy").mkdir()
     (tmp_path / "raw" / "A copy" / "run.yaml").write_text("")
     snakemake = [sys.executable, "-m", "snakemake", "--cores", "1", "--configfile", "pipeline/config/ci.yaml"]

@@ -355,14 +355,15 @@ def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
 
 
 def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_path, reports):
-    (tmp_path / "zero_jumps.json").write_text('["write `tare: run` in a_1\\\\b [c]"]')
+    note = tmp_path / "processed" / MATERIAL / "zero_jumps.json"
+    note.parent.mkdir(parents=True)
+    note.write_text('["write `tare: run` in a_1\\\\b [c]"]')
     metrics, folder = str(reports.parent / "tables.parquet"), tmp_path / MATERIAL
-    run(
-        "tables", metrics, "--titles", "inn=INN", "--jumps", str(tmp_path / "zero_jumps.json"), "--out-dir", str(folder)
-    )
+    run("tables", metrics, "--titles", "inn=INN [c]", "--jumps", str(note), "--out-dir", str(folder))
     assert r"write \`tare: run\` in a_1\\b \[c\]" in (folder / "table_1.md").read_text()
-    said = summary([str(folder / "table_1.md")], tmp_path, [MATERIAL], [])
-    assert r"write `tare: run` in a_1\b [c]" in said
+    assert r"| INN \[c\]" in (folder / "table_1.md").read_text()
+    said = summary([str(folder / "table_1.md"), str(note)], tmp_path, [MATERIAL], [])
+    assert "| INN [c]" in said and said.count(r"write `tare: run` in a_1\b [c]") == 1, "once, not beneath each table"
 
 
 @pytest.mark.parametrize("jumps", ['["The zero jumps"]', "[]"])

@@ -1,10 +1,13 @@
 """What the main job says last when not all was made: each job that failed and each run left out, why, and the mend."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
+
+from ...ground.left_out import LeftOut
 
 ALL_ELSE = "All else that was asked for is made. Left out until mended:"
 FAILS = "Until then the main job ends as failed. Nothing else went wrong, whatever Snakemake says below."
+EVERYTHING = "reports/index.html"  # the page of all materials
 LAST = "left_out"  # the rule that fails where a run was left out, after everything else
 ELSE = "What other runs need is made with --keep-going."
 STOPPED = "Stopped by Ctrl-C. What is made is kept: the same command goes on from there."
@@ -19,6 +22,19 @@ def reasons(log: Path) -> list[str]:
     errors = [line.removeprefix("error: ") for line in lines if line.startswith("error: ")]
     left_out = [line for line in lines if line.startswith("left out: ")]
     return left_out + (errors[-1:] or [next((line for line in reversed(lines) if line), "it said nothing")])
+
+
+def concerned(left_out: Iterable[LeftOut], asked_files: Collection[str]) -> list[LeftOut]:
+    """What was left out of what was asked for, by its files: of its materials and runs, or of no known material.
+
+    All, where everything was asked for.
+    """
+    folders = {part for file in asked_files for part in Path(file).parts[:-1]}
+    return [
+        entry
+        for entry in left_out
+        if EVERYTHING in asked_files or not entry.material or {entry.material, entry.run} & folders
+    ]
 
 
 def without(left_out: Iterable[str]) -> str:

@@ -1,5 +1,6 @@
 """What a run of the workflow says at its end: the tables that it was asked for, the pages, and the verdicts."""
 
+import re
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -9,13 +10,13 @@ from ..parts.diagnoses import verdicts
 from ..text import paper
 from ..text.plain_markdown import spoken
 
-PAGES = {
-    "index.html": "tables and figures on one page",
-    "models.html": "beside the floor",
-    "comparison.html": "beside the paper",
-}
+ON_ONE_PAGE = "tables, figures, every model and how to ask it"
+PAGE = "index.html"
+PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper"}
 TABLE_FORMS = ("csv", "md", "tex")
 FIGURES = ("figure_4.png", "figure_5.png")
+MARK = re.compile(r" \([^()]*\)$")  # in a table's title: that its fits are small, and no results
+RUNS = 8  # whose verdicts are said; the first page has all
 JUMPED = "Beware: the zero jumps between runs, as said above: until that is mended, the model to take may be wrong."
 WHOLE = {
     "index.html": "the way to all of it", "campaign/campaign.html": "what a new string teaches a model",
@@ -23,37 +24,68 @@ WHOLE = {
 }  # fmt: skip
 
 
-def of_material(folder: Path, paths: set[Path]) -> list[str]:
-    """Both tables of a material, its other pages and its fitted models; nothing of what was not asked for."""
+def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]:
+    """What comes next for a material: its page, the model to take and its export; `alone`: both tables before them.
+
+    Without a page of all of it, where each file that was asked for lies. Nothing of what was not asked for.
+    """
     names = {f"Table {'I' * number}": f"table_{number}" for number in paper.TABLES}
-    text = [
-        spoken(path.read_text(encoding="utf-8")) for stem in names.values() if (path := folder / f"{stem}.md") in paths
-    ]
+    written = [path for stem in names.values() if (path := folder / f"{stem}.md") in paths]
+    text = [line for path in written for line in _table(path)] if alone else []
+    on_one_page = folder / PAGE in paths
+    if on_one_page:
+        text.append(f"{ON_ONE_PAGE}: {folder / PAGE}")
+    else:
+        text += _files(folder, paths, names)
+    to_take = lines_at_end(folder.name, paths, folder / "models.csv", short=on_one_page)
+    notes = [path for path in paths if path.name == NAME and path.parent.name == folder.name]
+    jumps = read_jumps(notes)
+    return [*text, *jumps, *([JUMPED] if to_take and jumps else []), *to_take]
+
+
+def _files(folder: Path, paths: set[Path], names: dict[str, str]) -> list[str]:
+    """Where each table, by its name, the figures and the pages of a material lie."""
+    text = []
     for name, stem in names.items():
         files = [str(path) for suffix in TABLE_FORMS if (path := folder / f"{stem}.{suffix}") in paths]
         text += [f"{name}: {', '.join(files)}"] if files else []
     figures = [str(folder / name) for name in FIGURES if folder / name in paths]
-    if figures:
-        text.append(f"figures: {', '.join(figures)}")
-    text += [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in paths]
-    to_take = lines_at_end(folder.name, paths, folder / "models.csv")
-    notes = [path for path in paths if path.name == NAME and path.parent.name == folder.name]
-    return text + ([JUMPED] if to_take and read_jumps(notes) else []) + to_take
+    text += [f"figures: {', '.join(figures)}"] if figures else []
+    return text + [f"{words}: {folder / page}" for page, words in PAGES.items() if folder / page in paths]
+
+
+def _table(path: Path) -> list[str]:
+    """A table's title and its rows, as a terminal shows them; what stands beneath them is in the file."""
+    lines = spoken(path.read_text(encoding="utf-8")).splitlines()
+    return [lines[0], *(line for line in lines if line.startswith("|")), ""]
+
+
+def _mark(folder: Path, paths: set[Path]) -> str:
+    """That a material's tables are of small fits, as their titles have it; empty where they are not."""
+    table = next((path for path in sorted(paths) if path.parent == folder and path.name == "table_1.md"), None)
+    title = table.read_text(encoding="utf-8").partition("\n")[0] if table else ""
+    marked = MARK.search(spoken(title))
+    return marked.group() if marked else ""
 
 
 def summary(made_paths: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:
-    """Tables, places of the pages, and a line on each run's diagnosis.
+    """What comes next: of each material its page and its model to take, a line on each run's diagnosis, all pages.
 
-    `made_paths` lists what the run was asked for and is whole: nothing else is named, however old it lies there.
+    `made_paths` lists what the run was asked for and is whole: nothing else is named, however old it lies there. The
+    tables of one material are shown; of several, their pages are named.
     """
     paths, text = {path for path in map(Path, made_paths) if path.exists()}, []
+    tables = [material for material in materials if reports / material / "table_1.md" in paths]
     for material in materials:
-        lines = of_material(reports / material, paths)
+        lines = of_material(reports / material, paths, alone=len(tables) < 2)
         if lines:
-            text += [f"\n== {material} " + "=" * max(0, 90 - len(material)), *lines]
-    words = verdicts([reports / "diagnosis" / run for run in runs if reports / "diagnosis" / run in paths])
+            head = f"{material}{_mark(reports / material, paths)}"
+            text += [f"\n== {head} " + "=" * max(0, 90 - len(head)), *lines]
+    folders = [reports / "diagnosis" / run for run in runs if reports / "diagnosis" / run in paths]
+    words = verdicts(folders[:RUNS])
     if words:
         text.append("\n== what the simulator leaves out " + "=" * 62)
-        text.append(f"{words}\nfigures: {reports / 'diagnosis' / '<run>' / 'diagnosis.png'}")
-    text += [f"\n{words}: {reports / page}" for page, words in WHOLE.items() if reports / page in paths]
-    return "\n".join([*text, ""])
+        more = f"{len(folders) - RUNS} more runs, and of each " if len(folders) > RUNS else "of each "
+        text.append(f"{words}\n{more}what to do: {reports / 'diagnosis' / '<run>' / 'verdict.txt'}")
+    whole = [f"{words}: {reports / page}" for page, words in WHOLE.items() if reports / page in paths]
+    return "\n".join([*text, *([""] if whole else []), *whole, ""])

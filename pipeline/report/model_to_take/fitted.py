@@ -43,8 +43,11 @@ def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
     return [*text, *lines, ""]
 
 
-def lines_at_end(material: str, made_paths: Iterable[Path], models_csv: Path) -> list[str]:
-    """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there."""
+def lines_at_end(material: str, made_paths: Iterable[Path], models_csv: Path, short: bool = False) -> list[str]:
+    """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there.
+
+    `short`: which to take and how to export it, where a page has the rest.
+    """
     files = [path for path in made_paths if path.suffix == ".model" and path.parent.parent.name == material]
     saved = [path.parent.name for path in files if path.name == "within-0.model"]
     advice = advice_on(saved, models_csv)
@@ -53,6 +56,8 @@ def lines_at_end(material: str, made_paths: Iterable[Path], models_csv: Path) ->
     others = ", ".join(sorted({path.parent.name for path in files} - {advice.model, WHOLE_MOTION}))
     more = [f"fitted too: {others}"] if others else []
     to = [f"to {where}: {uses(material, model)[0]}" for where, model in advice.controllers.items()]
+    if short:
+        return [*([advice.reason] if advice.reason else []), *to]
     ask = f"to ask it: {uses(material, advice.model)[1]}"
     return [*filter(None, (advice.reason, advice.at_inverse)), *to, ask, QUESTIONS, *more]
 

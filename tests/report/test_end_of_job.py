@@ -1,0 +1,81 @@
+"""What the main job says last: what comes next, and no more than that; what was left out only of what was asked for."""
+
+import pytest
+
+from pipeline.ground.left_out import LeftOut
+from pipeline.report.end_of_job.failures import concerned
+from pipeline.report.end_of_job.summary import RUNS, summary
+
+TITLE = "TABLE I: FORWARD ERRORS (small fit: not a result, made by ci.yaml)"
+ROWS = "\n".join(f"| model {place} | n=1 | 0.1 |" for place in range(24))
+CAPTION = "Material x: forward errors on held-out points of the split within."
+
+
+def made(tmp_path, materials, page=True):
+    """The paths of a main job of some materials, each with tables, a page, a fitted model and a run."""
+    reports, paths = tmp_path / "reports", []
+    for material in materials:
+        folder, model = reports / material, tmp_path / "processed" / material / "spline" / "within-0.model"
+        for path in (*(folder / f"table_{number}.md" for number in (1, 2)), folder / "models.html", model):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(f"{TITLE}\n\n{ROWS}\n\n{CAPTION}\n")
+            paths.append(path)
+        (folder / "models.csv").write_text("model,split,map,column,median\nspline,later,forward,all,0.1\n")
+        if page:
+            (folder / "index.html").touch()
+            paths.append(folder / "index.html")
+        verdict = reports / "diagnosis" / f"{material}-1" / "verdict.txt"
+        verdict.parent.mkdir(parents=True)
+        verdict.write_text(f"{material}-1: explained by creep.\n\nMore\n")
+        paths.append(verdict.parent)
+    (reports / "index.html").touch()
+    paths.append(reports / "index.html")
+    return [str(path) for path in paths], reports, list(materials), [f"{material}-1" for material in materials]
+
+
+def test_two_materials_end_with_at_most_twenty_lines_that_say_what_comes_next(tmp_path):
+    """It printed 120: four tables with their captions, then the files of each."""
+    said = summary(*made(tmp_path, ("nylon", "silk")))
+    assert len(said.splitlines()) <= 20 and "| model" not in said and CAPTION not in said
+    for material in ("nylon", "silk"):
+        assert f"== {material} (small fit: not a result, made by ci.yaml) ===" in said, "no title of a table says it"
+        assert f"every model and how to ask it: {tmp_path / 'reports' / material / 'index.html'}\n" in said
+        assert "model to take: spline. Its forward error on later strokes is the least" in said
+        assert f"to a controller: python -m pipeline.export processed/{material}/spline/within-0.model" in said
+        assert f"\n{material}-1: explained by creep.\n" in said
+    assert said.endswith(f"\nthe way to all of it: {tmp_path / 'reports' / 'index.html'}\n")
+    assert "\nto ask it: " not in said and "models.html" not in said, "the page has them"
+
+
+def test_one_material_ends_with_its_tables_without_what_stands_beneath_them_in_their_files(tmp_path):
+    said = summary(*made(tmp_path, ("nylon",)))
+    assert said.count(TITLE) == 2 and said.count("| model 23 |") == 2 and CAPTION not in said
+
+
+def test_where_no_page_of_a_material_was_asked_for_each_file_and_command_is_named(tmp_path):
+    said = summary(*made(tmp_path, ("nylon", "silk"), page=False))
+    assert f"Table I: {tmp_path / 'reports' / 'silk' / 'table_1.md'}\n" in said and "to ask it: " in said
+    assert f"beside the floor: {tmp_path / 'reports' / 'silk' / 'models.html'}\n" in said
+
+
+def test_of_many_runs_the_first_verdicts_are_said_and_the_others_counted(tmp_path):
+    names = [f"m{place}" for place in range(RUNS + 2)]
+    said = summary(*made(tmp_path, names))
+    assert said.count("explained by creep") == RUNS and "\n2 more runs, and of each what to do: " in said
+
+
+@pytest.mark.parametrize(
+    ("asked", "runs"),
+    [
+        (["reports/nylon/index.html", "processed/nylon/dataset.parquet"], ["nylon-2", "nameless"]),
+        (["processed/silk-1/samples.parquet"], ["silk-1", "nameless"]),
+        (["reports/nylon/index.html", "reports/index.html"], ["nylon-2", "silk-1", "nameless"]),
+    ],
+)
+def test_what_was_left_out_of_another_material_is_not_said(asked, runs):
+    """Who had made the reports of nylon read last that a run of silk is to be mended."""
+    of = {"nylon-2": "nylon", "silk-1": "silk", "nameless": ""}
+    left_out = [
+        LeftOut(run, material, f"raw/{run}", "recording", "is missing", "put it there") for run, material in of.items()
+    ]
+    assert [entry.run for entry in concerned(left_out, asked)] == runs
