@@ -283,8 +283,7 @@ def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
     text = " ".join(full(content(evidence__covered=COVERED | turned)).split())
     assert f"{band} 14.9 to 15.1 turns and 30 to 30.7 turns at the top and 0 turns at the bottom {wider}" in text
     assert (
-        "creep goes on from where the recording ended; without --after-recording a plan begins as the recording began."
-        in text
+        "creep goes on from the recording's end; without --after-recording a plan begins as the recording did." in text
     )
     assert "--motion PLAN.csv --after-recording --out FILE.csv" in text, "the command can be pasted as it stands"
     passing = full(content(mechanisms=content()["mechanisms"][:1]))

@@ -1,5 +1,7 @@
 """What comes closest where nothing explains a recording, what each takes away and leaves, and why it does not do."""
 
+import re
+
 from ....ground.glossary import MEANING
 from ....ground.outside_library import is_outside
 from ...choice.judged import UNKNOWN
@@ -20,7 +22,7 @@ CLOSEST = 4  # explanations that are shown
 HEAD = ["tried instead", "takes away", "leaves (× noise)", "probability", "why it is no name"]
 STAND_IN = "no physics of the library"
 UNLIKELY, LARGER = "not likely enough", "adds too little"
-STAND_INS = "x_ marks a stand-in, which fits the data and is no physics of the library. {}."
+STAND_INS = "No name, but a stand-in that fits the data and is no physics of the library: {}."
 ENOUGH = "To be named, an explanation must take away {} of what is missing (of its energy, the mean of its square)"
 
 
@@ -53,10 +55,21 @@ def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
 
 def stand_ins(sets: list[list[str]]) -> list[str]:
     """What each stand-in of some explanations does, in one line; nothing where none is among them."""
-    library = mechanisms()
-    ids = dict.fromkeys(id_ for ids in sets for id_ in ids if is_outside(id_) and id_ in MEANING and id_ in library)
-    does = [f"{id_}: {MEANING[id_].partition(';')[0].rstrip('.')}" for id_ in ids]
-    return [STAND_INS.format("; ".join(does))] if does else []
+    does = [f"{id_} ({plainly(id_)})" for id_ in dict.fromkeys(id_ for ids in sets for id_ in ids) if plainly(id_)]
+    return [STAND_INS.format(listing(does))] if does else []
+
+
+def not_told(text: str) -> list[str]:
+    """The same of each stand-in that a text names and does not say what it does."""
+    words = " ".join(text.split())
+    named = [id_ for id_ in mechanisms() if re.search(rf"\b{id_}\b", words) and plainly(id_)]
+    return stand_ins([[id_ for id_ in named if plainly(id_) not in words]])
+
+
+def plainly(id_: str) -> str:
+    """What a stand-in does, in words without its id; empty of any other effect."""
+    is_stand_in = is_outside(id_) and id_ in MEANING and id_ in mechanisms()
+    return MEANING[id_].partition(";")[0].rstrip(".") if is_stand_in else ""
 
 
 def _rule(content: Verdict) -> str:

@@ -73,7 +73,7 @@ def others_shown(content: Verdict) -> list[ExplanationEntry]:
 def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first; with probabilities the last rows are of all that no other row has."""
     has_probabilities, floor = probability.known(content), amount(content["evidence"], f"floor_{words.ending}")
-    cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "differs from 1 by"]]
+    cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "rms apart from no. 1"]]
     out = [entry["ids"] for entry in not_named.entries(content)]
     none_acts = rivals.entries(content, "nothing")
     most = max(rivals.left_of(each, content, words.ending) for each in [*rows.values(), *none_acts])

@@ -71,7 +71,7 @@ def _less_likely(rows: Numbered) -> list[str]:
         return chiefly(each) if less_often(each, rows[1]) else ""
 
     reasons = _grouped({number: each for number, each in rows.items() if number > 1}, reason)
-    return [f"Why less likely than 1: {'; '.join(reasons)}."] if reasons else []
+    return [f"Why less likely than no. 1: {'; '.join(reasons)}."] if reasons else []
 
 
 def _where(rows: Numbered, content: Verdict, words: Vocabulary) -> list[str]:
@@ -85,7 +85,7 @@ def _where(rows: Numbered, content: Verdict, words: Vocabulary) -> list[str]:
         return "" if where == EVERYWHERE else f"{where}{follows}"
 
     places = _grouped(rows, lies)
-    return [f"Where they differ from 1 the most: {'; '.join(places)}."] if places else []
+    return [f"Where their readings are farthest from that of no. 1: {'; '.join(places)}."] if places else []
 
 
 def _nearly_as_good(rows: Numbered, words: Vocabulary) -> list[str]:

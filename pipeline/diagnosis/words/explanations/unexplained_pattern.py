@@ -7,9 +7,10 @@ from ..held_out import holdout, level, unseen
 from ..language.places import EVERYWHERE, place
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
+from .closest import plainly
 from .rivals import NOISY, called, entries, left
 
-STAND_IN = " (x_ marks a stand-in: it fits the data, but is no physics of the library)"
+STAND_IN = " (a stand-in that fits the data and is no physics of the library{})"
 TIME, ALONG = "time", ", as the load did, so either may be it"
 LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth a word
 
@@ -86,4 +87,5 @@ def nearest(content: Verdict, words: Vocabulary) -> list[str]:
 
 def stand_in(ids: list[str]) -> str:
     """What a name that begins with x_ means, where one does."""
-    return STAND_IN if any(map(is_outside, ids)) else ""
+    does = "; ".join(filter(None, map(plainly, ids)))
+    return STAND_IN.format(f": {does}" * bool(does)) if any(map(is_outside, ids)) else ""

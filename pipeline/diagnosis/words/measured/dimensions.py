@@ -13,7 +13,7 @@ from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing, number, said_unit, size, times
 from ..language.table import UNKNOWN, wrapped_cells
 from ..language.vocabulary import Vocabulary
-from . import exactness, tolerances
+from . import change, exactness, tolerances
 
 LEAVES = 2.5  # sigma by which a dimension must have moved to be measured again
 HARDLY = 0.01  # sigma: a dimension that moved less stayed where it was
@@ -170,7 +170,7 @@ def table(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[
     if not moved:
         return ["No dimension moved by a hundredth of its tolerance: only the zero of the reading did."]
     rows = [_row(content, name, words) for name in moved if name not in but]
-    lines = [*wrapped_cells([HEAD, *rows]), "`moved by` counts tolerances."] if rows else []
+    lines = [*wrapped_cells([HEAD, *rows]), change.COUNTS] if rows else []
     if stayed := [name_of(name) for name, sigma in sigmas.items() if sigma < HARDLY]:
         lines.append(f"Stayed (moved by less than a hundredth of the tolerance): {listing(stayed)}.")
     if content["verdict"] == "parameters" and moved_in_vain(content, words):
@@ -187,8 +187,8 @@ def _row(content: Verdict, name: str, words: Vocabulary) -> list[str]:
     """From what to what a dimension moved, and by how much of which tolerance."""
     nominal, value = from_to(content, name)
     first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
-    far = number(abs(content["evidence"]["moved_sigma"][name]), whole=True)
-    tolerance = tolerances.said(content, name, words) or UNKNOWN
+    sigmas = number(abs(content["evidence"]["moved_sigma"][name]), whole=True)
+    far, tolerance = f"{sigmas}{change.in_brackets(content, name)}", tolerances.said(content, name, words) or UNKNOWN
     return [name_of(name), first, f"{value}{likely_range(content, name)}", tolerance, far]
 
 

@@ -4,7 +4,7 @@ from ...document.bounds import of_later_run
 from ...document.content import Verdict
 from ..language.table import IN_A_STEP, ROOM, aligned
 from ..language.vocabulary import Vocabulary
-from . import exactness, tolerances
+from . import change, exactness, tolerances
 from .dimensions import far_moved, from_to, name_of, whence
 from .in_run_yaml import tolerance_keys
 from .tolerances import stem
@@ -34,7 +34,7 @@ def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         in_run_yaml = f"{nominal} ({whence(content, name)})" if exactness.assumed(name) else nominal
         tolerance = tolerances.marked(content, name, words) or "–"
         rows.append([name_of(name), in_run_yaml, tolerance, value, exactness.cell(content, name)])
-    head, *lines = aligned([HEAD, *rows], ROOM - IN_A_STEP)
+    head, *lines = _with_percents(content, names, rows)
     measured = [head]
     for name, line in zip(names, lines, strict=True):
         how = words.measured.get(stem(name))
@@ -48,6 +48,15 @@ def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         *exactness.mistakes(content, {name: name_of(name) for name in names}),
         *_together(content, names),
     ]
+
+
+def _with_percents(content: Verdict, names: list[str], rows: list[list[str]]) -> list[str]:
+    """The lines of the table; with by how many per cent what fits best is another value, where there is room."""
+    percents = [change.in_brackets(content, name) for name in names]
+    wider = [[*row[:3], f"{row[3]}{percent}", *row[4:]] for row, percent in zip(rows, percents, strict=True)]
+    room = ROOM - IN_A_STEP
+    lines = aligned([HEAD, *wider], room)
+    return lines if max(map(len, lines)) <= room else aligned([HEAD, *rows], room)
 
 
 def _together(content: Verdict, names: list[str]) -> list[str]:

@@ -16,7 +16,7 @@ from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_int
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
-OF_IT = ("share no dimension", "can imitate")  # the head of a column, on two lines where the page is too narrow
+OF_IT = ("part that no wrong", "dimension can make")  # the head of a column, on two lines where that is too wide
 AT_A_STAND = ", and is gone as soon as the motor stands"  # of a loss, by its law
 INDENT = 2  # of a section's lines
 WHOSE = "Sizes are those of the best explanation."
@@ -31,7 +31,7 @@ NO_INTERVAL = "{} without an interval: the fit gives it one value alone."
 IDLE = "{} was tried as well and is not named. {}"
 READ = "Sizes of one effect: rms is its usual size over the whole recording{}{}. All hold if {} is right."
 UP_TO = "; after `up to` stands its largest one"
-READ_PART = "; the last column is the rms, over the whole recording, of the share that no moved dimension could imitate"
+READ_PART = "; the last column is the rms, over the whole recording, of the part that no wrong dimension can make"
 TAKEN_BACK = (
     "Mostly hidden: it is far larger than the {} that is missing. Moved dimensions or other effects take the rest back."
 )
@@ -39,8 +39,8 @@ ELSEWHERE, CHIEF = 0.5, 3  # tolerances that a dimension moved in an effect's pl
 NEAR_0 = 0.02  # of an interval's upper end: a lower end that is less reads as 0
 BOTH_HOLD = ": {} {} though the interval reaches 0, for the percentage counts all signs, the interval the size alone"
 IN_ALL = (
-    "What no dimension could imitate of {}: {}. The rest {} could make as well. The two overlap, so their rms sizes do "
-    "not add up."
+    "What no wrong dimension can make of {}: {}. The rest {} could make as well. The two overlap, so their rms sizes "
+    "do not add up."
 )
 SOME_TAKEN_BACK = (
     "Partly hidden: it is more than the {} that is missing. Moved dimensions or other effects take the rest back, so "
@@ -74,7 +74,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         what = does.get(id_) or in_a_line.of_open(id_, content, words)
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}{between.get(id_, '')}"]
     several = len(content["mechanisms"]) > 1 and content["alternatives"]
-    larger = to_report(content, entries, words)
+    larger = to_report(content, entries, words, _in_its_place(content))
     if short:
         against = cancelling.lines(content, entries, words)
         return [

@@ -10,8 +10,8 @@ from ..measured.dimensions import far_moved
 from . import certainty
 
 POORLY, HIDDEN, PARTLY = ", poorly known", ", mostly hidden", ", partly hidden"
-PART = "the share that no dimension could imitate"
-TO_REPORT = "Of {} report the last column, not the size before it: moved dimensions could make the rest."
+PART = "the part that no wrong dimension can make"
+TO_REPORT = "Of {} report the last column, not the size before it: {} could make the rest."
 OWN = 0.8  # of an effect's size: a part that no dimension could do stands first if it is less
 
 
@@ -66,12 +66,15 @@ def reportable(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> bo
     return narrow and (not doubt or own_part(entry, content, words) > 0.0)
 
 
-def to_report(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
-    """Which of two sizes is to be reported, where some have two and each effect can be reported; nothing elsewhere."""
+def to_report(content: Verdict, entries: list[MechanismEntry], words: Vocabulary, instead: str) -> list[str]:
+    """Which of two sizes is to be reported, where some have two and each effect can be reported; nothing elsewhere.
+
+    `instead` are the dimensions that could make the rest.
+    """
     if far_moved(content) or not all(reportable(entry, content, words) for entry in entries):
         return []
     ids = [entry["id"] for entry in entries if own_part(entry, content, words)]
-    return [TO_REPORT.format(listing(ids))] if ids else []
+    return [TO_REPORT.format(listing(ids), instead)] if ids else []
 
 
 def doubt_of(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:

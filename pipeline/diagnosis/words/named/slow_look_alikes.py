@@ -60,21 +60,32 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     return [f"{head}{meant}{could}", *(f"- {id_}{_why_open(content, id_, words)}" for id_ in may_be)]
 
 
+def unsettled(content: Verdict, words: Vocabulary) -> str:
+    """That one load cannot settle a slow effect's name, to stand before the percentage of it; empty where it can."""
+    slow = certainty.slow_alike(content, words)
+    if not slow or not still_open(content, words):
+        return ""
+    acts = "is surely at work" if _surely(content, slow) else "is likely at work"
+    by = f"By {'the probability of ' * bool(certainty.known(content))}the library's formulas"
+    return f"something slow {acts}, but one load cannot settle its name. {by}: "
+
+
 def doubts(content: Verdict, words: Vocabulary) -> list[str]:
     """What the page says first of the look-alikes that are open; nothing where none is."""
     slow, may_be = certainty.slow_alike(content, words), still_open(content, words)
     if not slow or not may_be:
         return []
-    return [
-        f"Under one load slow effects look alike: what is called {listing(slow)} here can be {listing(may_be, 'or')}. "
-        f"{_how_sure(content, slow)}"
-    ]
+    return [f"Under one load what is called {listing(slow)} can be {listing(may_be, 'or')}."]
 
 
 def _how_sure(content: Verdict, slow: list[str]) -> str:
     """How sure it is that one of the `slow` effects acts, whichever."""
-    surely = not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
-    return f"That something slow acts is {'sure' if surely else 'likely'}; its name is not sure."
+    return f"That something slow acts is {'sure' if _surely(content, slow) else 'likely'}; its name is not sure."
+
+
+def _surely(content: Verdict, slow: list[str]) -> bool:
+    """Whether it is sure that one of the `slow` effects acts, whichever."""
+    return not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
 
 
 def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:

@@ -117,8 +117,8 @@ def of_staying(ids: Sequence[str]) -> list[str]:
     stay = staying(ids)
     if not stay:
         return []
-    what = f"{listing(stay)} {'go' if len(stay) > 1 else 'goes'} on from where the recording ended"
-    return [f"{what}; without {AFTER_RECORDING} a plan begins as the recording began."]
+    what = f"{listing(stay)} {'go' if len(stay) > 1 else 'goes'} on from the recording's end"
+    return [f"{what}; without {AFTER_RECORDING} a plan begins as the recording did."]
 
 
 def adopted_predictions(folder: Path, words: Vocabulary, load: str | None, ids: list[str]) -> list[str]:

@@ -8,12 +8,15 @@ from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED, kept_times, moved_in_vain
 from ..language.quantity import first_upper, listing, size, times
 from ..language.vocabulary import Vocabulary
+from ..measured import moved_words
+from ..named import slow_look_alikes
 from . import at_work
 
 WORSE = 2.0  # times the calibrated error: nobody should predict with a run.yaml that errs by more
 SAID = {
     "consistent": "the simulation explains the recording to its noise ({floor}).",
-    "parameters": "the simulation explains the recording once its measured dimensions move; no physics is missing.",
+    "parameters": "the simulation explains the recording once its measured dimensions move{moved}; "
+    "no physics is missing.",
     "explained": "explained by {best}{sure}.",
     "ambiguous": "{at_work}{word}.",
     "unknown": "the mismatch is real, and no explanation of the library is good enough{lacks}.",
@@ -73,6 +76,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         "adopted": named,
         "beside": f"{named}; with {_them(adopted)} " if adopted else "",
         "it": _them(adopted),
+        "moved": moved_words.bracketed(content),
         "far": FAR if at_bound(evidence["moved_sigma"]) else "",
         "left": size((amount_or_none(evidence, f"calibrated_{words.ending}") or 0.0), words.unit),
         "ratio": times(fitted or 0.0),
@@ -93,7 +97,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
         fields |= {"against": against_advice(content, ",", ","), "measure": MEASURE * (state == MAY_HOLD)}
         return f"{run}: {NO_TEST.format(**fields)}{as_it_stands(content, words)}{worse}"
     about = ": ".join([run, *_lead(content, adopted, UNFIT if warning else state)])
-    sentence = sentence.format(**fields)
+    sentence = f"{slow_look_alikes.unsettled(content, words)}{sentence.format(**fields)}"
     if warning:
         return f"{about}: {warning}. {first_upper(sentence)}{worse}"
     return f"{about}: {sentence}{as_it_stands(content, words)}{worse}"

@@ -20,10 +20,10 @@ LEAST = 0.01  # a probability that a report names
 NAMED = 3  # other explanations that a report names
 RULE = (
     "Such a size has an interval narrower than a factor of 2; where moved dimensions can hide a part of an effect, it "
-    "is the share that none could imitate (docs/diagnosis.md)."
+    "is the part that none can make (docs/diagnosis.md)."
 )
 NO_EFFECT = "Do not report an effect: none is named, however close one comes."
-ONLY_PART = "Of {} only that share, not what {} in all nor {} constants (loop, times): dimensions could make the rest."
+ONLY_PART = "Of {} only that part, not what {} in all nor {} constants (loop, times): dimensions could make the rest."
 FITTED = "Do not report calibrated dimensions, nor other numbers under `simulation`: they are fitted, not measured."
 
 

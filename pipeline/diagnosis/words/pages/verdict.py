@@ -48,13 +48,12 @@ def verdict_text(
         (to_do.HEADING, to_do.lines(content, words, folders, out, short=True)),
         ("What would have been seen", [*would, *temperature] if would else []),
     ]
-    above = (
-        in_vain.unsettled(content, words) if to_settle(content, words) else []
-    )  # the headline and the table of errors
+    # the headline and the table of errors have these
+    above = in_vain.unsettled(content, words) if to_settle(content, words) else []
     first = [line for line in what_first(content, words, joined(sections)) if line not in above]
     first = [shortened(line, LONG) for line in (*first, *slow_look_alikes.doubts(content, words))]
     sections.insert(1, (DOUBTS, [*doubts, *first]))
-    return text(sections, (MORE, []))
+    return text(sections, (MORE, closest.not_told(joined(sections))))
 
 
 def joined(sections: Sections) -> str:

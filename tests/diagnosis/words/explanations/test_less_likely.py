@@ -19,7 +19,9 @@ def test_each_likely_and_each_beaten_explanation_says_why_it_is_less_likely():
     text = section(made)
     assert "2 friction_hysteresis + thermal 26 % 0.070 mm (2.3) 0.070 mm" in text
     assert "3 friction_hysteresis + sensor_drift 6 % 0.030 mm (1.0) 0.070 mm" in text
-    assert "Why less likely than 1: chiefly since it fits the recording worse (no. 2); though a further effect" in text
+    assert (
+        "Why less likely than no. 1: chiefly since it fits the recording worse (no. 2); though a further effect" in text
+    )
     assert "would add less to it: such explanations were right less often" in text and "judge (no. 3)." in text
     assert "5 creep less than 1 % 0.060 mm (2.0)" in text
 

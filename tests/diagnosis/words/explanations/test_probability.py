@@ -25,7 +25,9 @@ def test_each_explanation_comes_with_its_probability_and_the_rule_that_rules_out
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
     text = " ".join(told(weighed(0.0, 0.0, 0.0, 0.01, 0.99, none=0.001, **alone)).split())
     assert "Kept: 1 explanation, 99 %. None of the others is impossible." in text and "the likeliest, until" not in text
-    none = "Why less likely than 1: since the same effects with one more leave less of the recording (no. 2, 4 and 5)."
+    none = (
+        "Why less likely than no. 1: since the same effects with one more leave less of the recording (no. 2, 4 and 5)."
+    )
     assert " creep less than 1 % 0.060 mm (2.0) " in text and none in text
 
 

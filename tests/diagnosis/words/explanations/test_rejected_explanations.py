@@ -10,7 +10,7 @@ def test_what_all_ties_share_and_why_each_rival_was_beaten():
     section = text.partition("\nExplanations, the best one first\n")[2].partition("\n\n")[0]
     rows = [re.split(" {2,}", row.strip()) for row in section.splitlines()[:7]]
     assert rows == [
-        ["no.", "explanation", "leaves (× noise)", "differs from 1 by"],
+        ["no.", "explanation", "leaves (× noise)", "rms apart from no. 1"],
         ["1", "friction_hysteresis + creep", "0.030 mm (1.0)", "–"],
         ["2", "friction_hysteresis + thermal", "0.070 mm (2.3)", "0.070 mm"],
         ["3", "friction_hysteresis + sensor_drift", "0.030 mm (1.0)", "0.070 mm"],
@@ -19,7 +19,10 @@ def test_what_all_ties_share_and_why_each_rival_was_beaten():
         ["–", "calibration alone", "0.45 mm (15)", "–"],
     ]
     assert text.count("If a true effect may differ from its formula by 10 % of its size, 2 leaves 1.0 times") == 1
-    assert "Where they differ from 1 the most: at 0 to 12.2 turns, in strokes 2 to 4, at rest, following the" in section
+    assert (
+        "Where their readings are farthest from that of no. 1: at 0 to 12.2 turns, in strokes 2 to 4, at rest, "
+        "following the" in section
+    )
     assert "than 3 by 20 standard deviations." in section
     adds = "5 adds wear to 1, which takes away"
     assert f"{adds} nothing (less than 0.2 times the noise)." in section, "as the table of other effects says it"

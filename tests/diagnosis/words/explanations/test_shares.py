@@ -9,7 +9,7 @@ def test_a_stand_in_is_part_of_the_share_of_physics_that_the_library_lacks() -> 
     made = weighed(0.0, 0.0, 0.18, 0.0, 0.71, none=0.22, alternatives=[["x_swelling"]])
     made["evidence"]["explanations"][3]["ids"] = ["x_swelling"]
     table = told(made).partition("How probable each explanation is\n")[2].partition("\n\n")[0]
-    assert "physics that the library lacks, stand-ins included" in table and "x_swelling: the radius" in table
+    assert "physics that the library lacks, stand-ins included" in table and "x_swelling (the radius" in table
     rows = [re.match(r" +\S+ +(.+?)  +(\d+) %", line) for line in table.splitlines()]
     shares = {row[1]: float(row[2]) for row in rows if row}
     assert shares.pop("x_swelling") == 18.0 and sum(shares.values()) == 100.0

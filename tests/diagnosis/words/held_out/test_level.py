@@ -19,7 +19,9 @@ def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest()
     rows = [re.split(" {2,}", line.strip()) for line in text.splitlines()]
     assert ["x_wave", "99 %", "0.060 mm (2.0)", "no physics of the library"] in rows
     assert ["calibration alone", "0 %", "0.45 mm (15)"] in rows, "what remains without any"
-    assert "x_wave: a steady oscillation in time, whatever the rig does." in " ".join(text.split()), "in words"
+    assert "library: x_wave (a steady oscillation in time, whatever the rig does)." in " ".join(text.split()), (
+        "in words"
+    )
     assert "Do not report an effect: none is named" in text and "Now in force" not in text
     assert "At most three effects at once are tried" in text
 

@@ -19,10 +19,10 @@ def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
     text = corrected(0.5612, 2.1)
     errors = " ".join(text.partition("\nHow far the simulator is off, rms\n")[2].split())
     assert "nominal 0.45 mm (15 times the noise)" in errors and "calibrated 0.033 mm (1.1 times the noise)" in errors
-    assert re.search(r"\n  radius +0\.55 mm +0\.5612 mm +– +2\.1\n", text)
+    assert re.search(r"\n  radius +0\.55 mm +0\.5612 mm +– +2\.1 \(\+2 %\)\n", text)
     assert "Only a dimension that moves by more than 2.5 tolerances is to be measured again." in text
     assert "stays within its tolerance" not in text
-    assert re.search(r"radius +0\.55 mm +0\.55001 mm +– +0\.020\n", corrected(0.55001, 0.02))
+    assert re.search(r"radius +0\.55 mm +0\.55001 mm +– +0\.020 \(\+0\.0018 %\)\n", corrected(0.55001, 0.02))
     assert "Every dimension stays within its tolerance: nothing says that one was measured wrong." in corrected(
         0.551, 0.2
     )

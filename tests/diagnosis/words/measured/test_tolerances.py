@@ -24,8 +24,8 @@ def test_a_value_that_run_yaml_does_not_hold_was_assumed_and_a_tolerance_is_show
     rows = text.partition("\nDimensions\n")[2].splitlines()
     assert [re.split(" {2,}", row.strip()) for row in rows[1:4]] == [
         ["zero of the motor", "0 turns (assumed)", "0.15 turns (0.1 to 0.2)", "0.05 turns", "3.0"],
-        ["radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.017 mm (3 %)", "2.9"],
-        ["gain of the displacement sensor", "1 (assumed)", "0.986 (0.98 to 0.99)", "0.5 %", "2.8"],
+        ["radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.017 mm (3 %)", "2.9 (+2 %)"],
+        ["gain of the displacement sensor", "1 (assumed)", "0.986 (0.98 to 0.99)", "0.5 %", "2.8 (-1.4 %)"],
     ]
     step = " ".join(full(content(**changes)).partition("Measure again what calibration moved far:")[2].split())
     for name, exactly in (

@@ -82,10 +82,10 @@ def test_an_effect_far_larger_than_the_mismatch_is_said_to_hide_in_the_dimension
     head, row, *rest = moved.splitlines()
     assert head.split("   ")[0].strip() == "dimension" and "calibrated (90 % interval)" in head
     assert re.split(" {2,}", row.strip()) == [
-        "radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.016 mm (2.91 %)", "0.70",
+        "radius", "0.55 mm", "0.561 mm (0.56 to 0.563)", "0.016 mm (2.91 %)", "0.70 (+2 %)",
     ]  # fmt: skip
     assert rest == [
-        "  `moved by` counts tolerances.",
+        "  `moved by` counts tolerances; in brackets: per cent of the value before.",
         "  Every dimension stays within its tolerance.",
         "  Now in force, as run.yaml writes it: `tolerance: {radius: 0.02909}` (radius is a share of the value: "
         "0.02909 is 2.91 %).",

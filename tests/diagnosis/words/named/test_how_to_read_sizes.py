@@ -10,7 +10,7 @@ def test_the_details_say_how_to_read_the_sizes_of_one_effect() -> None:
     none["mechanisms"], none["alternatives"] = none["mechanisms"][:1], []
     assert largest in told() and read in told(none) and "up to`" not in told(none), "it has no `up to`"
     assert read in told() and "the last column is" not in told() and read not in page()
-    assert "the last column is the rms, over the whole recording, of the share that no moved" in told(
+    assert "the last column is the rms, over the whole recording, of the part that no wrong" in told(
         content(evidence__beyond_dimensions_mm={"creep": 0.1})
     )
 
@@ -28,6 +28,8 @@ def test_a_wide_table_of_effects_breaks_no_line() -> None:
     rows = page(made).splitlines()
     at = next(at for at, line in enumerate(rows) if line.startswith("  effect "))
     head, below = rows[at : at + 2]
-    assert head.endswith("  share no dimension") and len(head) <= 112
-    assert below == " " * head.index("share") + "can imitate", "one heading on every page, on two lines where it must"
-    assert "share no dimension can imitate" in page(confident(0.9, 0.9, **own))
+    assert head.endswith("  part that no wrong") and len(head) <= 112
+    assert below == " " * head.index("part that") + "dimension can make", (
+        "one heading on every page, on two lines where it must"
+    )
+    assert "part that no wrong dimension can make" in page(confident(0.9, 0.9, **own))

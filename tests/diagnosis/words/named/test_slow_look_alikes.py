@@ -75,5 +75,5 @@ def test_a_temperature_that_nobody_logged_is_one_slow_effect_among_others(named,
     doubts = slow_look_alikes.doubts(made, Vocabulary.of(SYSTEMS["mm"]))
     assert bool(doubts) is said
     if said:
-        assert f"what is called {named} here can be {'creep, ' if named == 'thermal' else ''}plastic_elong" in doubts[0]
+        assert f"what is called {named} can be {'creep, ' if named == 'thermal' else ''}plastic_elong" in doubts[0]
         assert ("thermal or wear" in doubts[0]) is (named == "creep")

@@ -106,7 +106,7 @@ def test_what_calibration_moved_is_on_the_page_by_its_own_name():
     made = {"verdict": "explained", "parameters": parameters, "adopted": []}
     made["evidence"] = {"moved_sigma": {"mass_kg": 1.34}, "tolerance": {"mass_kg": 10.0}}
     assert moved_words.what(made) == "mass"
-    said = "Moved by more than its tolerance: mass from 100 kg to 113.4 kg (1.3 times its tolerance of 10 kg)."
+    said = "Moved by more than its tolerance: mass from 100 kg to 113.4 kg (+13 %, 1.3 times its tolerance of 10 kg)."
     said += " Up to 2.5 times nothing needs to be measured again."
     assert moved_words.lines(made) == [said]
     made["evidence"]["moved_sigma"] = {"mass_kg": 0.4}

@@ -135,7 +135,20 @@ def test_what_calibration_moved_far_is_measured_first_with_how_to_and_what_then(
     text = full()
     table = under(STEPS, text)
     assert table[0].strip() == "1. Measure again what calibration moved far:"
-    assert table[2].split() == ["radius", "0.55", "mm", "–", "0.5612", "mm", "0.0037", "mm", "or", "better"]
+    assert table[2].split() == [
+        "radius",
+        "0.55",
+        "mm",
+        "–",
+        "0.5612",
+        "mm",
+        "(+2",
+        "%)",
+        "0.0037",
+        "mm",
+        "or",
+        "better",
+    ]
     assert "a caliper at ten places" in table[3]
     said = full_steps()
     assert "- If you find another value: write it into run.yaml, and diagnose again;" in said
@@ -283,7 +296,7 @@ def test_after_adopting_dimensions_that_moved_far_are_measured_and_the_effects_t
 
 
 def test_slow_effects_under_one_load_are_said_to_look_alike():
-    said = "Under one load slow effects look alike: what is called creep here can be "
+    said = "Under one load what is called creep can be "
     assert said in " ".join(page(content(evidence__loaded=False)).split())
     assert "look alike" not in page(content(evidence__loaded=True))
 
@@ -777,13 +790,14 @@ def test_a_hidden_effect_says_how_large_it_is_in_all_and_which_dimensions_could_
     made["parameters"] |= {name: {"nominal": 1.0, "value": 0.995} for name in ("scale", "length_mm")}
     text = " ".join(full(copy.deepcopy(made)).split())
     assert (
-        "What no dimension could imitate of creep: 0.031 mm (0.029 to 0.033 mm). The rest a slightly different " in text
+        "What no wrong dimension can make of creep: 0.031 mm (0.029 to 0.033 mm). The rest a slightly different "
+        in text
     )
     assert "different gain of the displacement sensor and radius could make as well." in text
     assert "1.5 mm (1.4 to 1.6 mm)" in text, "in all"
     assert "far larger than the" not in text and "all of it except" not in text, "rms sizes do not subtract"
     made["evidence"]["beyond_dimensions_mm"]["friction_hysteresis"] = 0.02
-    both = "What no dimension could imitate of creep and friction_hysteresis: creep 0.031 mm (0.029 to 0.033 mm) and "
+    both = "What no wrong dimension can make of creep and friction_hysteresis: creep 0.031 mm (0.029 to 0.033 mm) and "
     assert both in " ".join(full(made).split())
 
 
@@ -903,7 +917,7 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
 
     text, more = (" ".join(show(made("wear")).split()) for show in (page, details))
 
-    assert "look alike: what is called creep here can be wear. That something slow acts is" in text
+    assert "Under one load what is called creep can be wear. What acts" in text
     assert "(creep as the library's name for a slow effect: one load cannot tell it from wear)" in more
     by_standing = "in the place of creep what is left changes while the motor stands, beyond chance: "
     by = "(by 0.068 mm in a hold)"
@@ -912,7 +926,7 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
     assert "- wear: the library's formula of it leaves 0.45 mm (15 times the noise), but another law" in more
     assert "A recording tells: " in more and "You may write that in a paper." in more
     text, more = (" ".join(show(made()).split()) for show in (page, details))
-    assert "look alike" not in text and "- wear: " not in more
+    assert "one load" not in text and "- wear: " not in more
     assert f"{by_standing}plastic_elongation {by}, sensor_drift {by}, stiffening {by} and wear {by}." in more
     out = "not plastic_elongation, sensor_drift, stiffening or wear in its place"
     assert f"{out}, whose formulas are wrong while the motor stands" in more
@@ -928,7 +942,7 @@ def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no
     made = content(evidence__beyond_dimensions_mm={"creep": 0.031, "friction_hysteresis": 0.08})
     text = full(copy.deepcopy(made))
     assert (
-        "imitate of creep: 0.031 mm (0.028 to 0.034 mm)." in " ".join(text.split())
+        "dimension can make of creep: 0.031 mm (0.028 to 0.034 mm)." in " ".join(text.split())
         and "0.082 mm (0.074 to 0.090 mm)" in text
     )
     row = next(line for line in page(copy.deepcopy(made)).splitlines() if line.strip().startswith("creep "))
@@ -938,13 +952,13 @@ def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no
     made["evidence"]["moved_sigma"] = NEAR
     made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.35, "high": 1.65}
     said = (
-        "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.031 mm (0.028 to 0.034 mm), the share "
-        "that no dimension could imitate (rms, 90 % interval), and the constants of friction_hysteresis above"
+        "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.031 mm (0.028 to 0.034 mm), the part "
+        "that no wrong dimension can make (rms, 90 % interval), and the constants of friction_hysteresis above"
     )
     text = " ".join(full(copy.deepcopy(made)).split())
     assert said in text and text.count("TO REPORT") == 1
     assert "Such a size has an interval narrower than a factor of 2; where moved dimensions" in text
-    only = "Of creep only that share, not what it does in all nor its constants (loop, times): "
+    only = "Of creep only that part, not what it does in all nor its constants (loop, times): "
     assert f"{only}dimensions could make the rest." in text and "Of friction_hysteresis" not in text
     assert "do not report its sizes" not in text and "of its sizes" not in text
     made["evidence"].pop("beyond_dimensions_mm")
@@ -986,10 +1000,10 @@ def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_
     lines = under("To report it", full(copy.deepcopy(made)))
     assert "TO REPORT" in " ".join(lines) and not [line for line in lines if "  " in line.strip() or " ," in line]
     text = reported(made)
-    assert "0.22 mm), the share that no dimension could imitate, or 0 if it is not at work" in text
-    assert text.count("the share that no dimension could imitate") == 2, "once for each"
-    assert ", the share that no dimension could imitate (rms, 90 % interval), if friction_hysteresis + creep" in text
-    assert "Of friction_hysteresis and creep only that share, not what they do in all nor their" in text
+    assert "0.22 mm), the part that no wrong dimension can make, or 0 if it is not at work" in text
+    assert text.count("the part that no wrong dimension can make") == 2, "once for each"
+    assert ", the part that no wrong dimension can make (rms, 90 % interval), if friction_hysteresis + creep" in text
+    assert "Of friction_hysteresis and creep only that part, not what they do in all nor their" in text
 
 
 def test_what_the_whole_recording_shows_and_unseen_strokes_do_not_is_said_to_be_left_beside_the_share_of_names():
