@@ -211,7 +211,7 @@ def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
     text = (tmp_path / "out" / folder.name / "details.txt").read_text()
     nothing = "What was adopted tied with others." if content["alternatives"] else "None is proposed: "
     assert f"The run to make next\n  {nothing}" in text
-    moved = re.search(r"\nDimensions\n +dimension +as measured .*\n.* [0-9.]+\n", text)
+    moved = re.search(r"\nDimensions\n +dimension +as measured .*\n.* [0-9.]+( \([+-].* %\))?\n", text)
     assert (again["verdict"] == "parameters") == bool(moved)
 
 
