@@ -56,6 +56,7 @@ def test_where_no_page_of_a_material_was_asked_for_each_file_and_command_is_name
     said = summary(*made(tmp_path, ("nylon", "silk"), page=False))
     assert f"Table I: {tmp_path / 'reports' / 'silk' / 'table_1.md'}\n" in said and "to ask it: " in said
     assert f"beside the floor: {tmp_path / 'reports' / 'silk' / 'models.html'}\n" in said
+    assert said.count("| model 23 |") == 4, "who asks for the tables reads them"
 
 
 def test_of_many_runs_the_first_verdicts_are_said_and_the_others_counted(tmp_path):

@@ -27,12 +27,13 @@ WHOLE = {
 def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]:
     """What comes next for a material: its page, the model to take and its export; `alone`: both tables before them.
 
-    Without a page of all of it, where each file that was asked for lies. Nothing of what was not asked for.
+    Without a page of all of it both tables as well, and where each file that was asked for lies. What was not asked for
+    is not named.
     """
     names = {f"Table {'I' * number}": f"table_{number}" for number in paper.TABLES}
     written = [path for stem in names.values() if (path := folder / f"{stem}.md") in paths]
-    text = [line for path in written for line in _table(path)] if alone else []
     on_one_page = folder / PAGE in paths
+    text = [line for path in written for line in _table(path)] if alone or not on_one_page else []
     if on_one_page:
         text.append(f"{ON_ONE_PAGE}: {folder / PAGE}")
     else:
