@@ -24,6 +24,7 @@ from .ground.errors import program
 from .ground.files import write_text
 from .ground.given_table import opened
 from .ground.jump_notes import NAME, read_jumps
+from .ground.model_errors import chosen_of, errors_in
 from .ground.outputs import file_to_write
 from .ground.parser import Parser
 from .models.interface import usual
@@ -33,8 +34,6 @@ from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings
 from .models.parts.questions.unanswered import first_of
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
-from .report.model_to_take.fitted import FLOORS
-from .report.model_to_take.usual_model import chosen_of, errors_in
 from .stages.train import seed
 
 ALONE = "--each-string, or --model calibrated"  # the options that answer for one string alone
@@ -131,7 +130,7 @@ def _taken_by_page(dataset: Path) -> str:
     """The model that the page of a dataset's material takes; empty where there is no such page."""
     models_csv = dataset.resolve().parents[2] / "reports" / material_of(dataset) / "models.csv"
     errors_mm = errors_in(models_csv) if material_of(dataset) else {}
-    return chosen_of({model for model, _ in errors_mm} - set(FLOORS), errors_mm)
+    return chosen_of({model for model, _ in errors_mm}, errors_mm)
 
 
 if __name__ == "__main__":

@@ -8,12 +8,13 @@ import pandas as pd
 
 from ..ground import schemas
 from ..ground.errors import program
+from ..ground.model_errors import chosen_of
 from ..ground.model_names import NOMINAL, PAPER
 from .drawn.drawing import STYLE, save
 from .drawn.figure_4 import figure_4
 from .drawn.figure_5 import figure_5
 from .drawn.winding import with_median, with_nominal
-from .model_to_take.usual_model import chosen_of, errors_of
+from .model_to_take.usual_model import errors_of
 from .text.titles import titles_of
 from .web.marks import add_mark, mark_from
 

@@ -10,11 +10,12 @@ from ..ground import schemas
 from ..ground.errors import program
 from ..ground.files import write_text
 from ..ground.jump_notes import read_jumps
-from ..ground.model_names import WHOLE_MOTION
+from ..ground.model_errors import chosen_of
+from ..ground.model_names import FLOORS
 from .model_to_take import inverse_beside
-from .model_to_take.fitted import FLOORS, SPLITS, lines_on_files, times_floor
-from .model_to_take.least_errors import sentences
-from .model_to_take.usual_model import RULE, RULES, chosen_of, weighed
+from .model_to_take.fitted import FLOOR_TITLES, SPLITS, lines_on_files, times_floor
+from .model_to_take.least_errors import on_simulator, sentences
+from .model_to_take.usual_model import RULE, RULES, weighed
 from .parts import jumps
 from .shown.strings_together import together
 from .shown.stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
@@ -25,7 +26,6 @@ from .text.titles import titles_of
 from .web.marks import add_mark, mark_from, write_page
 
 WHERE = ["stroke", "phase", "angle_band"]
-FAR = 10.0  # times the floor, from which the error of a diagnosed simulator needs a reason
 COLUMNS: list[Column] = [
     ("model", "string", "file of the model, or a floor"), ("title", "string", "its title"),
     ("direction", "boolean", "whether it knows winding from unwinding"),
@@ -81,7 +81,7 @@ def numbers(metrics: pd.DataFrame, titles: dict[str, str], directed: Iterable[st
     rmse = metrics[metrics["metric"] == "rmse"]
     for (split, way), chosen in rmse.groupby(["split", "map"], sort=False):
         values = {key: group["value"] for key, group in chosen.groupby(["model", *WHERE])}
-        for model, title in {**titles, **FLOORS}.items():
+        for model, title in {**titles, **FLOOR_TITLES}.items():
             for head, where in columns(chosen).items():
                 seeds, floor = values.get((model, *where)), "floor" if model in directed_names else "floor_blind"
                 if seeds is None:
@@ -108,10 +108,11 @@ def table(chosen: pd.DataFrame) -> list[str]:
     for model, mine in chosen.groupby("model", sort=False):
         by_column = mine.set_index("column", drop=False)
         cells = [_cell(by_column.loc[head], best[head]) if head in by_column.index else "" for head in heads]
-        title = mine["title"].iloc[0]
-        direction = "" if model in FLOORS else "yes" if mine["direction"].iloc[0] else "no"
-        ratio = "" if model in FLOORS else times_floor(by_column.loc["all", "ratio"])
-        lines.append(line([title if model in FLOORS else plain(title), direction, ratio, *cells]))
+        title, direction, ratio = mine["title"].iloc[0], "", ""
+        if model not in FLOORS:
+            title, direction = plain(title), "yes" if mine["direction"].iloc[0] else "no"
+            ratio = times_floor(by_column.loc["all", "ratio"])
+        lines.append(line([title, direction, ratio, *cells]))
     return lines
 
 
@@ -126,28 +127,10 @@ def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     chosen = chosen_of(titles, errors_mm)
     if not chosen:
         return []
-    rules = [RULE, "", *(f"{number}. {rule}" for number, rule in enumerate(RULES, start=1)), ""]
+    rules = [f"{number}. {rule}" for number, rule in enumerate(RULES, start=1)]
     at_inverse = inverse_beside.sentences(chosen, titles, errors_turns, errors_mm)
     sentences = [f"Take the **{titles[chosen]}**.", weighed(titles, errors_mm), at_inverse]
-    return [" ".join(filter(None, sentences)), "", *rules]
-
-
-def on_simulator(table_of: pd.DataFrame, split: str, way: str) -> list[str]:
-    """A line on why the diagnosed simulator errs far above the floor on later strokes; none where it does not."""
-    mine = table_of[(table_of["model"] == WHOLE_MOTION) & (table_of["column"] == "all") & (table_of["map"] == way)]
-    own = mine.set_index("split")
-    if split != "later" or split not in own.index or not own.loc[split, "ratio"] > FAR:
-        return []
-    row = own.loc[split]
-    inside = (
-        f" It errs by {own.loc['within', 'median']:.3f} {row['unit']} within strokes." if "within" in own.index else ""
-    )
-    return [
-        f"- {plain(row['title'])} ({row['median']:.3f} {row['unit']}, {times_floor(row['ratio'])} × its floor): for "
-        "this table the effects were diagnosed without the later strokes, and what was named does not foresee them."
-        f"{inside} An error so large says that the effects are not settled, or that the later strokes have another "
-        "load or twist. Do not predict later strokes with it."
-    ]
+    return [" ".join(filter(None, sentences)), "", RULE, "", *rules, ""]
 
 
 def page(table_of: pd.DataFrame, material: str, dataset: pd.DataFrame | None = None, jumped: Sequence[str] = ()) -> str:

@@ -5,12 +5,13 @@ from pathlib import Path
 
 import pandas as pd
 
-from ...ground.model_names import WHOLE_MOTION
+from ...ground.model_errors import chosen_of
+from ...ground.model_names import FLOORS, WHOLE_MOTION
 from ..text.plain_markdown import line
 from .model_advice import advice_on
-from .usual_model import chosen_of, errors_of, uses
+from .usual_model import errors_of, uses
 
-FLOORS = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
+FLOOR_TITLES = {"floor_blind": "*floor without direction*", "floor": "*floor with direction*"}
 SPLITS = {"within": "within strokes", "later": "later strokes"}
 QUESTIONS = "questions.csv has a row for each question: docs/use_a_model.md shows one"
 

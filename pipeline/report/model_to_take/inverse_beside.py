@@ -7,11 +7,11 @@ split, `within` or `later`, by model and split: inverse ones in turns, forward o
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from ...ground.model_errors import LESS, Errors
 from ...ground.model_names import WHOLE_MOTION
-from .usual_model import LESS, WHERE
+from .usual_model import WHERE
 
 CALL = "A position controller asks the inverse (tsa_inverse of an export)"
-Errors = Mapping[tuple[str, str], float]
 
 
 class Inverse(NamedTuple):

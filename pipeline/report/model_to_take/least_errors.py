@@ -1,14 +1,15 @@
-"""What a table of every model says in words: who errs least where, whom the INN beats, and to whom it loses."""
+"""What a table of every model says in words: who errs least where, whom the INN beats, what the simulator misses."""
 
 from collections.abc import Iterable
 
 import pandas as pd
 
-from ...ground.model_names import PAPER
+from ...ground.model_names import FLOORS, PAPER, WHOLE_MOTION
 from ..text.plain_markdown import plain
-from .fitted import FLOORS, SPLITS
+from .fitted import SPLITS, times_floor
 
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach
+FAR = 10.0  # times the floor, from which the error of a diagnosed simulator needs a reason
 
 
 def _shown(row: pd.Series) -> str:
@@ -87,3 +88,21 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
     names = _named(near, [f"{ratio:.2f} ×" for ratio in near["ratio"]]) or "none"
     text.append(f"Models that know the direction and err by at most {NEAR[way]:.2f} × their floor: {names}.")
     return [f"- {words}" for words in text if words]
+
+
+def on_simulator(table_of: pd.DataFrame, split: str, way: str) -> list[str]:
+    """A line on why the diagnosed simulator errs far above the floor on later strokes; none where it does not."""
+    mine = table_of[(table_of["model"] == WHOLE_MOTION) & (table_of["column"] == "all") & (table_of["map"] == way)]
+    own = mine.set_index("split")
+    if split != "later" or split not in own.index or not own.loc[split, "ratio"] > FAR:
+        return []
+    row = own.loc[split]
+    inside = (
+        f" It errs by {own.loc['within', 'median']:.3f} {row['unit']} within strokes." if "within" in own.index else ""
+    )
+    return [
+        f"- {plain(row['title'])} ({row['median']:.3f} {row['unit']}, {times_floor(row['ratio'])} × its floor): for "
+        "this table the effects were diagnosed without the later strokes, and what was named does not foresee them."
+        f"{inside} An error so large says that the effects are not settled, or that the later strokes have another "
+        "load or twist. Do not predict later strokes with it."
+    ]

@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from ...ground.model_errors import chosen_of, errors_in
 from . import inverse_beside
-from .usual_model import chosen_of, errors_in, why
+from .usual_model import why
 
 
 class Advice(NamedTuple):

@@ -7,13 +7,14 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from ...ground.model_names import WHOLE_MOTION
+from ...ground.model_errors import chosen_of
+from ...ground.model_names import FLOORS, WHOLE_MOTION
 from ..shown.stroke_conditions import APART
 from ..web.page import Text, paragraph, together
 from ..web.sortable_table import table
 from . import inverse_beside
-from .fitted import FLOORS, times_floor
-from .usual_model import RULE, RULES, chosen_of, uses, weighed
+from .fitted import times_floor
+from .usual_model import RULE, RULES, uses, weighed
 
 LATER = (
     "Later strokes are the last quarter of a string's strokes, which the fit of a model leaves out: of five the fifth."

@@ -3,15 +3,13 @@
 Errors here are forward RMSEs on all points of a split, `within` or `later`, by model and split, in mm.
 """
 
-import csv
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 
 import pandas as pd
 
-from ...ground.model_names import USUAL, WHOLE_MOTION
+from ...ground.model_errors import LESS, Errors, chosen_of
+from ...ground.model_names import WHOLE_MOTION
 
-LESS = 1.1  # times as large: from there on an error is told to be larger
 WHERE = {"later": "on later strokes", "within": "on held-out points inside strokes"}  # errors of a split
 RULE = "The model to take is found so:"
 RULES = (
@@ -21,7 +19,6 @@ RULES = (
     f"If the error of the spline is at most {LESS:g} times that least error, the spline is taken instead: it rises "
     "with the twist and is its own inverse.",
 )
-Errors = Mapping[tuple[str, str], float]
 
 
 def errors_of(metrics: pd.DataFrame) -> dict[tuple[str, str], float]:
@@ -30,26 +27,6 @@ def errors_of(metrics: pd.DataFrame) -> dict[tuple[str, str], float]:
     mine = metrics[whole & (metrics["metric"] == "rmse") & (metrics["map"] == "forward")]
     middle = mine.groupby(["model", "split"])["value"].median()
     return {(str(model), str(split)): float(value) for (model, split), value in middle.items()}
-
-
-def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
-    """Errors that a models.csv holds, forward in mm, inverse in turns; none where it is not there."""
-    if not path.is_file():
-        return {}
-    with open(path, encoding="utf-8", newline="") as file:
-        rows = [row for row in csv.DictReader(file) if row["column"] == "all" and row["map"] == way]
-    return {(row["model"], row["split"]): float(row["median"]) for row in rows}
-
-
-def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
-    """Which of some models to take by `RULES`; empty where there is none. Without errors it is the spline, if there."""
-    exportable = sorted(set(models) - {WHOLE_MOTION})
-    for split in ("later", "within"):
-        errors = {model: errors_mm[model, split] for model in exportable if (model, split) in errors_mm}
-        if errors:
-            least = min(errors, key=lambda model: errors[model])
-            return USUAL if USUAL in errors and errors[USUAL] <= LESS * errors[least] else least
-    return USUAL if USUAL in exportable else exportable[0] if exportable else ""
 
 
 def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from ..model_to_take.fitted import FLOORS
+from ...ground.model_errors import errors_in
 from ..model_to_take.model_advice import advice_on
-from ..model_to_take.usual_model import errors_in, uses
+from ..model_to_take.usual_model import uses
 from ..web.page import paragraph, together
 
 NAMED = 4  # runs that a command names
@@ -21,7 +21,7 @@ TOGETHER = (
 def model_to_take(folder: Path) -> Markup:
     """Which model to take of `reports/<material>/`, why, and how to export it; empty where no errors are known."""
     models_csv = folder / "models.csv"
-    advice = advice_on(sorted({model for model, _ in errors_in(models_csv)} - set(FLOORS)), models_csv)
+    advice = advice_on(sorted({model for model, _ in errors_in(models_csv)}), models_csv)
     if not advice.reason:
         return Markup("")
     ways = [

@@ -1,0 +1,37 @@
+"""The errors of models that a models.csv holds, and which model to take by them.
+
+Errors are RMSEs on all points of a split, `within` or `later`, by model and split: forward ones in mm.
+"""
+
+import csv
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from .model_names import FLOORS, USUAL, WHOLE_MOTION
+
+LESS = 1.1  # times as large: from there on an error is told to be larger
+Errors = Mapping[tuple[str, str], float]
+
+
+def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
+    """Errors of the models in a models.csv, forward in mm, inverse in turns; none where it is not there."""
+    if not path.is_file():
+        return {}
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["column"] == "all" and row["map"] == way]
+    return {(row["model"], row["split"]): float(row["median"]) for row in rows if row["model"] not in FLOORS}
+
+
+def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
+    """Which of some models to take; empty where there is none.
+
+    It is the one of the least error on later strokes, or on held-out points where no later stroke is left out; the
+    spline, if its error is at most `LESS` times that. Without errors it is the spline, if it is among them.
+    """
+    exportable = sorted(set(models) - {WHOLE_MOTION})
+    for split in ("later", "within"):
+        errors = {model: errors_mm[model, split] for model in exportable if (model, split) in errors_mm}
+        if errors:
+            least = min(errors, key=lambda model: errors[model])
+            return USUAL if USUAL in errors and errors[USUAL] <= LESS * errors[least] else least
+    return USUAL if USUAL in exportable else exportable[0] if exportable else ""
