@@ -11,7 +11,7 @@ min_version("9.27")
 sys.path.insert(0, workflow.basedir)
 
 from pipeline.workflow.dag import SYNTHETIC_FILES, fits, recorded_files, stored
-from pipeline.ground.fingerprint import fingerprint
+from pipeline.ground.code.fingerprint import fingerprint
 from pipeline.report.end_of_job.summary import summary
 
 

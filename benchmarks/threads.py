@@ -43,7 +43,7 @@ def predicting(folder: Path) -> list[str]:
     """`predict` by the spline on 5,000 points."""
     from made_dataset import made_dataset
 
-    from pipeline.ground import schemas
+    from pipeline.ground.stored import schemas
 
     schemas.write(made_dataset(), schemas.DATASET, folder / "dataset.parquet")
     (folder / "questions.csv").write_text("stroke,direction,motor_turns\n3,1,12\n")

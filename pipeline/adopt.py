@@ -19,14 +19,14 @@ from .diagnosis.words.language.vocabulary import Vocabulary
 from .diagnosis.words.pages.adoption import adopted_predictions, hung, weighed_anew
 from .diagnosis.words.pages.advice import instead
 from .ground.command import command
-from .ground.complaint import short
 from .ground.errors import BadInput, program
-from .ground.files import whole
+from .ground.input.complaint import short
+from .ground.input.parser import Parser
+from .ground.input.strict_yaml import LARGEST, parse_yaml
 from .ground.names import SYNTHETIC
-from .ground.parser import Parser
-from .ground.regular_file import read_regular
-from .ground.strict_yaml import LARGEST, parse_yaml
-from .ground.wrapped_lines import wrapped
+from .ground.stored.files import whole
+from .ground.stored.regular_file import read_regular
+from .ground.words.wrapped_lines import wrapped
 from .run.description import Adopted, Run
 from .run.folder import has_recording, read_run
 from .run.run_arguments import run_dir

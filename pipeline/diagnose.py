@@ -10,9 +10,9 @@ from typing import Any
 
 from .diagnosis.arguments import parsed
 from .diagnosis.written import write_seconds
+from .ground.code.own_process import each_alone
 from .ground.errors import BadInput, program
-from .ground.files import write_text
-from .ground.own_process import each_alone
+from .ground.stored.files import write_text
 from .notebook.of_folders import Decided, Options, decide, diagnose
 from .run.run_arguments import real_name, refuse_twice
 from .string.history import read_recorded

@@ -12,10 +12,10 @@ from .foreign.drafted import guess
 from .foreign.folder_files import OPTION, files_in
 from .foreign.imported import import_run, imported
 from .ground.command import HOUSE, command
-from .ground.counts import counted
 from .ground.errors import BadInput, program
+from .ground.input.parser import Parser
 from .ground.names import checked, run_name
-from .ground.parser import Parser
+from .ground.words.counts import counted
 from .run.folder import read_run
 from .run.next_command import following
 from .string.known_strings import imported_as_another

@@ -9,8 +9,8 @@ from typing import Any
 from .foreign.made_run import make_run
 from .ground.command import command
 from .ground.errors import program
-from .ground.parser import Parser
-from .ground.strict_yaml import parse_yaml
+from .ground.input.parser import Parser
+from .ground.input.strict_yaml import parse_yaml
 from .run.copied_run import as_in, with_given
 from .run.description import STRING_ACTUATORS, parse_run
 from .run.doubts.tolerances_given import read_back

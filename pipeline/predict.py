@@ -17,16 +17,16 @@ from pathlib import Path
 
 from .export.asked_saved import keeps_strings_apart, model_of, saved_answers
 from .export.interface import names as exported
-from .ground import schemas
 from .ground.command import HOUSE, command, make_command
-from .ground.counts import counted
 from .ground.errors import program
-from .ground.files import write_text
-from .ground.given_table import opened
-from .ground.jump_notes import NAME, read_jumps
+from .ground.input.outputs import file_to_write
+from .ground.input.parser import Parser
 from .ground.model_errors import chosen_of, errors_in
-from .ground.outputs import file_to_write
-from .ground.parser import Parser
+from .ground.stored import schemas
+from .ground.stored.files import write_text
+from .ground.stored.given_table import opened
+from .ground.words.counts import counted
+from .ground.words.jump_notes import NAME, read_jumps
 from .models.interface import usual
 from .models.parts.questions.bad_rows import refusal
 from .models.parts.questions.question_points import read_questions

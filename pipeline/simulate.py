@@ -25,13 +25,13 @@ from .diagnosis.words.foretold.residual import RESIDUAL
 from .diagnosis.words.language.quantity import listing
 from .diagnosis.words.language.sections import numbered
 from .diagnosis.words.language.vocabulary import Vocabulary
-from .ground import schemas
 from .ground.command import START
-from .ground.counts import counted
 from .ground.errors import BadInput, program
-from .ground.files import write_text
-from .ground.outputs import file_to_write
-from .ground.wrapped_lines import wrapped
+from .ground.input.outputs import file_to_write
+from .ground.stored import schemas
+from .ground.stored.files import write_text
+from .ground.words.counts import counted
+from .ground.words.wrapped_lines import wrapped
 from .run.description import Run
 from .run.folder import has_recording, read_run
 from .run.planned_motion.planned import read_plan

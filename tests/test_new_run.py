@@ -15,7 +15,7 @@ import pytest
 import yaml
 from made_recording import content, recording
 
-from pipeline.ground.strict_yaml import read_yaml
+from pipeline.ground.input.strict_yaml import read_yaml
 from pipeline.new_run import main
 from pipeline.new_run import make_run as new_folder
 from pipeline.run.folder import read_run

@@ -13,8 +13,8 @@ import pytest
 from models.made_dataset import made_dataset
 
 from pipeline.export.source import Beside, opened
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.stored import schemas
 from pipeline.models.interface import make_model
 from pipeline.models.parts.questions.question_points import read_questions
 

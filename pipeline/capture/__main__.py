@@ -4,10 +4,10 @@ import math
 from pathlib import Path
 
 from ..ground.command import command
-from ..ground.counts import counted
 from ..ground.errors import BadInput, program
+from ..ground.input.parser import Parser
 from ..ground.names import SYNTHETIC_DEVICE
-from ..ground.parser import Parser
+from ..ground.words.counts import counted
 from ..run.capture_json import CaptureJson
 from ..run.folder import capture_info, read_run
 from ..run.run_arguments import run_dir

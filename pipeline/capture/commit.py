@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..ground.command import command, recover_command
 from ..ground.errors import BadInput
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from ..run.capture_json import CaptureJson
 from ..run.folder import capture_info
 from ..wire import Account, Hello, Reason, read_account

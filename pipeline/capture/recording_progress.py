@@ -2,8 +2,8 @@
 
 import time
 
-from ..ground.counts import counted
-from ..ground.unwound import Unwound
+from ..ground.numbers.unwound import Unwound
+from ..ground.words.counts import counted
 from ..wire import Event, Frame, Hello, Kind
 from ..wire.frames import EVENT
 from ..wire.possible_numbers import LATE, Numbers

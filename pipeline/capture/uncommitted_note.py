@@ -9,7 +9,7 @@ from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 
-from ..ground.unfinished import NAMES, NOTE
+from ..ground.words.unfinished import NAMES, NOTE
 from .stream import Outcome
 from .text.fields import names
 

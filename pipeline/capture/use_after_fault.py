@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..ground.counts import counted
-from ..ground.unwound import HOME
+from ..ground.numbers.unwound import HOME
+from ..ground.words.counts import counted
 from ..string.from_raw import read
 from ..string.history import Recorded
 from ..string.jumps_beside import Reader

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput
-from ..ground.outputs import folder_to_write
-from ..ground.parser import Parser
+from ..ground.input.outputs import folder_to_write
+from ..ground.input.parser import Parser
 from ..run.run_arguments import run_dir
 from .mechanisms import library
 

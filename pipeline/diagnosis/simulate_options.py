@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..ground.command import command
-from ..ground.parser import Parser
+from ..ground.input.parser import Parser
 from ..run.run_arguments import run_dir
 from .prediction.motor_zero import HOME
 from .words.foretold.prediction import AFTER_RECORDING

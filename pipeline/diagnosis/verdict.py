@@ -4,7 +4,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from ..ground.fingerprint import fingerprint
+from ..ground.code.fingerprint import fingerprint
 from ..ground.kinematics import Array
 from ..run.description import Run
 from .choice import chance

@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from ..systems import System
 from .choice.outcome import Study
 from .document.content import Verdict

@@ -10,9 +10,9 @@ from pathlib import Path
 
 from ..ground.command import command, program_name
 from ..ground.errors import BadInput, program
-from ..ground.files import whole, write_text
-from ..ground.outputs import file_to_write, folder_to_write
-from ..ground.parser import Parser
+from ..ground.input.outputs import file_to_write, folder_to_write
+from ..ground.input.parser import Parser
+from ..ground.stored.files import whole, write_text
 from ..models.interface import about
 from ..models.parts.divided import SPLITS
 from ..models.parts.saved_files import listed

@@ -6,9 +6,9 @@ None is left to test it on.
 import json
 from pathlib import Path
 
-from ..ground import schemas
 from ..ground.errors import BadInput
-from ..ground.given_table import opened as opened_table
+from ..ground.stored import schemas
+from ..ground.stored.given_table import opened as opened_table
 from ..models.interface import about, settings_of
 from ..models.parts.configured import configured, fitting
 from ..models.parts.settings import shown, values

@@ -11,7 +11,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from pydantic import JsonValue
 
-from ..ground.counts import counted
+from ..ground.words.counts import counted
 from ..models.interface import about, settings_of
 from ..models.parts.rolling_origin import RULE
 from ..models.parts.settings import values

@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Protocol
 
-from ..ground.modules import holding
+from ..ground.code.modules import holding
 from ..models.parts.questions.recorded_pairs import Paired
 from ..models.parts.questions.recorded_strokes import Under
 from .c_text import Body

@@ -8,9 +8,9 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..ground import schemas
 from ..ground.errors import BadInput
-from ..ground.given_table import opened as opened_table
+from ..ground.stored import schemas
+from ..ground.stored.given_table import opened as opened_table
 from ..models.interface import Model, StringsApart, about, make_model
 from ..models.interface import names as models_there
 from ..models.parts.box import Box

@@ -4,10 +4,10 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..ground.counts import counted
 from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE
-from ..ground.regular_file import read_regular
+from ..ground.stored.regular_file import read_regular
+from ..ground.words.counts import counted
 from ..models.parts.questions.strings_alike import SIZES, strings_alike
 from .recorded_ranges import points_to
 

@@ -3,10 +3,10 @@
 from pathlib import Path
 from typing import Any
 
-from ..ground.bare_columns import written_out
 from ..ground.command import quoted
 from ..ground.errors import BadInput
-from ..ground.strict_yaml import write_yaml
+from ..ground.input.bare_columns import written_out
+from ..ground.input.strict_yaml import write_yaml
 from ..ground.units import unit_of
 from ..run.description import Channel, Run
 from ..run.table.column_places import NoColumn

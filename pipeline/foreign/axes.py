@@ -4,9 +4,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-from ..ground.bare_columns import all_written_out
-from ..ground.complaint import key_name, short
 from ..ground.errors import BadInput
+from ..ground.input.bare_columns import all_written_out
+from ..ground.input.complaint import key_name, short
 
 AXIS_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
 

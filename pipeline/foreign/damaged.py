@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..ground.complaint import key_name
-from ..ground.counts import counted
+from ..ground.input.complaint import key_name
+from ..ground.input.text_file import TextFile
 from ..ground.kinematics import Array
-from ..ground.text_file import TextFile
+from ..ground.words.counts import counted
 from ..run.table.file_lines import line_or_row, named
 from ..run.table.no_number import are_few
 

@@ -6,13 +6,13 @@ import numpy as np
 import pandas as pd
 
 from ..formats import format_of
-from ..ground.complaint import key_name
-from ..ground.counts import counted
 from ..ground.errors import BadInput
+from ..ground.input.complaint import key_name
+from ..ground.input.strict_yaml import write_yaml
+from ..ground.input.text_file import TextFile
 from ..ground.kinematics import Array
-from ..ground.strict_yaml import write_yaml
-from ..ground.text_file import TextFile
 from ..ground.units import conversion
+from ..ground.words.counts import counted
 from ..run.description import String
 from ..systems import System, systems
 from .damaged import damaged_rows

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from .draft import draft
 
 

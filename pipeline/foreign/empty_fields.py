@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ..ground.complaint import key_name
 from ..ground.errors import BadInput
+from ..ground.input.complaint import key_name
 
 MAY_BE_EMPTY = ("string.stiffness_n_per_mm", "string.id")
 

@@ -8,12 +8,12 @@ from typing import Any
 import pandas as pd
 
 from ..formats import read_foreign
-from ..ground import schemas
-from ..ground.counts import counted, mends
 from ..ground.errors import BadInput
-from ..ground.folders import whole_folder
+from ..ground.input.strict_yaml import read_yaml, write_yaml
 from ..ground.names import checked, own_material, run_name
-from ..ground.strict_yaml import read_yaml, write_yaml
+from ..ground.stored import schemas
+from ..ground.stored.folders import whole_folder
+from ..ground.words.counts import counted, mends
 from ..run.description import parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.doubts.tolerances_given import read_back

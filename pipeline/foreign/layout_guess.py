@@ -9,8 +9,8 @@ from ..formats import format_of, workbook
 from ..formats.text_layout import DECIMAL_COMMA, cells
 from ..formats.unpacked import GZIP
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
-from ..ground.text_file import TextFile
+from ..ground.input.text_file import TextFile
+from ..ground.stored.regular_file import open_regular
 from .number_rows import Rows, names_at, names_told, of_recording, places_of_numbers, share, units_in
 
 LOOK_BYTES, LOOK_ROWS = 1_000_000, 300

@@ -7,10 +7,10 @@ import pandas as pd
 
 from ..formats.stored import read_table
 from ..ground.errors import BadInput
-from ..ground.files import write_text
-from ..ground.folders import whole_folder
+from ..ground.input.strict_yaml import write_yaml
 from ..ground.names import checked, own_material, run_name
-from ..ground.strict_yaml import write_yaml
+from ..ground.stored.files import write_text
+from ..ground.stored.folders import whole_folder
 from ..run.description import Run, parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import has_recording, recording_path, unfinished

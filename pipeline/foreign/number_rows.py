@@ -5,7 +5,7 @@ from typing import Any
 
 from ..formats.text_layout import NUMBER
 from ..formats.time_stamps import is_stamp
-from ..ground.header_units import header_unit, unit_word
+from ..ground.input.header_units import header_unit, unit_word
 from .roles import WORDS
 
 Rows = list[tuple[int, list[Any]]]  # the cells of each row that has some, after its number in the file

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from ..ground.files import sha256
+from ..ground.stored.files import sha256
 
 PROJECT = Path(__file__).resolve().parents[2]
 

@@ -10,12 +10,12 @@ import pandas as pd
 from ..formats import read_foreign
 from ..formats.text import Uneven, even_lines
 from ..formats.text_layout import NUMBER
-from ..ground.complaint import key_name, short
-from ..ground.counts import counted
 from ..ground.errors import BadInput
+from ..ground.input.complaint import key_name, short
+from ..ground.input.strict_yaml import write_yaml
+from ..ground.input.text_file import TextFile
 from ..ground.kinematics import Array
-from ..ground.strict_yaml import write_yaml
-from ..ground.text_file import TextFile
+from ..ground.words.counts import counted
 from ..run.table.file_lines import line_or_row, named
 from ..run.table.no_number import are_few
 from ..run.table.read_log import too_long

@@ -8,8 +8,8 @@ import pandas as pd
 
 from ..formats.text_layout import with_point
 from ..formats.time_stamps import holds_stamps, stamps_s
-from ..ground.complaint import key_name
-from ..ground.header_units import header_unit, unit_word
+from ..ground.input.complaint import key_name
+from ..ground.input.header_units import header_unit, unit_word
 from ..ground.kinematics import Array
 from ..ground.units import conversion, is_load_in_kg
 from ..run.doubts.wrapping import unit_of_turn, unwrapping, wraps

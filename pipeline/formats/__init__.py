@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground.complaint import short
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
-from ..ground.text_file import TextFile
+from ..ground.input.complaint import short
+from ..ground.input.text_file import TextFile
+from ..ground.stored.regular_file import open_regular
 from .interface import Format
 from .nested import table_of
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
-from ..ground.text_file import TextFile
+from ..ground.input.text_file import TextFile
+from ..ground.stored.regular_file import open_regular
 from .interface import Columns, Format
 from .nested import DEEPEST, MOST_PARTS, columns_of
 from .unpacked import IS_IT, NO_READINGS, is_bomb

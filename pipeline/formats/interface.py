@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground.text_file import TextFile
+from ..ground.input.text_file import TextFile
 
 Columns = dict[str, np.ndarray]  # named columns of a file that need not be of one length
 Reader = Callable[[Path, TextFile], pd.DataFrame | Columns]

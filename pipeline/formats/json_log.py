@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from ..ground.complaint import short
 from ..ground.errors import BadInput
-from ..ground.text_file import TextFile
+from ..ground.input.complaint import short
+from ..ground.input.text_file import TextFile
 from .interface import Columns, Format
 from .nested import columns_of, records
 from .unpacked import unpacked

@@ -5,8 +5,8 @@ import sys
 from pathlib import Path
 
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
-from ..ground.text_file import TextFile
+from ..ground.input.text_file import TextFile
+from ..ground.stored.regular_file import open_regular
 from .hdf5 import OBJECT_MEND
 from .interface import Columns, Format
 from .matlab_child import TOLD, unpack

@@ -14,7 +14,7 @@ import scipy.io
 
 from ..ground.command import command
 from ..ground.errors import program
-from ..ground.regular_file import open_regular
+from ..ground.stored.regular_file import open_regular
 from .interface import Columns
 from .nested import columns_of
 

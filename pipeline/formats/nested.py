@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ..ground.complaint import key_name
-from ..ground.counts import counted
 from ..ground.errors import BadInput
+from ..ground.input.complaint import key_name
+from ..ground.words.counts import counted
 from .interface import Columns
 
 DEEPEST = 30

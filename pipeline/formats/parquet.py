@@ -9,10 +9,10 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from ..ground import schemas, seal
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
-from ..ground.text_file import TextFile
+from ..ground.input.text_file import TextFile
+from ..ground.stored import schemas, seal
+from ..ground.stored.regular_file import open_regular
 from .interface import Format
 
 BUFFER_BYTES = 1 << 20  # of each column that are read at once

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground.text_file import TextFile
+from ..ground.input.text_file import TextFile
 from .parquet import parquet_pieces, read_parquet
 from .text import read_text, text_pieces
 

@@ -9,10 +9,10 @@ from typing import Literal, TypedDict
 
 import pandas as pd
 
-from ..ground import schemas
-from ..ground.counts import counted
 from ..ground.errors import BadInput
-from ..ground.text_file import TextFile
+from ..ground.input.text_file import TextFile
+from ..ground.stored import schemas
+from ..ground.words.counts import counted
 from .interface import Format
 from .text_layout import DELIMITERS, cells, check_start, other_delimiter, uneven
 from .text_lines import IMPORT, TableFile, table_lines

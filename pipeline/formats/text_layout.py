@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ..ground.complaint import short
-from ..ground.counts import counted
 from ..ground.errors import BadInput
-from ..ground.text_file import TextFile
+from ..ground.input.complaint import short
+from ..ground.input.text_file import TextFile
+from ..ground.words.counts import counted
 from .time_stamps import is_stamp
 
 DELIMITERS = {";": "';'", "\t": r'"\t"', ",": "','", "|": "'|'", " ": "' ', which is any white space"}

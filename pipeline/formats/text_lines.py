@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.command import command
-from ..ground.complaint import short
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
-from ..ground.text_file import TextFile
+from ..ground.input.complaint import short
+from ..ground.input.text_file import TextFile
+from ..ground.stored.regular_file import open_regular
 from .text_layout import LOOK, is_half
 from .unpacked import BOMB_BYTES, GZIP, IS_IT, NO_READINGS, is_bomb
 

@@ -6,7 +6,7 @@ import zlib
 from pathlib import Path
 
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
+from ..ground.stored.regular_file import open_regular
 
 GZIP = b"\x1f\x8b"  # how such a file begins, whatever its name
 PIECE = 1 << 20

@@ -10,11 +10,11 @@ from typing import Any
 
 import pandas as pd
 
-from ..ground.complaint import key_name, short
-from ..ground.counts import counted
 from ..ground.errors import BadInput
-from ..ground.regular_file import open_regular
-from ..ground.text_file import TextFile
+from ..ground.input.complaint import key_name, short
+from ..ground.input.text_file import TextFile
+from ..ground.stored.regular_file import open_regular
+from ..ground.words.counts import counted
 from .interface import Format
 from .unpacked import IS_IT, NO_READINGS, is_bomb
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
-from ..ground.outputs import folder_to_write
-from ..ground.parser import Parser
-from ..ground.progress import clear, steps
+from ..ground.input.outputs import folder_to_write
+from ..ground.input.parser import Parser
+from ..ground.words.progress import clear, steps
 from ..run.run_arguments import run_dir
 from . import written
 from .forecast.questions import Answer, model_error, stroke_loss

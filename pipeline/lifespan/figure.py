@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from ..ground.figure_file import write_figure
+from ..ground.stored.figure_file import write_figure
 from .forecast.band import until
 from .forecast.questions import Answer
 from .forecast.strokes_left import LEAST_STROKES

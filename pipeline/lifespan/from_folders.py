@@ -3,7 +3,7 @@
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from ..ground.progress import steps
+from ..ground.words.progress import steps
 from ..run.folder import has_recording
 from ..run.run_arguments import refuse_twice
 from ..string.from_raw import read_long

@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 
 from ..ground.errors import BadInput
-from ..ground.files import write_text
-from ..ground.regular_file import read_regular
+from ..ground.stored.files import write_text
+from ..ground.stored.regular_file import read_regular
 from . import as_json, figure
 from .forecast.questions import Answer
 from .stroke_health.health import Health

@@ -7,8 +7,8 @@ from typing import Protocol
 
 import pandas as pd
 
+from ..ground.code.modules import holding
 from ..ground.kinematics import Array
-from ..ground.modules import holding
 from .about import About
 
 

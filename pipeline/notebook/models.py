@@ -8,9 +8,9 @@ from pickle import UnpicklingError
 
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
+from ..ground.stored import schemas
 from ..models.interface import Model, names
 from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS

@@ -13,7 +13,7 @@ from ..diagnosis.in_memory import optional
 from ..diagnosis.numerics.judge import judge
 from ..diagnosis.proposal.foretold import foretold
 from ..diagnosis.written import draw, write_block, write_words
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from ..run.description import STRING_ACTUATORS, Run
 from ..string.from_raw import read
 from ..string.history import Recorded, in_order

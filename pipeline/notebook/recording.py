@@ -15,9 +15,9 @@ from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.simulated_plan import simulated_plan
 from ..diagnosis.simulated_recording import SimulatedRecording
 from ..diagnosis.simulator import Simulator
-from ..ground import schemas
-from ..ground.folders import whole_folder
-from ..ground.strict_yaml import write_yaml
+from ..ground.input.strict_yaml import write_yaml
+from ..ground.stored import schemas
+from ..ground.stored.folders import whole_folder
 from ..run.description import Run, parse_run
 from ..run.run_yaml import RunYaml
 from ..run.samples import check

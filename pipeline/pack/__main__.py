@@ -9,11 +9,11 @@ import zipfile
 from pathlib import Path
 
 from .. import __version__
+from ..ground.code.fingerprint import fingerprint
 from ..ground.command import command
-from ..ground.counts import counted
 from ..ground.errors import BadInput, program
-from ..ground.files import sha256, whole
-from ..ground.fingerprint import fingerprint
+from ..ground.stored.files import sha256, whole
+from ..ground.words.counts import counted
 from .contents import contents
 from .manifest import NAME, File, Manifest
 

@@ -15,11 +15,11 @@ import zipfile
 import zlib
 from pathlib import Path
 
+from ..ground.code.fingerprint import fingerprint
 from ..ground.command import command
-from ..ground.counts import counted
 from ..ground.errors import BadInput, program
-from ..ground.files import sha256
-from ..ground.fingerprint import fingerprint
+from ..ground.stored.files import sha256
+from ..ground.words.counts import counted
 from .manifest import MEND, NAME, PLACES, PROVENANCE, File, Manifest, read
 from .provenance import NOTES, note_of
 

@@ -10,7 +10,7 @@ import pandas as pd
 import yaml
 
 from ..ground.errors import BadInput, program
-from ..ground.files import whole, write_text
+from ..ground.stored.files import whole, write_text
 from ..run.description import parse_run
 from ..run.run_yaml import RunYaml
 from .case import HIDES, STRATA, answer, draw_case, performed

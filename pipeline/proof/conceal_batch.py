@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from . import authored
 from .case import Case, Stratum, answer, draw_case, performed
 from .conceal import plain, write_run

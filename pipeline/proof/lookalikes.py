@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 from ..ground.errors import program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from .conceal_batch import drawn
 from .copies import copies, left_over
 from .draws import NAMED

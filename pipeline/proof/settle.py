@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 from ..ground.errors import program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from .verdicts import ask
 
 

@@ -17,8 +17,8 @@ from ..diagnosis.numerics.noise import white
 from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.study import engine
 from ..ground.errors import program
-from ..ground.files import write_text
 from ..ground.kinematics import Array
+from ..ground.stored.files import write_text
 from ..run.description import parse_run
 from .baselines.frozen import frozen
 from .case import Case, draw_case

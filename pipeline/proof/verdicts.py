@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 from typing import TypedDict
 
 from ..ground.errors import program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from ..run.folder import find_runs
 
 JUDGES = Path(__file__).parent / "teach" / "judges"

@@ -10,7 +10,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from ..run.description import Run
 from ..run.samples import read_strokes
 from .black_boxes import Predict, learner, looks

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..foreign.imported import import_run
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 
 REFUSED = "refused.txt"
 

@@ -11,7 +11,7 @@ from ..diagnosis.document.content import Simulated
 from ..diagnosis.prediction.simulation import read_diagnosis, tare
 from ..diagnosis.written import JSON
 from ..ground.errors import BadInput, program
-from ..ground.files import whole
+from ..ground.stored.files import whole
 from ..string.from_raw import read
 from ..string.history import Recorded
 from ..string.jumps_beside import Beside

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from ..notebook.of_folders import Options, diagnose
 from ..string.from_raw import read
 from ..string.jumps_beside import Beside, Reader

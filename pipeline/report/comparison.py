@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import program
-from ..ground.jump_notes import read_jumps
 from ..ground.model_names import PAPER
 from ..ground.names import SYNTHETIC
+from ..ground.stored import schemas
+from ..ground.words.jump_notes import read_jumps
 from .agreement import agreement
 from .parts import jumps
 from .shown.shown_strokes import shown_of, tabled, there_of

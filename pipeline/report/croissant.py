@@ -11,9 +11,9 @@ from pathlib import Path
 import pandas as pd
 import pyarrow as pa
 
-from ..ground import schemas
 from ..ground.errors import program
-from ..ground.files import sha256, write_text
+from ..ground.stored import schemas
+from ..ground.stored.files import sha256, write_text
 from ..ground.units import unit_of
 from .text.made_by import MadeBy, sentence
 from .web.marks import add_mark, mark_from

@@ -6,10 +6,10 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import program
 from ..ground.model_errors import chosen_of
 from ..ground.model_names import NOMINAL, PAPER
+from ..ground.stored import schemas
 from .drawn.drawing import STYLE, save
 from .drawn.figure_4 import figure_4
 from .drawn.figure_5 import figure_5

@@ -13,10 +13,10 @@ from pathlib import Path
 from markupsafe import Markup
 
 from ..ground.errors import program
-from ..ground.files import write_text
-from ..ground.left_out import LeftOut
+from ..ground.input.words_by_file import SIGN
 from ..ground.names import SYNTHETIC
-from ..ground.words_by_file import SIGN
+from ..ground.stored.files import write_text
+from ..ground.words.left_out import LeftOut
 from . import left_out
 from .parts import diagnoses, jumps
 from .parts.index_head import glance

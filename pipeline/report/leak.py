@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from ..ground import schemas
 from ..ground.errors import program
+from ..ground.stored import schemas
 from .drawn.drawing import COLOURS, READING_SIZE, STYLE, save, wrapped
 from .web.marks import add_mark, mark_from
 

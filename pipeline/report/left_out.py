@@ -6,11 +6,11 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from ..ground import schemas
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
-from ..ground.left_out import LeftOut, from_json, read_left_out, to_json
-from ..ground.words_by_file import SIGN
+from ..ground.input.words_by_file import SIGN
+from ..ground.stored import schemas
+from ..ground.stored.files import write_text
+from ..ground.words.left_out import LeftOut, from_json, read_left_out, to_json
 from .text.plain_markdown import plain
 from .web.page import paragraph, together
 from .web.sortable_table import table

@@ -4,8 +4,8 @@ import argparse
 from pathlib import Path
 
 from ..ground.errors import program
-from ..ground.files import write_text
-from ..ground.jump_notes import read_jumps
+from ..ground.stored.files import write_text
+from ..ground.words.jump_notes import read_jumps
 from .parts import jumps
 from .parts.material_head import left_out_of, model_to_take
 from .parts.materials import part

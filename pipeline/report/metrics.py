@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import program
-from ..ground.files import write_text
-from ..ground.words_by_file import SIGN
+from ..ground.input.words_by_file import SIGN
+from ..ground.stored import schemas
+from ..ground.stored.files import write_text
 from .text.sidecar import Column, describe
 from .web.marks import add_mark, mark_from
 

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import program
-from ..ground.files import write_text
-from ..ground.jump_notes import read_jumps
 from ..ground.model_errors import chosen_of
 from ..ground.model_names import FLOORS
+from ..ground.stored import schemas
+from ..ground.stored.files import write_text
+from ..ground.words.jump_notes import read_jumps
 from .model_to_take import inverse_beside
 from .model_to_take.fitted import FLOOR_TITLES, SPLITS, lines_on_files, times_floor
 from .model_to_take.least_errors import on_simulator, sentences

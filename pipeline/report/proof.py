@@ -5,7 +5,7 @@ import csv
 from pathlib import Path
 
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from .text.plain_markdown import note
 from .text.sidecar import Column, describe
 from .web.markdown import web_page

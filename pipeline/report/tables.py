@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import program
-from ..ground.files import write_text
-from ..ground.jump_notes import read_jumps
-from ..ground.left_out import LeftOut
+from ..ground.stored import schemas
+from ..ground.stored.files import write_text
+from ..ground.words.jump_notes import read_jumps
+from ..ground.words.left_out import LeftOut
 from . import left_out
 from .left_out import quoted
 from .parts import jumps

@@ -9,7 +9,7 @@ from types import FrameType
 
 from ..ground import command as called
 from ..ground.errors import program
-from ..ground.parser import Parser
+from ..ground.input.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .kept_string import Standing

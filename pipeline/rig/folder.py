@@ -6,9 +6,9 @@ from pathlib import Path
 import pandas as pd
 import yaml
 
-from ..ground import schemas
-from ..ground.files import write_text
-from ..ground.folders import whole_folder
+from ..ground.stored import schemas
+from ..ground.stored.files import write_text
+from ..ground.stored.folders import whole_folder
 from ..run.description import parse_run
 from ..run.run_yaml import RunYaml
 

@@ -12,7 +12,7 @@ import yaml
 
 from ..ground.command import HOUSE, command
 from ..ground.errors import BadInput, program
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from .setup import SetUp, described, names, read_setup
 
 PATIENCE_S = 30.0  # for the rig to be there, and to be gone

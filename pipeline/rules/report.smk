@@ -1,6 +1,6 @@
-from pipeline.ground.words_by_file import by_file
+from pipeline.ground.input.words_by_file import by_file
 from pipeline.report.end_of_job.stale_reports import WORDS
-from pipeline.ground.left_out import to_json
+from pipeline.ground.words.left_out import to_json
 
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
 OF_MATERIAL = [*SHOWN, "index.html"]  # what is made of every material

@@ -6,9 +6,9 @@ from functools import cached_property, lru_cache
 import numpy as np
 from scipy.ndimage import median_filter
 
-from ..ground import quantiles
 from ..ground.kinematics import Array, Places
-from ..ground.rows import Rows
+from ..ground.numbers import quantiles
+from ..ground.stored.rows import Rows
 from .spikes import spikes, without_spikes
 
 OUTLIER_SAMPLES = 5  # width of the median that keeps outliers of the motor channel out

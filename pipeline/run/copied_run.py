@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
-from ..ground.strict_yaml import read_yaml
+from ..ground.input.strict_yaml import read_yaml
 from .description import STRING_ACTUATORS
 from .folder import read_run
 from .run_yaml import RunYaml, StringYaml

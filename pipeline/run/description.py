@@ -7,14 +7,14 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 from typing_extensions import TypedDict
 
 from ..ground import names
-from ..ground.bare_columns import all_written_out
-from ..ground.complaint import bad_section, key_name, meant, short
 from ..ground.errors import BadInput
+from ..ground.input.bare_columns import all_written_out
+from ..ground.input.complaint import bad_section, key_name, meant, short
+from ..ground.input.plain_numbers import Number, Positive, Times, no_bool
+from ..ground.input.text_file import TextFile
 from ..ground.kinematics import usual_stiffness
 from ..ground.names import MATERIAL_NAME, RUN_NAME
-from ..ground.plain_numbers import Number, Positive, Times, no_bool
-from ..ground.text_file import TextFile
-from ..ground.too_short import too_short
+from ..ground.numbers.too_short import too_short
 from ..systems import System, systems
 
 __all__ = ["MATERIAL_NAME", "RUN_NAME", "STRING_ACTUATORS", "Channel", "Run", "String", "TextFile", "parse_run"]

@@ -8,10 +8,10 @@ from typing import Any, cast
 
 from ..ground.command import command
 from ..ground.errors import BadInput
+from ..ground.input.strict_yaml import read_yaml
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE, checked, own_material
-from ..ground.regular_file import read_regular
-from ..ground.strict_yaml import read_yaml
-from ..ground.unfinished import mend_of_unfinished
+from ..ground.stored.regular_file import read_regular
+from ..ground.words.unfinished import mend_of_unfinished
 from .capture_json import CaptureJson
 from .description import Run, parse_run
 

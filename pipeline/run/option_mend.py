@@ -7,10 +7,10 @@ import shlex
 from pathlib import Path
 from typing import Any
 
-from ..ground.bare_columns import written_out
 from ..ground.command import quoted
 from ..ground.errors import BadInput
-from ..ground.strict_yaml import write_yaml
+from ..ground.input.bare_columns import written_out
+from ..ground.input.strict_yaml import write_yaml
 from .run_yaml import RunYaml
 
 KEY = re.compile(r"\b(channels|file|tolerance)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import BadInput
-from ..ground.files import whole, write_text
-from ..ground.rows import Stored
+from ..ground.stored import schemas
+from ..ground.stored.files import whole, write_text
+from ..ground.stored.rows import Stored
 from .description import Run
 from .folder import read_run
 from .samples import stored_strokes

@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.command import command
-from ..ground.counts import counted
 from ..ground.errors import BadInput
-from ..ground.files import whole
 from ..ground.kinematics import Places
-from ..ground.rows import Rows, Stored, rows_of
+from ..ground.stored import schemas
+from ..ground.stored.files import whole
+from ..ground.stored.rows import Rows, Stored, rows_of
+from ..ground.words.counts import counted
 from .description import STRING_ACTUATORS, Run
 from .dimensions import geometry
 from .doubts.plausible import check_string, doubts

@@ -7,10 +7,10 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
-from ..ground import quantiles
 from ..ground.kinematics import Array, Places
-from ..ground.rows import Rows, rows_of
-from ..ground.spans import blocks
+from ..ground.numbers import quantiles
+from ..ground.numbers.spans import blocks
+from ..ground.stored.rows import Rows, rows_of
 
 SPIKE = 8.0  # spreads of a median filter's residual that make a lonely sample a spike
 MEDIAN_SAMPLES = 5  # width of that filter

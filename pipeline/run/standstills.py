@@ -6,10 +6,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..ground import quantiles, schemas, spans
 from ..ground.kinematics import Array, Places
-from ..ground.spans import Spans
-from ..ground.unwound import PHASE_REVERSAL
+from ..ground.numbers import quantiles, spans
+from ..ground.numbers.spans import Spans
+from ..ground.numbers.unwound import PHASE_REVERSAL
+from ..ground.stored import schemas
 from .clean_motion import Motion
 
 HOLD_SPEED = 0.10  # of the speed at which the motor does half its travel: slower is holding

@@ -11,13 +11,14 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from ..ground import quantiles, schemas, spans
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array, Places
-from ..ground.rows import Rows, rows_of
-from ..ground.spans import Spans
+from ..ground.numbers import quantiles, spans
+from ..ground.numbers.spans import Spans
+from ..ground.numbers.unwound import PHASE_REVERSAL
+from ..ground.stored import schemas
+from ..ground.stored.rows import Rows, rows_of
 from ..ground.units import unit_of
-from ..ground.unwound import PHASE_REVERSAL
 from .clean_motion import Motion
 from .standstills import stands
 from .turning import turning_points

@@ -4,8 +4,8 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
-from ..ground.outputs import folder_to_write
-from ..ground.parser import Parser
+from ..ground.input.outputs import folder_to_write
+from ..ground.input.parser import Parser
 from ..run.folder import read_run
 from ..run.run_arguments import run_dir
 from .approve import UNATTENDED, WAYS

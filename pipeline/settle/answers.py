@@ -11,7 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TypedDict, cast
 
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 
 QUESTION, APPROVED, STOP = "question.json", "approved.json", "stop"
 LOOKS_S = 0.1

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..capture.motion_program import LegJson, as_legs
-from ..ground.counts import counted
+from ..ground.words.counts import counted
 from ..wire.motion import Leg, Limits
 from .limits import ByHand, beyond
 from .proposed import ProposedRun, without_curves

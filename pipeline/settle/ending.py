@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..ground.command import command
-from ..ground.files import write_text
-from ..ground.verdict_text import MAY_ADOPT, record_asked, to_do
+from ..ground.stored.files import write_text
+from ..ground.words.verdict_text import MAY_ADOPT, record_asked, to_do
 from .choose import Budget
 from .proposed import StepVerdict
 from .step import Place, Step

@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ..ground.figure_file import write_page
 from ..ground.kinematics import Array
+from ..ground.stored.figure_file import write_page
 from .beyond import SMOOTH_S, simulated_mm, zero_mm
 from .proposed import ProposedRun
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any, TypedDict
 
 from ..ground.errors import BadInput
-from ..ground.strict_yaml import parse_yaml
+from ..ground.input.strict_yaml import parse_yaml
 from ..wire.motion import Leg, Limits, refusal
 
 OPTION = "--limits"

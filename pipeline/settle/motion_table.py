@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..capture.motion_program import as_legs, strokes_of
-from ..ground.counts import counted
+from ..ground.words.counts import counted
 from ..wire.motion import cruise
 from .step import STANDS, Step
 

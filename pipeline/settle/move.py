@@ -10,7 +10,7 @@ from ..capture.log import NAME, in_use
 from ..capture.stream import PERSON
 from ..foreign.made_run import make_run
 from ..ground.errors import BadInput
-from ..ground.strict_yaml import read_yaml
+from ..ground.input.strict_yaml import read_yaml
 from ..run.copied_run import as_in, with_given
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
 from ..run.run_yaml import RunYaml

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..ground.command import command
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from .expected_loop import expected_loops
 from .motion_table import speed
 from .step import Place, Step

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
-from ..ground.files import write_text
+from ..ground.stored.files import write_text
 from .proposed import LegJson, ProposedRun, StepVerdict
 
 STATES = ("proposed", "approved", "recorded", "diagnosed")

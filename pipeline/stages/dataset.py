@@ -11,11 +11,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground import jump_notes, schemas
 from ..ground.errors import BadInput, program
-from ..ground.files import whole, write_text
-from ..ground.left_out import LeftOut, to_json
-from ..ground.outputs import file_to_write
+from ..ground.input.outputs import file_to_write
+from ..ground.stored import schemas
+from ..ground.stored.files import whole, write_text
+from ..ground.words import jump_notes
+from ..ground.words.left_out import LeftOut, to_json
 from ..run.folder import checked_info
 from ..run.lossy import all_lossy, moving_strokes, touched
 from ..string.history import Recorded, by_string, read_usable

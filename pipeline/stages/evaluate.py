@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.errors import BadInput, program
+from ..ground.input.outputs import file_to_write
 from ..ground.kinematics import Array
-from ..ground.outputs import file_to_write
+from ..ground.stored import schemas
 
 COLUMNS = ["map", "stroke", "phase", "angle_band", "metric", "unit", "value"]
 BANDS = 4  # of the material's twist range, for errors by angle

@@ -15,9 +15,9 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
-from ..ground import schemas
 from ..ground.errors import program
 from ..ground.kinematics import Array
+from ..ground.stored import schemas
 
 FLOORS = {"floor": ["string", "stroke", "direction"], "floor_blind": ["string", "stroke"]}  # points of one curve
 SPLITS = ("within", "later")

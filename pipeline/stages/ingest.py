@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from ..ground import schemas
-from ..ground.counts import counted
 from ..ground.errors import program
-from ..ground.files import whole
-from ..ground.left_out import noted
-from ..ground.outputs import file_to_write
+from ..ground.input.outputs import file_to_write
+from ..ground.stored import schemas
+from ..ground.stored.files import whole
+from ..ground.words.counts import counted
+from ..ground.words.left_out import noted
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import recording_path
 from ..run.read_ahead import forget, taken_over

@@ -12,10 +12,10 @@ import numpy as np
 import pandas as pd
 import torch
 
-from ..ground import schemas
 from ..ground.errors import program
+from ..ground.input.outputs import file_to_write
 from ..ground.kinematics import Array
-from ..ground.outputs import file_to_write
+from ..ground.stored import schemas
 from ..models.inn import Inn
 from ..models.parts.condition_columns import contraction_and_conditions, twist_and_conditions
 from ..models.parts.networks.training import repeatable, tensor

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.kinematics import TOLERANCE
-from ..ground.spans import blocks
+from ..ground.numbers.spans import blocks
+from ..ground.stored import schemas
 from ..run.lossy import MOVING, all_lossy
 from ..string.history import Recorded
 from .splits import Numbers, block_of

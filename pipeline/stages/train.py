@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ..ground import schemas
 from ..ground.command import HOUSE, command
 from ..ground.errors import program
-from ..ground.given_table import opened
-from ..ground.outputs import file_to_write
+from ..ground.input.outputs import file_to_write
+from ..ground.stored import schemas
+from ..ground.stored.given_table import opened
 from ..models.interface import Model
 from ..models.parts.configured import configured, fitting
 from ..models.parts.divided import SPLITS, divided

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from ..ground.rows import opened
+from ..ground.stored.rows import opened
 from ..run.folder import started_utc
 from ..run.samples import read_strokes, stored_strokes
 from .history import Recorded

@@ -11,12 +11,13 @@ from typing import Protocol, TypeVar
 import numpy as np
 import pandas as pd
 
-from ..ground import quantiles, schemas
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
-from ..ground.left_out import LeftOut
-from ..ground.rows import Rows, opened, rows_of
-from ..ground.spans import blocks
+from ..ground.numbers import quantiles
+from ..ground.numbers.spans import blocks
+from ..ground.stored import schemas
+from ..ground.stored.rows import Rows, opened, rows_of
+from ..ground.words.left_out import LeftOut
 from ..run.description import Run
 from ..run.dimensions import geometry
 from ..run.folder import read_run, started_utc

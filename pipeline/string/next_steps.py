@@ -5,7 +5,7 @@ from collections.abc import Container
 from pathlib import Path
 
 from ..ground.command import command
-from ..ground.counts import counted
+from ..ground.words.counts import counted
 from ..run.folder import read_run
 from ..run.next_command import following
 from .same_string import next_name, others_recorded

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground import quantiles, schemas
 from ..ground.kinematics import Array
-from ..ground.spans import blocks
+from ..ground.numbers import quantiles
+from ..ground.numbers.spans import blocks
+from ..ground.stored import schemas
 from ..run.description import Run
 from .history import Recorded
 

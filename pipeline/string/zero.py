@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..ground.counts import counted
+from ..ground.words.counts import counted
 from .history import Recorded, in_order, tare_mm
 from .recovered import alike, but_for, recovered_mm
 from .rests import Rests

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
-from ..ground.parser import Parser
+from ..ground.input.parser import Parser
 from ..run.run_arguments import run_dir
 from .followed_recording import Followed
 from .jobs import Jobs

@@ -11,7 +11,7 @@ import numpy as np
 from ..capture.log import in_use
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
-from ..ground.unwound import Unwound
+from ..ground.numbers.unwound import Unwound
 from ..run.description import Run
 from ..run.folder import CAPTURED, capture_info, read_run
 from .appended import Counts, Frames, Printed, Source

@@ -5,7 +5,7 @@ import math
 from pathlib import Path
 from typing import TypedDict
 
-from ..ground.counts import counted
+from ..ground.words.counts import counted
 from .page_content import Left
 from .reports_of_run import newest_first, text_of
 

@@ -4,7 +4,7 @@ import contextlib
 import os
 from pathlib import Path
 
-from ..ground.verdict_text import headline
+from ..ground.words.verdict_text import headline
 
 LARGEST = 1_000_000  # bytes of a file that is looked into
 PAGES = ("diagnosis.html", "diagnosis.pdf", "verdict.txt")  # of a diagnosis, the first that is there

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
-from ..ground.verdict_text import headline
+from ..ground.words.verdict_text import headline
 from .reports_of_run import names_in, newest_first, page_of, text_of
 
 HEAD = 4096  # bytes of a diagnosis.json, whose first key says of which runs it is

@@ -5,15 +5,15 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ..ground import jump_notes
 from ..ground.configuration import ModelPlan
 from ..ground.errors import BadInput
-from ..ground.left_out import LeftOut
+from ..ground.input.strict_yaml import LARGEST, read_yaml
 from ..ground.model_names import NOMINAL, PAPER
 from ..ground.names import LONGEST, MATERIAL_NAME, SYNTHETIC, SYNTHETIC_DEVICE, checked, run_name
-from ..ground.regular_file import read_regular
-from ..ground.strict_yaml import LARGEST, read_yaml
-from ..ground.unfinished import mend_of_unfinished
+from ..ground.stored.regular_file import read_regular
+from ..ground.words import jump_notes
+from ..ground.words.left_out import LeftOut
+from ..ground.words.unfinished import mend_of_unfinished
 from ..run.description import STRING_ACTUATORS
 from ..run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinished
 

@@ -9,7 +9,7 @@ import lzma
 from collections.abc import Mapping
 from dataclasses import asdict
 
-from ..ground.left_out import LeftOut
+from ..ground.words.left_out import LeftOut
 from .dag import Plan
 
 PLAN = "TWISTBENCH_PLAN"

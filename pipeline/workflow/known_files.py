@@ -12,9 +12,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ..ground import jump_notes, left_out, seal
 from ..ground.errors import BadInput
-from ..ground.files import sha256, write_text
+from ..ground.stored import seal
+from ..ground.stored.files import sha256, write_text
+from ..ground.words import jump_notes, left_out
 
 SETTLED_S = 2.0  # a file that changed this lately may change again under the same times
 

@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ..ground.errors import BadInput, program
-from ..ground.left_out import LeftOut, from_json, to_json
+from ..ground.words.left_out import LeftOut, from_json, to_json
 
 SHOWN = 5  # names of new recordings
 AT_ONCE = 1000  # runs that one program reads: a command line has a longest

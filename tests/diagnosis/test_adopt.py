@@ -20,7 +20,7 @@ from pipeline.diagnosis.one_rig import described
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.next_run import commands
 from pipeline.ground.errors import BadInput
-from pipeline.ground.strict_yaml import parse_yaml
+from pipeline.ground.input.strict_yaml import parse_yaml
 from pipeline.run.folder import read_run
 from pipeline.systems import systems
 

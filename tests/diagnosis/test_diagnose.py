@@ -30,8 +30,8 @@ from pipeline.diagnosis.one_rig import described, of_one_rig
 from pipeline.diagnosis.prediction.simulation import read_diagnosis, state_of
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.stored import schemas
 from pipeline.notebook import of_folders
 from pipeline.run import strokes
 from pipeline.run.clean_motion import Motion

@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 from models.made_dataset import LOAD_N, STRING, ZONE, hidden_mm, made_dataset, pair_dataset
 
-from pipeline.ground import schemas
 from pipeline.ground.kinematics import Geometry
+from pipeline.ground.stored import schemas
 from pipeline.models.interface import make_model
 
 QUICK: dict[str, dict[str, Any]] = {

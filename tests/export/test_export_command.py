@@ -26,9 +26,9 @@ from pipeline.export.c_header import header
 from pipeline.export.facts import SAME, fit
 from pipeline.export.interface import names
 from pipeline.export.source import Beside, opened
-from pipeline.ground import schemas
 from pipeline.ground.errors import program
 from pipeline.ground.kinematics import point_contraction_mm, usual_stiffness
+from pipeline.ground.stored import schemas
 from pipeline.models.interface import about, make_model, settings_of
 from pipeline.models.parts.saved import read_json, write_bytes, write_json
 

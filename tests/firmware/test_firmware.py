@@ -15,7 +15,7 @@ import yaml
 from firmware.builds import FIRMWARE, SMALL, for_the_uno, for_this_computer, running, simulator
 from ready import start
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.wire import Decoder, Event, Frame, Kind, Reason, Recording, encode, read_recording
 from pipeline.wire.frames import END, EVENT
 

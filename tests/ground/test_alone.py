@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from pipeline.ground.own_process import each_alone
+from pipeline.ground.code.own_process import each_alone
 
 
 def told(item: int, more: int) -> tuple[int, int]:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from made_recording import recording
 
-from pipeline.ground.counts import are, counted
 from pipeline.ground.errors import BadInput
+from pipeline.ground.words.counts import are, counted
 from pipeline.lifespan.words.stroke_counts import strokes_at_least, strokes_at_most
 from pipeline.run.samples import check_finite
 from pipeline.string.zero import Jump

@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.transforms import Bbox
 
-from pipeline.ground.figure_file import settle_layout, write_figure, write_page
+from pipeline.ground.stored.figure_file import settle_layout, write_figure, write_page
 
 
 class Shaken(ConstrainedLayoutEngine):

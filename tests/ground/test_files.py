@@ -11,9 +11,9 @@ import pyarrow.parquet as pq
 import pytest
 from models.made_dataset import made_dataset
 
-from pipeline.ground import schemas, seal
 from pipeline.ground.errors import BadInput
-from pipeline.ground.files import whole, write_text
+from pipeline.ground.stored import schemas, seal
+from pipeline.ground.stored.files import whole, write_text
 from pipeline.models.interface import make_model
 
 

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from pipeline.ground import fingerprint, kept_imports
-from pipeline.ground.fingerprint import reachable
+from pipeline.ground.code import fingerprint, kept_imports
+from pipeline.ground.code.fingerprint import reachable
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import pytest
 from programs import run
 
 from pipeline.__main__ import PROGRAMS
-from pipeline.ground.parser import Parser
+from pipeline.ground.input.parser import Parser
 
 
 def complaint(capsys, *words):

@@ -13,8 +13,9 @@ import pytest
 from made_recording import recording
 from models.made_dataset import made_dataset
 
-from pipeline.ground import progress, schemas
-from pipeline.ground.progress import steps
+from pipeline.ground.stored import schemas
+from pipeline.ground.words import progress
+from pipeline.ground.words.progress import steps
 
 ROOT = Path(__file__).parents[2]
 

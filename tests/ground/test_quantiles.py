@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pipeline.ground import quantiles
+from pipeline.ground.numbers import quantiles
 
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False, width=64).filter(lambda value: abs(value) < 1e300)
 Q = [0, 0.1, 0.5, 25, 50, 99.9, 100]

@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from pipeline.ground.errors import BadInput
-from pipeline.ground.strict_yaml import read_yaml, write_yaml
+from pipeline.ground.input.strict_yaml import read_yaml, write_yaml
 
 ROOT = Path(__file__).parents[2]
 SHIPPED = [path for path in sorted(ROOT.rglob("*.yaml")) if not any(part.startswith(".") for part in path.parts)]

@@ -9,7 +9,7 @@ import pytest
 from models.made_dataset import made_dataset
 
 from pipeline import ONE_THREAD
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 
 ROOT = Path(__file__).parents[2]
 COUNT = "from threadpoolctl import threadpool_info; print({one['num_threads'] for one in threadpool_info()})"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.ground.words_by_file import SIGN, by_file, spread
+from pipeline.ground.input.words_by_file import SIGN, by_file, spread
 
 MANY = [f"run-{at:05d}" for at in range(20_000)]
 ODD = ["a b", "--runs", "it's", "ünï {x}", '{"a": ["b"]}', "$(touch PWNED)", "-1", ""]

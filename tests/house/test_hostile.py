@@ -15,8 +15,8 @@ from models.made_dataset import made_dataset
 from shares import shares
 
 from pipeline.export.interface import names as exported
-from pipeline.ground import schemas, seal
 from pipeline.ground.errors import BadInput
+from pipeline.ground.stored import schemas, seal
 from pipeline.models.interface import make_model, names, settings_of
 from pipeline.models.parts.configured import configured
 

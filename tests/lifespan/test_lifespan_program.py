@@ -13,8 +13,8 @@ import pytest
 from made_life import folder, samples
 from made_recording import content
 
-from pipeline.ground import wrapped_lines
 from pipeline.ground.errors import BadInput
+from pipeline.ground.words import wrapped_lines
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.figure import page, question
 from pipeline.lifespan.forecast.laws import LAWS

@@ -7,7 +7,7 @@ import pandas as pd
 from made_dataset import TOLERANCE
 
 from pipeline.ground.kinematics import Array, Geometry
-from pipeline.ground.schemas import DATASET
+from pipeline.ground.stored.schemas import DATASET
 
 STRING = {"radius_mm": 0.5, "length_mm": 400.0, "stiffness_n_per_mm": 15.0}
 ZONE = {"torsion_zone_mm": 150.0, "separator_mm": 10.0}

@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 
 from pipeline.ground.kinematics import Array, Geometry
-from pipeline.ground.schemas import DATASET
+from pipeline.ground.stored.schemas import DATASET
 
 TOP_TURNS = 27.2
 PLAY_TURNS = 0.1  # half width of the loop: the string's twist follows the motor's this much behind

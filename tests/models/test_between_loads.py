@@ -8,7 +8,7 @@ import programs
 import pytest
 from made_dataset import TOP_TURNS, made_dataset
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 
 ASKED_N = 20.0
 

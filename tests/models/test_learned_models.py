@@ -10,7 +10,7 @@ import pytest
 import torch
 from made_dataset import made_dataset
 
-from pipeline.ground import progress
+from pipeline.ground.words import progress
 from pipeline.models.inn import Inn
 from pipeline.models.mlp import Mlp
 from pipeline.models.parts.condition_columns import contraction_and_conditions, twist_and_conditions

@@ -9,7 +9,7 @@ import programs
 import pytest
 from made_dataset import made_dataset
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.models.interface import make_model
 from pipeline.models.parts.questions.prediction_intervals import Intervals
 from pipeline.models.parts.questions.recorded_pairs import Paired, pairs_of

@@ -8,7 +8,7 @@ import programs
 import pytest
 from made_dataset import made_dataset
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.models.interface import make_model
 from pipeline.models.parts.questions.recorded_strokes import Under
 

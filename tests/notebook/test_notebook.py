@@ -16,7 +16,7 @@ from made_recording import content, recording
 
 import pipeline as tb
 from pipeline.diagnosis import in_memory
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.notebook import diagnosis as in_a_notebook
 
 ROOT = Path(__file__).parents[2]

@@ -6,7 +6,7 @@ import re
 import pytest
 
 import pipeline as tb
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 
 
 def named(text: str | None) -> set[str]:

@@ -15,7 +15,7 @@ import copied
 import pytest
 from models.made_dataset import made_dataset
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "CONTRIBUTING.md").read_text()

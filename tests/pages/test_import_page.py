@@ -13,7 +13,7 @@ import scipy.io
 from formats.foreign_files import workbook
 from made_recording import recording
 
-from pipeline.ground.text_file import TextFile
+from pipeline.ground.input.text_file import TextFile
 from pipeline.run.description import Channel, Run, String
 from pipeline.run.next_command import quick
 from pipeline.run.samples import read_samples

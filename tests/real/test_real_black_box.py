@@ -10,7 +10,7 @@ from made_recording import content, recording
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study import heldout
 from pipeline.diagnosis.study.engine import make_problem
-from pipeline.ground.files import write_text
+from pipeline.ground.stored.files import write_text
 from pipeline.real import transfer
 from pipeline.real.asked_recording import About
 from pipeline.real.black_box import Asked, first_held_out, held_out

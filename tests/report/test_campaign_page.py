@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.report.campaign import figures, page
 from pipeline.report.campaign.results import pooled
 from pipeline.report.campaign.words import CALLED, leaders, nearest, untold, without_others

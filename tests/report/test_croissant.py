@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from models.made_dataset import made_dataset
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 
 ROOT = Path(__file__).resolve().parents[2]
 

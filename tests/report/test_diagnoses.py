@@ -5,7 +5,7 @@ import re
 
 from made_verdict import made_verdict
 
-from pipeline.ground.glossary import MEANING
+from pipeline.ground.words.glossary import MEANING
 from pipeline.report.end_of_job.summary import summary
 from pipeline.report.parts.diagnoses import (  # fmt: skip
     content_of,

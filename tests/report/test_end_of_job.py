@@ -2,7 +2,7 @@
 
 import pytest
 
-from pipeline.ground.left_out import LeftOut
+from pipeline.ground.words.left_out import LeftOut
 from pipeline.report.end_of_job.failures import concerned
 from pipeline.report.end_of_job.summary import RUNS, summary
 

@@ -8,7 +8,7 @@ import programs
 import pytest
 from matplotlib.lines import Line2D
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.report import figures
 from pipeline.report.drawn.averaged import PARTS, averaged
 from pipeline.report.drawn.drawing import STYLE, save

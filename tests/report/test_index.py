@@ -18,9 +18,9 @@ from test_models_page import TITLES, made_metrics
 from test_tables import made_metrics as made_table_metrics
 
 from pipeline.diagnosis.study.heldout import LAST
-from pipeline.ground import schemas
 from pipeline.ground.kinematics import usual_stiffness
-from pipeline.ground.left_out import LeftOut, to_json
+from pipeline.ground.stored import schemas
+from pipeline.ground.words.left_out import LeftOut, to_json
 from pipeline.report.end_of_job.summary import summary
 from pipeline.report.index import page
 from pipeline.report.model_to_take.to_take import LATER, Models, materials_table

@@ -11,10 +11,11 @@ import programs
 import pytest
 from made_recording import recording
 
-from pipeline.ground import jump_notes, schemas
 from pipeline.ground.errors import BadInput
-from pipeline.ground.left_out import LeftOut, from_json, noted, to_json
-from pipeline.ground.words_by_file import by_file
+from pipeline.ground.input.words_by_file import by_file
+from pipeline.ground.stored import schemas
+from pipeline.ground.words import jump_notes
+from pipeline.ground.words.left_out import LeftOut, from_json, noted, to_json
 from pipeline.report import left_out
 from pipeline.report.end_of_job import stale_reports
 from pipeline.workflow.dag import Plan, stored

@@ -8,7 +8,7 @@ import pytest
 from stages.nine_strokes import NINE
 from test_models_page import TITLES, made_metrics
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.report.parts.material_head import left_out_of
 
 JUMP = "The zero jumps between two runs: write `tare: run` in run.yaml of a-02 <b>."

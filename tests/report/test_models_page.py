@@ -13,8 +13,8 @@ import pandas as pd
 import pytest
 from in_a_browser import clicked, needs_browser
 
-from pipeline.ground import schemas
-from pipeline.ground.glossary import MEANING
+from pipeline.ground.stored import schemas
+from pipeline.ground.words.glossary import MEANING
 from pipeline.report.drawn.drawing import STYLE
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw

@@ -6,7 +6,7 @@ import pytest
 from stages.nine_strokes import NINE
 from test_models_page import made_metrics
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.report.drawn.figure_4 import figure_4
 from pipeline.report.drawn.figure_5 import figure_5
 from pipeline.report.drawn.winding import with_nominal

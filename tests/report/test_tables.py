@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 from in_a_browser import clicked, needs_browser
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.report.comparison import comparison
 from pipeline.report.parts.materials import html_table
 from pipeline.report.tables import rows, write

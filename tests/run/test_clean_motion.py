@@ -6,8 +6,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.ground import schemas
-from pipeline.ground.rows import Held
+from pipeline.ground.stored import schemas
+from pipeline.ground.stored.rows import Held
 from pipeline.run.clean_motion import Motion
 
 SAMPLES, RATE_HZ = 63, 20.0

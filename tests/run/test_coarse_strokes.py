@@ -9,8 +9,8 @@ from whole_strokes import label as label_whole
 from whole_strokes import segment as segment_whole
 from whole_strokes import turning_points as turning_points_whole
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.stored import schemas
 from pipeline.run.strokes import label, segment
 from pipeline.run.turning import turning_points
 

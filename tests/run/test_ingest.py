@@ -11,8 +11,8 @@ import programs
 import pytest
 from made_recording import recording
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.stored import schemas
 from pipeline.run.samples import SLOWEST_S, check_clock, questions, read_samples
 
 GOOD = recording()
@@ -377,7 +377,7 @@ def test_reading_text_takes_little_more_than_the_text(make_run):
     many.to_csv(folder / "recording.csv", index=False)
     program = (
         "import resource, sys\nfrom pipeline.formats.text import read_text\n"
-        "from pipeline.ground.text_file import TextFile\n"
+        "from pipeline.ground.input.text_file import TextFile\n"
         "from pathlib import Path\npeak = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\nbefore = peak()\n"
         "read_text(Path(sys.argv[1]), TextFile.model_validate({}))\nprint(1024 * (peak() - before))"
     )

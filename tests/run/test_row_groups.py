@@ -16,9 +16,10 @@ from whole_strokes import segment as segment_whole
 
 from pipeline import wire
 from pipeline.capture.commit import recover
-from pipeline.ground import quantiles, schemas
 from pipeline.ground.errors import BadInput
-from pipeline.ground.rows import Held, Stored
+from pipeline.ground.numbers import quantiles
+from pipeline.ground.stored import schemas
+from pipeline.ground.stored.rows import Held, Stored
 from pipeline.run.doubts import wild_samples
 from pipeline.run.samples import read_samples, stored_strokes
 from pipeline.run.strokes import label, segment
@@ -149,7 +150,7 @@ def test_a_run_on_disk_has_the_tare_the_noise_and_the_rests_of_one_in_memory(mak
 
 MAIN = (
     "import atexit, pathlib; atexit.register(lambda: print(pathlib.Path('/proc/self/status').read_text())); "
-    "from pipeline.ground import quantiles, schemas; "
+    "from pipeline.ground.numbers import quantiles; from pipeline.ground.stored import schemas; "
     "schemas.ROW_GROUP = quantiles.HELD = 1 << 15; quantiles.DIGITS = (16,) * 4; "
     "import {module} as stage; stage.main()"
 )

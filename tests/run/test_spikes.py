@@ -6,8 +6,9 @@ import pytest
 from made_recording import recording
 from whole_strokes import despiked_whole
 
-from pipeline.ground import quantiles, schemas
-from pipeline.ground.rows import Held
+from pipeline.ground.numbers import quantiles
+from pipeline.ground.stored import schemas
+from pipeline.ground.stored.rows import Held
 from pipeline.run import clean_motion, spikes
 from pipeline.run.spikes import despiked, lonely
 from pipeline.run.strokes import label, of_samples, segment

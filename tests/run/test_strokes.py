@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from made_recording import motion, recording
 
 from pipeline.ground.errors import BadInput
-from pipeline.ground.rows import rows_of
+from pipeline.ground.stored.rows import rows_of
 from pipeline.run.clean_motion import Motion
 from pipeline.run.strokes import label, of_samples, segment, stretches, turning_points
 

@@ -9,8 +9,8 @@ import programs
 import pytest
 from made_recording import recording
 
-from pipeline.ground import schemas
-from pipeline.ground.rows import Held
+from pipeline.ground.stored import schemas
+from pipeline.ground.stored.rows import Held
 from pipeline.import_run import import_run
 from pipeline.run.doubts.wild_samples import wild_samples
 from pipeline.run.samples import read_samples

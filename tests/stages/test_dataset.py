@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from made_recording import BASE, recording
 from stages.nine_strokes import NINE, recorded, string
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.stages.dataset import HELD_OUT_POINTS, blocks_from_top, held_out, make_dataset
 from pipeline.stages.splits import Thinned
 from pipeline.string.history import Recorded, in_order, tare_mm

@@ -10,8 +10,8 @@ import programs
 import pytest
 from made_recording import content, recording
 
-from pipeline.ground import schemas
-from pipeline.ground.left_out import from_json
+from pipeline.ground.stored import schemas
+from pipeline.ground.words.left_out import from_json
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import touched
 

@@ -2,9 +2,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.kinematics import point_contraction_mm, point_motor_turns
+from pipeline.ground.stored import schemas
 from pipeline.stages.evaluate import angle_bands, evaluate
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.stages.evaluate import evaluate
 from pipeline.stages.floor import FLOORS, noise, predictions, residuals
 

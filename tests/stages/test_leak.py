@@ -7,7 +7,7 @@ import pytest
 import torch
 from models.made_dataset import made_dataset
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.models.inn import Inn
 from pipeline.models.parts.condition_columns import contraction_and_conditions
 from pipeline.models.parts.networks.coupling import product

@@ -8,9 +8,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
 from pipeline.ground.kinematics import Geometry
+from pipeline.ground.stored import schemas
 from pipeline.models.parts.configured import configured
 from pipeline.models.parts.divided import divided
 from pipeline.models.parts.saved import read_bytes, read_json

@@ -13,9 +13,9 @@ import pytest
 from made_recording import content, recording
 from stages.nine_strokes import recorded, string
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
-from pipeline.ground.jump_notes import read_jumps
+from pipeline.ground.stored import schemas
+from pipeline.ground.words.jump_notes import read_jumps
 from pipeline.lifespan.from_folders import strings
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset

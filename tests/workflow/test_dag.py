@@ -10,9 +10,9 @@ from made_recording import content
 from snakemake.exceptions import WorkflowError
 from snakemake.utils import update_config, validate
 
+from pipeline.ground.code.fingerprint import fingerprint, reachable
 from pipeline.ground.errors import BadInput
-from pipeline.ground.fingerprint import fingerprint, reachable
-from pipeline.ground.left_out import LeftOut
+from pipeline.ground.words.left_out import LeftOut
 from pipeline.workflow.dag import fits, make_plan, recorded_files, table_order
 
 ROOT = Path(__file__).parents[2]
@@ -195,7 +195,7 @@ def test_a_models_fingerprint_covers_what_it_finds_by_name_at_run_time():
 
 
 def test_fingerprints_change_with_the_source(tmp_path, monkeypatch):
-    import pipeline.ground.fingerprint as module
+    import pipeline.ground.code.fingerprint as module
 
     (tmp_path / "pipeline").mkdir()
     (tmp_path / "pipeline" / "__init__.py").touch()

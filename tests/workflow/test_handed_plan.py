@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.ground.left_out import LeftOut
+from pipeline.ground.words.left_out import LeftOut
 from pipeline.workflow import handed_plan
 from pipeline.workflow.dag import Plan
 from pipeline.workflow.storage import copy_of_storage

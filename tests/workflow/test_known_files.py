@@ -4,7 +4,7 @@ import time
 import pandas as pd
 import pytest
 
-from pipeline.ground import schemas
+from pipeline.ground.stored import schemas
 from pipeline.workflow import known_files
 from pipeline.workflow.known_files import KnownFiles
 

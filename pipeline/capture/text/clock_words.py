@@ -4,7 +4,7 @@ import io
 from contextlib import redirect_stderr
 from pathlib import Path
 
-from ...ground.counts import mends
+from ...ground.words.counts import mends
 from ...run.capture_json import CaptureJson
 from ...run.description import Run
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...ground.command import recover_command
 from ...ground.errors import BadInput
-from ...ground.strict_yaml import parse_yaml
+from ...ground.input.strict_yaml import parse_yaml
 from ...run.description import Channel, Run
 from ...run.option_mend import in_file
 from ...run.run_yaml import RunYaml

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 
-from ...ground.header_units import header_unit
+from ...ground.input.header_units import header_unit
 from ...ground.units import unit_of
 from ...run.table.named_units import in_its_unit
 from .fields import is_known

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from ...ground.counts import are, counted
+from ...ground.words.counts import are, counted
 from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
 from .lines_without_names import Unnamed
 from .naming import Naming

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...ground.command import recover_command
 from ...ground.errors import BadInput
-from ...ground.files import sha256, whole
+from ...ground.stored.files import sha256, whole
 from ...run.capture_json import CaptureJson
 from ..commit import PIECE, check_own, committed, opening, seal, unwritten
 from ..log import LINES, in_use

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ...ground.command import recover_command
-from ...ground.counts import counted
+from ...ground.words.counts import counted
 from ...run.capture_json import CaptureJson, Lost
 from .fields import TIME, is_known
 from .naming import Naming, naming_in

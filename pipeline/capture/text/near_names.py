@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...ground.command import recover_command
 from ...ground.errors import BadInput
-from ...ground.header_units import header_unit
+from ...ground.input.header_units import header_unit
 from ...run.description import Run
 from ...run.folder import read_run
 from ...run.table.named_units import TIMES, in_its_unit

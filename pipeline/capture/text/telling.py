@@ -4,7 +4,7 @@ import time
 from pathlib import Path
 
 from ...ground.command import recover_command
-from ...ground.counts import counted
+from ...ground.words.counts import counted
 from ..screen import Screen, clock
 from .fields import TIME
 from .lines import Lines

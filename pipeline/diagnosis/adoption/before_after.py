@@ -4,8 +4,8 @@ import math
 from pathlib import Path
 
 from ...ground.command import program_name
-from ...ground.complaint import key_name
 from ...ground.errors import BadInput
+from ...ground.input.complaint import key_name
 from ...ground.units import unit_of
 from ...run.description import Run
 from ..document.content import Simulated, Verdict

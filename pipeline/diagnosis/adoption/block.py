@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from ...ground.errors import BadInput
-from ...ground.strict_yaml import parse_yaml
+from ...ground.input.strict_yaml import parse_yaml
 from ...run.description import Included, parse_run
 from ..document.content import Adoption
 from ..fit.adopt import block

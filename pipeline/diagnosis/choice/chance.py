@@ -3,8 +3,8 @@
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
-from ...ground import spans
 from ...ground.kinematics import Array
+from ...ground.numbers import spans
 from ..fit.problem import Act, Problem, State
 from ..mechanisms.interface import Nonlinear
 from ..mechanisms.library import mechanisms

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...ground.kinematics import Array
-from ...ground.spans import of_mask
+from ...ground.numbers.spans import of_mask
 from ..fit.problem import Problem, State
 
 FAR = 5.0  # robust spreads of what is left: noise is never so far off for so long

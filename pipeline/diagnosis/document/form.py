@@ -5,8 +5,8 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from ...ground.complaint import short
 from ...ground.errors import BadInput
+from ...ground.input.complaint import short
 
 
 class Form(BaseModel):

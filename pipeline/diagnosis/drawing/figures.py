@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Patch
 
-from ...ground.figure_file import write_page
 from ...ground.kinematics import Array
+from ...ground.stored.figure_file import write_page
 from ..choice.outcome import Study
 from ..document.content import Simulated, Verdict
 from ..document.effects_named import Dimension

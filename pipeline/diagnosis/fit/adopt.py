@@ -5,9 +5,9 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from ...ground.complaint import key_name, short
 from ...ground.errors import BadInput
-from ...ground.strict_yaml import write_yaml
+from ...ground.input.complaint import key_name, short
+from ...ground.input.strict_yaml import write_yaml
 from ...run.description import Included
 from ..document.adopted_run import as_list
 from ..document.content import Adoption, Verdict

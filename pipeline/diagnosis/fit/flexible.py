@@ -55,7 +55,7 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
     `fine` is the recording at its own rate, `unseen` the rows of `problem` that no fit saw.
     `unseen` has the shape (samples,); a mask has no unit.
     """
-    from ...ground.regression import boosted_trees  # seconds to import, and asked only where something is left
+    from ...ground.numbers.regression import boosted_trees  # seconds to import, and asked only where something is left
 
     residual, inputs = problem.measured - problem.simulate(state), signals(problem.drivers)
     predict = boosted_trees(inputs[~unseen], residual[~unseen], SEED)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from ...ground.complaint import key_name
+from ...ground.input.complaint import key_name
 from ...ground.kinematics import Array
 from ...ground.names import RUN_NAME
 from ...run.folder import has_recording

@@ -63,7 +63,7 @@ class BlackBox:
         usual = max(abs(float(np.median(load))), LEAST_LOAD)
         loaded = float(np.subtract(*np.percentile(load, [95, 5]))) > LOAD_MOVES * usual
         listened_to = tuple(name for name in names if name != "load" or loaded)
-        from ...ground.regression import boosted_trees  # seconds to import
+        from ...ground.numbers.regression import boosted_trees  # seconds to import
 
         residuals = _stacked([lesson.left for lesson in lessons], rows)
         predict = boosted_trees(np.column_stack([recorded[name] for name in listened_to]), residuals, SEED)

@@ -8,10 +8,10 @@ from typing import Any, cast
 import numpy as np
 import pandas as pd
 
-from ...ground.complaint import short
 from ...ground.errors import BadInput
+from ...ground.input.complaint import short
 from ...ground.kinematics import Array
-from ...ground.regular_file import read_regular
+from ...ground.stored.regular_file import read_regular
 from ...run.description import Fitted, Run
 from ...systems import System
 from ..choice.outcome import rms

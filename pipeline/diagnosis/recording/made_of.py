@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ...ground.complaint import key_name, short
 from ...ground.errors import BadInput
+from ...ground.input.complaint import key_name, short
 from ...ground.names import RUN_NAME
 from ...run.folder import has_recording
 from ...run.samples import read_strokes

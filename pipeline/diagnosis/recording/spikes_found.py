@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from ...ground.rows import rows_of
+from ...ground.stored.rows import rows_of
 from ...run.spikes import spikes
 from ..document.evidence import Spike
 from .recorded_run import RecordedRun

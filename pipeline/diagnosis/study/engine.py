@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...ground.counts import counted
 from ...ground.errors import BadInput
+from ...ground.words.counts import counted
 from ...systems import System
 from ...systems.interface import PORTS
 from ..choice import candidates, chance

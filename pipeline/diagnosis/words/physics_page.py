@@ -6,8 +6,8 @@
 import argparse
 
 from ...ground.errors import program
-from ...ground.glossary import MEANING
 from ...ground.outside_library import is_outside
+from ...ground.words.glossary import MEANING
 from ..mechanisms.interface import Mechanism
 from ..mechanisms.library import mechanisms
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...ground.kinematics import Array
-from ...ground.progress import steps
+from ...ground.words.progress import steps
 from .fit import Fit, fit
 from .laws import LAWS, Law
 

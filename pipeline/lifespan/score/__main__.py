@@ -10,9 +10,9 @@ import pandas as pd
 
 from ...ground.command import command
 from ...ground.errors import BadInput, program
-from ...ground.files import whole, write_text
-from ...ground.outputs import folder_to_write
-from ...ground.progress import steps
+from ...ground.input.outputs import folder_to_write
+from ...ground.stored.files import whole, write_text
+from ...ground.words.progress import steps
 from ...string.from_raw import read
 from ..forecast.questions import Answer, model_error, stroke_loss
 from ..forecast.strokes_left import LEAST_STROKES, Left, first_passed

@@ -8,7 +8,7 @@ import pandas as pd
 
 from ...ground.command import command
 from ...ground.errors import BadInput
-from ...ground.rows import Rows
+from ...ground.stored.rows import Rows
 from ...run.description import STRING_ACTUATORS
 from ...string.history import Recorded, in_order
 from ...string.not_compared import not_compared

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ...ground.counts import are, counted
 from ...ground.kinematics import Array
+from ...ground.words.counts import are, counted
 from ...string.recovered import SAME_LOAD
 from .indicators import REFERENCE
 from .readings import Found

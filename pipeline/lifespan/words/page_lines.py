@@ -1,6 +1,6 @@
 """Lines → a text no wider than a page."""
 
-from ...ground.wrapped_lines import wrapped
+from ...ground.words.wrapped_lines import wrapped
 
 FURTHER = 4  # spaces by which the rest of a wrapped line is indented: a fact of its own is indented by 2 more
 

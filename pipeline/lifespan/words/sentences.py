@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from ...ground.command import command, program_name
-from ...ground.counts import are
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
+from ...ground.words.counts import are
 from ...string.zero import Jump
 from ..forecast.questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden

@@ -2,7 +2,7 @@
 
 import math
 
-from ...ground.counts import counted
+from ...ground.words.counts import counted
 
 HAIR = 1e-6  # of a stroke: what arithmetic adds to a whole number makes it no other
 

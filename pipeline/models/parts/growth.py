@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 
 from ...ground.kinematics import Array
-from ...ground.progress import steps
+from ...ground.words.progress import steps
 
 FAMILIES: dict[str, Callable[[Array, float], Array]] = {
     "logarithm": lambda stroke, before: np.log(before + stroke),

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
 from ...ground.kinematics import Array
-from ...ground.progress import steps as shown
+from ...ground.words.progress import steps as shown
 
 Problem = Callable[[Array], tuple[Array, Array]]  # parameters → residuals (rows,), Jacobian (rows, parameters)
 FIRST_DAMPING, SOFTER, HARDER, HARDEST = 1e-3, 0.2, 8.0, 1e9

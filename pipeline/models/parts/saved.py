@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ...ground import files, seal
 from ...ground.errors import BadInput
+from ...ground.stored import files, seal
 
 
 def write_bytes(path: Path, content: bytes) -> None:

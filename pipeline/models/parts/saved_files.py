@@ -4,10 +4,10 @@ import re
 from collections.abc import Collection
 from pathlib import Path
 
-from ...ground import seal
 from ...ground.command import make_command
-from ...ground.counts import counted
 from ...ground.errors import BadInput
+from ...ground.stored import seal
+from ...ground.words.counts import counted
 from ..interface import usual
 
 RAW = Path("raw")  # of the folder that a program is started in

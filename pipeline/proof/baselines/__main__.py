@@ -11,9 +11,9 @@ from threadpoolctl import threadpool_limits
 
 from ...diagnosis.recording.recorded_run import RecordedRun
 from ...diagnosis.study import engine, own_rate
+from ...ground.code.modules import holding
 from ...ground.errors import program
-from ...ground.files import write_text
-from ...ground.modules import holding
+from ...ground.stored.files import write_text
 from ...run.folder import read_run
 from ...run.samples import read_strokes
 from .learnt import Method, Said, calibrated, held_out_mm

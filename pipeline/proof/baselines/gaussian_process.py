@@ -5,7 +5,7 @@ Source: Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006.
 
 from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
-from ...ground.regression import gaussian_process
+from ...ground.numbers.regression import gaussian_process
 from .driver_columns import Column, plain, standard, table
 from .learnt import Calibrated, Learnt
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 
 from ...ground.errors import BadInput, program
-from ...ground.files import write_text
+from ...ground.stored.files import write_text
 from . import baselines_beside
 from .authors import by_author, by_law
 from .case_table import OWN, gather

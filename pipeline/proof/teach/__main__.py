@@ -9,8 +9,8 @@ from pathlib import Path
 from ...diagnosis.numerics import judge as judge_file
 from ...diagnosis.numerics.judge import Judge, judge
 from ...ground.errors import BadInput, program
-from ...ground.files import write_text
-from ...ground.progress import steps
+from ...ground.stored.files import write_text
+from ...ground.words.progress import steps
 from ...rig.authors import names
 from . import across, fitted_judge
 from .lesson import Lesson, curriculum, learnt, read, sighted, written

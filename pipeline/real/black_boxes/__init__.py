@@ -7,8 +7,8 @@ from functools import cache
 from pathlib import Path
 from typing import TypedDict
 
+from ...ground.code.modules import holding, literal
 from ...ground.kinematics import Array
-from ...ground.modules import holding, literal
 
 FOUND_BY_NAME = ("pipeline.real.black_boxes.*",)  # for fingerprints
 HERE = Path(__file__).parent

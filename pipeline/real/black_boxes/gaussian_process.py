@@ -4,7 +4,7 @@ Source: Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006.
 """
 
 from ...ground.kinematics import Array
-from ...ground.regression import gaussian_process
+from ...ground.numbers.regression import gaussian_process
 from . import Predict
 
 LOOK = {"title": "Gaussian process", "colour": "#0072b2", "marker": "^"}

@@ -4,7 +4,7 @@ Source: Friedman, "Greedy function approximation: a gradient boosting machine", 
 """
 
 from ...ground.kinematics import Array
-from ...ground.regression import boosted_trees
+from ...ground.numbers.regression import boosted_trees
 from . import Predict
 
 LOOK = {"title": "boosted trees", "colour": "#009e73", "marker": "s"}

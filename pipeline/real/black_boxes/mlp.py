@@ -9,7 +9,7 @@ from sklearn.exceptions import ConvergenceWarning
 from sklearn.neural_network import MLPRegressor
 
 from ...ground.kinematics import Array
-from ...ground.regression import evenly
+from ...ground.numbers.regression import evenly
 from . import Predict
 
 LOOK = {"title": "neural network", "colour": "#cc79a7", "marker": "D"}

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from ...ground.figure_file import write_figure
+from ...ground.stored.figure_file import write_figure
 from .results import ALONE, MAPS, TOLERANCE, middles, pooled
 
 COLOURS = ("#d55e00", "#cc79a7", "#009e73", "#0072b2", "#56b4e9", "#e69f00", "0.25")  # Okabe and Ito, then dark grey

@@ -6,9 +6,9 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from ...ground import schemas
 from ...ground.errors import program
-from ...ground.files import write_text
+from ...ground.stored import schemas
+from ...ground.stored.files import write_text
 from ...stages.campaign.points import SCHEMA
 from ...stages.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
 from ..drawn.drawing import STYLE, save

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...ground.figure_file import write_figure
+from ...ground.stored.figure_file import write_figure
 from ..text.made_by import MadeBy, sentence, warning
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ...ground import schemas
 from ...ground.kinematics import point_contraction_mm, point_motor_turns
+from ...ground.stored import schemas
 
 PAUSE_STEPS = 5  # times the usual step: more is a pause
 SHOWN = ["motor_turns", "displacement_mm", "forward_mm", "inverse_turns"]

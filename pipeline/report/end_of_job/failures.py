@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable
 from pathlib import Path
 
-from ...ground.left_out import LeftOut
+from ...ground.words.left_out import LeftOut
 
 ALL_ELSE = "All else that was asked for is made. Left out until mended:"
 FAILS = "Until then the main job ends as failed. Nothing else went wrong, whatever Snakemake says below."

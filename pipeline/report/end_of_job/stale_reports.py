@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from ...ground.left_out import LeftOut, from_json, to_json
-from ...ground.words_by_file import by_file, spread
+from ...ground.input.words_by_file import by_file, spread
+from ...ground.words.left_out import LeftOut, from_json, to_json
 
 WORDS = Path(".snakemake/words")
 ALL = "all of "  # before a material's name, where a whole material is left out

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from ...ground.jump_notes import NAME, read_jumps
+from ...ground.words.jump_notes import NAME, read_jumps
 from ..model_to_take.fitted import lines_at_end
 from ..parts.diagnoses import verdicts
 from ..text import paper

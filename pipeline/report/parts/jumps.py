@@ -6,7 +6,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from ...ground.jump_notes import read_jumps
+from ...ground.words.jump_notes import read_jumps
 from ..text.plain_markdown import plain
 from ..web.page import paragraph, together
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from ...ground.files import write_text
+from ...ground.stored.files import write_text
 from ..web.page import Text, anchor, document, folded, link, paragraph, together
 from . import diagnoses, materials
 from .rig_mark import Marks

@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 from markupsafe import Markup
 
-from ...ground import schemas
 from ...ground.kinematics import usual_stiffness
+from ...ground.stored import schemas
 from ..shown.run_strokes import strokes_of_runs
 from ..shown.shown_strokes import ranges
 from ..web.page import paragraph, together

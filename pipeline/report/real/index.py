@@ -8,8 +8,8 @@ from pathlib import Path
 import pandas as pd
 
 from ...ground.errors import BadInput, program
-from ...ground.files import whole, write_text
-from ...ground.regular_file import read_regular
+from ...ground.stored.files import whole, write_text
+from ...ground.stored.regular_file import read_regular
 from ...real.rigs import Rig, read_rigs
 from ..web.page import STYLE, link
 from .page import WIDE, sizes, table

@@ -10,8 +10,8 @@ import matplotlib.pyplot as plt
 import pandas as pd
 
 from ...ground.errors import BadInput, program
-from ...ground.figure_file import write_figure
-from ...ground.files import whole, write_text
+from ...ground.stored.figure_file import write_figure
+from ...ground.stored.files import whole, write_text
 from ...ground.units import unit_of
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Rig, read_rigs

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ...ground.strict_yaml import read_yaml
+from ...ground.input.strict_yaml import read_yaml
 from .shown_strokes import listed, ranges
 
 NAMED = 8  # runs that a sentence names

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from ...ground.counts import consecutive
+from ...ground.words.counts import consecutive
 
 SHOWN = "Shown "
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pandas as pd
 
-from ...ground.counts import counted
+from ...ground.words.counts import counted
 
 TOGETHER = "Strings together"
 NAMED = 4  # strings that are named

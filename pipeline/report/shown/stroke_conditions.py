@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ...ground import schemas
+from ...ground.stored import schemas
 from .shown_strokes import ranges
 
 APART = "Later strokes under other conditions"

@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterable
 from pathlib import Path
 
-from ...ground.files import write_text
+from ...ground.stored.files import write_text
 from .made_by import MadeBy, sentence
 
 Column = tuple[str, str, str]  # head, datatype (string, integer, number or boolean), what it holds

@@ -2,7 +2,7 @@
 
 from markupsafe import Markup
 
-from ...ground.glossary import MEANING, TERMS
+from ...ground.words.glossary import MEANING, TERMS
 from .page import folded, together
 
 

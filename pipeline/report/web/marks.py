@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ...ground.errors import BadInput
-from ...ground.files import write_text
+from ...ground.stored.files import write_text
 from ..text.made_by import MadeBy, unpacked
 from ..text.plain_markdown import note
 from .markdown import web_page

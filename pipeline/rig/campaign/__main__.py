@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-from ...ground.counts import counted
 from ...ground.errors import program
+from ...ground.words.counts import counted
 from ..folder import whole_recordings, write_run
 from .plan import plan
 

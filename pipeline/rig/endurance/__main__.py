@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ...ground.counts import counted
 from ...ground.errors import program
-from ...ground.files import whole
+from ...ground.stored.files import whole
+from ...ground.words.counts import counted
 from ..folder import whole_recordings, write_run
 from .life import live
 from .plan import plan

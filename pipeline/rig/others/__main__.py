@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 from ...ground.errors import BadInput, program
-from ...ground.files import write_text
+from ...ground.stored.files import write_text
 from .cases import CASES, make
 from .made import NOISES, write_run
 

@@ -9,9 +9,9 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from ...ground import schemas
-from ...ground.files import write_text
 from ...ground.kinematics import Array
+from ...ground.stored import schemas
+from ...ground.stored.files import write_text
 
 NOISES = ("none", "usual", "trap")
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from ...ground.errors import BadInput
 from ...ground.kinematics import Geometry
-from ...ground.rows import Rows
-from ...ground.too_short import MOST_STRETCH
+from ...ground.numbers.too_short import MOST_STRETCH
+from ...ground.stored.rows import Rows
 from ...ground.units import conversion
 from ..description import Channel, Run
 from .exchanged_columns import exchange, exchanged

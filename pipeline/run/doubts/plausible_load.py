@@ -4,10 +4,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ...ground import quantiles
 from ...ground.errors import BadInput
 from ...ground.kinematics import Geometry
-from ...ground.rows import Rows
+from ...ground.numbers import quantiles
+from ...ground.stored.rows import Rows
 from ..description import Run
 
 STRONGEST_MPA = 3000.0  # no fibre bears more

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ...ground.errors import BadInput
-from ...ground.rows import Rows
+from ...ground.stored.rows import Rows
 
 ROOM_C = (-60.0, 150.0)  # a temperature beyond is a mistake: of its unit, or of its sensor
 

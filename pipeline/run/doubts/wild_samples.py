@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 from scipy.ndimage import median_filter
 
-from ...ground import quantiles
-from ...ground.counts import are, counted
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array, Places
-from ...ground.rows import Rows
+from ...ground.numbers import quantiles
+from ...ground.stored.rows import Rows
+from ...ground.words.counts import are, counted
 from ..description import Run
 from ..table.file_lines import Where, by_row
 

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ...ground.counts import counted
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array
-from ...ground.rows import Rows
+from ...ground.stored.rows import Rows
+from ...ground.words.counts import counted
 
 JUMP = 0.5  # of the range: what a motor does not do from sample to sample
 SAME_WAY = 3  # jumps that follow a jump the same way: the angle came back slowly in between

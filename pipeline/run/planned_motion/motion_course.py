@@ -8,8 +8,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from ...ground import spans
 from ...ground.kinematics import Array, Mask
+from ...ground.numbers import spans
 from ..strokes import of_samples
 from ..turning import turning_points
 

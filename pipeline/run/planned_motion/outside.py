@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
-from ...ground import spans
+from ...ground.numbers import spans
 from ...ground.units import unit_of
 from ..description import Run
 from .motion_course import Course, Mask, Recorded

@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 
 from ...formats.stored import read_table
-from ...ground.counts import counted
 from ...ground.errors import BadInput
+from ...ground.input.text_file import TextFile
 from ...ground.kinematics import Array
-from ...ground.text_file import TextFile
+from ...ground.words.counts import counted
 from ..description import STRING_ACTUATORS, Run
 from ..samples import LEAST_SAMPLES, check_clock, check_numbers
 from ..table.recorded_table import to_samples

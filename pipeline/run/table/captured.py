@@ -9,7 +9,7 @@ import pandas as pd
 from ... import wire
 from ...ground.command import recover_command
 from ...ground.errors import BadInput
-from ...ground.files import sha256
+from ...ground.stored.files import sha256
 from ..folder import capture_info
 
 

@@ -9,8 +9,8 @@ import pandas as pd
 
 from ...formats.text_layout import with_point
 from ...formats.time_stamps import Stamps, holds_stamps
-from ...ground.complaint import key_name, short
 from ...ground.errors import BadInput
+from ...ground.input.complaint import key_name, short
 from ...ground.units import conversion
 from ..description import STRING_ACTUATORS, Channel, Run
 from .column_places import check_columns, place_of

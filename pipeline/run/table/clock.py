@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...ground import quantiles
 from ...ground.kinematics import Array
-from ...ground.rows import Rows
+from ...ground.numbers import quantiles
+from ...ground.stored.rows import Rows
 
 
 def _steps_s(time_s: Array) -> Array:

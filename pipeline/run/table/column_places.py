@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pandas as pd
 
-from ...ground.complaint import key_name
 from ...ground.errors import BadInput
+from ...ground.input.complaint import key_name
 from ..description import Channel
 
 SHOWN = 12  # columns of a table that are named

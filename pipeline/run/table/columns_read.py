@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ...ground.complaint import key_name
-from ...ground.counts import counted
+from ...ground.input.complaint import key_name
+from ...ground.words.counts import counted
 from ..description import Run
 from .named_units import in_its_unit
 

@@ -9,9 +9,9 @@ import pandas as pd
 from ...formats import format_of
 from ...formats.text_layout import cells
 from ...formats.text_lines import table_lines
-from ...ground.complaint import short
-from ...ground.counts import counted
-from ...ground.text_file import TextFile
+from ...ground.input.complaint import short
+from ...ground.input.text_file import TextFile
+from ...ground.words.counts import counted
 
 NAMED = 5  # damaged rows that are named
 Where = Callable[[int], str]  # of a row, which counts from 0: "line 504", or "row 504" where its file has no lines

@@ -10,9 +10,9 @@ import numpy as np
 import pandas as pd
 
 from ...ground.command import recover_command
-from ...ground.counts import counted
 from ...ground.errors import BadInput
 from ...ground.kinematics import Array
+from ...ground.words.counts import counted
 from ...wire.mending import Mending, Steps
 from ...wire.stamps import LEAP, no_clock
 

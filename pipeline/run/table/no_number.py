@@ -7,10 +7,10 @@ import numpy as np
 import pandas as pd
 
 from ...formats.text_layout import DECIMAL_COMMA
-from ...ground.complaint import short
-from ...ground.counts import counted
 from ...ground.errors import BadInput
-from ...ground.text_file import TextFile
+from ...ground.input.complaint import short
+from ...ground.input.text_file import TextFile
+from ...ground.words.counts import counted
 from .file_lines import by_row, line_or_row, lines_of, named
 
 MOST = 0.01  # of all rows: more that are damaged are no accident

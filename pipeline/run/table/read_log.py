@@ -14,9 +14,9 @@ import pandas as pd
 from ...formats.text import Uneven, even_lines
 from ...formats.unpacked import GZIP
 from ...ground.command import command
-from ...ground.complaint import short
-from ...ground.counts import counted
 from ...ground.errors import BadInput
+from ...ground.input.complaint import short
+from ...ground.words.counts import counted
 from ..description import Run
 from ..folder import RECORDINGS
 from .file_lines import NAMED, FileLines, lines_of

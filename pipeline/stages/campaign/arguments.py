@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pandas as pd
 
-from ...ground.given_table import opened
-from ...ground.outputs import file_to_write
+from ...ground.input.outputs import file_to_write
+from ...ground.stored.given_table import opened
 from ...models.parts.configured import configured
 from ..train import seed
 from .points import SCHEMA

@@ -5,9 +5,9 @@ import json
 import numpy as np
 import pandas as pd
 
-from ...ground import schemas
 from ...ground.errors import BadInput, program
-from ...ground.progress import steps
+from ...ground.stored import schemas
+from ...ground.words.progress import steps
 from ...models.interface import make_model
 from ...models.parts.configured import fitting
 from ...models.parts.questions.prediction_intervals import Intervals, TooFew

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ...ground import schemas
 from ...ground.errors import BadInput, program
-from ...ground.progress import steps
+from ...ground.stored import schemas
+from ...ground.words.progress import steps
 from ...models.interface import Model, about, make_model
 from ...models.parts.configured import fitting
 from .adapt import Adaptation

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ...ground import schemas
 from ...ground.errors import program
-from ...ground.given_table import opened
-from ...ground.outputs import file_to_write
-from ...ground.progress import steps
+from ...ground.input.outputs import file_to_write
+from ...ground.stored import schemas
+from ...ground.stored.given_table import opened
+from ...ground.words.progress import steps
 from ..floor import FLOORS, residuals
 from .few_shot import asked_and_shown
 from .points import SCHEMA

@@ -12,10 +12,10 @@ import numpy as np
 import pandas as pd
 import pyarrow as pa
 
-from ...ground import schemas
 from ...ground.errors import BadInput, program
-from ...ground.outputs import file_to_write
-from ...ground.progress import steps
+from ...ground.input.outputs import file_to_write
+from ...ground.stored import schemas
+from ...ground.words.progress import steps
 from ...run.folder import find_runs, read_run
 from ...string.from_raw import read
 from ..dataset import make_dataset

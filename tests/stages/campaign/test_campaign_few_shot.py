@@ -4,8 +4,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.stored import schemas
 from pipeline.models.interface import about, make_model
 from pipeline.stages.campaign import coverage, few_shot, floor
 from pipeline.stages.campaign.adapt import Adaptation

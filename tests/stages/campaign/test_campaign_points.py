@@ -8,8 +8,8 @@ import programs
 import pytest
 import yaml
 
-from pipeline.ground import schemas
 from pipeline.ground.errors import BadInput
+from pipeline.ground.stored import schemas
 from pipeline.run.samples import read_samples
 from pipeline.run.strokes import segment
 from pipeline.stages.campaign.points import MOST_POINTS, SCHEMA, campaign_points, labelled, string_points

@@ -2,8 +2,8 @@
 
 import re
 
-from ....ground.glossary import MEANING
 from ....ground.outside_library import is_outside
+from ....ground.words.glossary import MEANING
 from ...choice.judged import UNKNOWN
 from ...choice.search import EXPLAINED
 from ...document.content import Verdict

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from ....ground.counts import consecutive
+from ....ground.words.counts import consecutive
 from ...document.content import Verdict, left_with_discrepancy
 from ...document.explanations import ExplanationEntry
 from ...document.made_keys import amount

@@ -2,7 +2,7 @@
 
 import re
 
-from ....ground.wrapped_lines import WIDE
+from ....ground.words.wrapped_lines import WIDE
 from ...document.content import Verdict
 from ...document.expected import Expected, ExpectedExplanation
 from ...document.made_keys import amount, extent

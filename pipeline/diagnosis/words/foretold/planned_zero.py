@@ -1,6 +1,6 @@
 """Where the zero of a planned motion is, and how the string is taken to be as it begins, in words."""
 
-from ....ground.complaint import key_name
+from ....ground.input.complaint import key_name
 from ...prediction.planned_motion import Plan
 from ..language.vocabulary import Vocabulary
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ....ground import spans
 from ....ground.command import command
-from ....ground.counts import are
 from ....ground.kinematics import Array
+from ....ground.numbers import spans
+from ....ground.words.counts import are
 from ....run.planned_motion.motion_course import Mask
 from ...choice.outcome import rms
 from ...document.content import Verdict

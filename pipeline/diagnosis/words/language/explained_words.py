@@ -2,7 +2,7 @@
 
 import re
 
-from ....ground.glossary import MEANING
+from ....ground.words.glossary import MEANING
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
 from ...mechanisms.library import mechanisms

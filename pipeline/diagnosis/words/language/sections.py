@@ -2,7 +2,7 @@
 
 import re
 
-from ....ground.wrapped_lines import wrapped
+from ....ground.words.wrapped_lines import wrapped
 
 FEW = 2  # sentences that need no numbers
 Sections = list[tuple[str, list[str]]]  # each a heading and its lines

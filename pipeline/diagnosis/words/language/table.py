@@ -2,7 +2,7 @@
 
 import textwrap
 
-from ....ground.wrapped_lines import WIDE
+from ....ground.words.wrapped_lines import WIDE
 
 UNKNOWN, GAPS = "–", (3, 2)  # what an older file does not hold; spaces between columns, and where a page is too narrow
 ROOM, IN_A_STEP = WIDE - 2, 3  # letters of a line, for a section indents its lines; by how much more a step does

@@ -1,6 +1,6 @@
 """The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
 
-from ....ground.wrapped_lines import WIDE
+from ....ground.words.wrapped_lines import WIDE
 from ...document.content import Verdict, mismatch_of
 from ...document.effects_named import MechanismEntry
 from ...document.made_keys import Interval, amount, by_name, interval

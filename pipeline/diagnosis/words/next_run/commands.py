@@ -4,8 +4,8 @@ import shlex
 from pathlib import Path
 
 from ....ground.command import command
-from ....ground.complaint import key_name
 from ....ground.errors import BadInput
+from ....ground.input.complaint import key_name
 from ....run.folder import read_run
 from ....run.table.recording_source import mapping_of, own_log
 from ..language.quantity import listing

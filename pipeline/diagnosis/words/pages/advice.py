@@ -1,7 +1,7 @@
 """Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
 
 from ....ground.command import program_name
-from ....ground.verdict_text import MAY_ADOPT as MAY
+from ....ground.words.verdict_text import MAY_ADOPT as MAY
 from ...document.content import Verdict
 from ...document.made_keys import amount, interval
 from ..held_out import holdout, in_vain, unseen

@@ -16,7 +16,7 @@ import torch
 from pydantic import JsonValue
 from torch import Tensor, nn
 
-from ....ground.progress import steps
+from ....ground.words.progress import steps
 from ..box import SavedBox
 from ..saved import read_bytes, write_bytes
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ....ground.counts import are, counted
 from ....ground.errors import BadInput
+from ....ground.words.counts import are, counted
 
 SHOWN = 10  # rows that are named; of the others it is said how many they are
 

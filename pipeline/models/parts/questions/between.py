@@ -17,9 +17,9 @@ import numpy as np
 import pandas as pd
 from scipy import special
 
-from ....ground.counts import counted
 from ....ground.kinematics import Array
-from ....ground.progress import steps
+from ....ground.words.counts import counted
+from ....ground.words.progress import steps
 from ...interface import Model
 from .foreseen import MAPS, foreseen
 from .recorded_pairs import Paired

@@ -21,7 +21,7 @@ import numpy as np
 import pandas as pd
 
 from ....ground.kinematics import Array, Mask
-from ....ground.progress import steps
+from ....ground.words.progress import steps
 from ...interface import Model
 from ..box import Box
 from ..rolling_origin import FOLDS, last_seen, last_strokes, parts_of

@@ -8,9 +8,9 @@ import numpy as np
 import pandas as pd
 
 from ....formats.text import read_text
-from ....ground.complaint import key_name, short
 from ....ground.errors import BadInput
-from ....ground.text_file import TextFile
+from ....ground.input.complaint import key_name, short
+from ....ground.input.text_file import TextFile
 from ....ground.units import unit_of
 from .bad_rows import BadRow, of_mask
 

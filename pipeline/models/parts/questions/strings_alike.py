@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 
-from ....ground.counts import counted
+from ....ground.words.counts import counted
 from ..conditions import MEASURED, Conditions
 
 SIZES = tuple(name for name in MEASURED if name != "load_n")  # a load is told by each question

@@ -7,7 +7,7 @@ from made_content import SYSTEMS, told
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.words.language.explained_words import meaning, on_rig
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
-from pipeline.ground.glossary import MEANING
+from pipeline.ground.words.glossary import MEANING
 
 
 def test_the_verdict_explains_its_own_words_last_a_line_each():

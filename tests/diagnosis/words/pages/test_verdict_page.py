@@ -11,7 +11,7 @@ from pipeline.diagnosis.drawing import figures
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.pages import advice
 from pipeline.diagnosis.words.pages.details import details_text
-from pipeline.ground.wrapped_lines import WIDE, wrapped
+from pipeline.ground.words.wrapped_lines import WIDE, wrapped
 
 STEPS = "What to do, in this order"
 NEAR = {"radius_mm": 0.4}

@@ -12,9 +12,9 @@ from typing import Any
 
 import yaml
 
+from ..errors import BadInput
+from ..stored.regular_file import read_regular
 from .complaint import syntax_mend
-from .errors import BadInput
-from .regular_file import read_regular
 
 LARGEST = 1_000_000  # bytes of a file, and characters of it with its aliases written out
 DEEPEST = 30

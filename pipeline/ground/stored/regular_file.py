@@ -5,7 +5,7 @@ import stat
 from pathlib import Path
 from typing import BinaryIO
 
-from .errors import BadInput
+from ..errors import BadInput
 
 KINDS = {
     stat.S_IFDIR: "a folder",

@@ -3,11 +3,9 @@
 import ast
 from pathlib import Path
 
-from .outside_library import is_outside
+from ..outside_library import is_outside
 
-MECHANISMS = (
-    Path(__file__).resolve().parents[1] / "diagnosis" / "mechanisms"
-)  # read, not imported: pages need no engine
+MECHANISMS = Path(__file__).resolve().parents[2] / "diagnosis" / "mechanisms"  # read, not imported: it takes seconds
 FOUND_BY_NAME = ("pipeline.diagnosis.mechanisms.*",)  # for fingerprints
 
 TERMS: dict[str, dict[str, str]] = {

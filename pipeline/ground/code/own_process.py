@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from typing import TypeVar
 
-from .command import HOUSE
+from ..command import HOUSE
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")

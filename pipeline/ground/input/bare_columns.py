@@ -2,8 +2,8 @@
 
 from typing import Any
 
+from ..units import conversion, ending_of, is_load_in_kg, unit_of
 from .header_units import header_unit
-from .units import conversion, ending_of, is_load_in_kg, unit_of
 
 
 def written_out(channel: str, as_written: Any) -> Any:

@@ -7,10 +7,10 @@ from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from . import schemas
-from .command import REMAKE
-from .errors import BadInput
-from .regular_file import read_regular
+from ..command import REMAKE
+from ..errors import BadInput
+from ..stored import schemas
+from ..stored.regular_file import read_regular
 
 LARGEST = 100_000_000  # bytes of a file of runs that were left out
 

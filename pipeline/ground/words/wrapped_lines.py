@@ -3,7 +3,7 @@
 import re
 import textwrap
 
-from .command import START
+from ..command import START
 
 WIDE = 112  # characters of a line
 FURTHER = 2  # spaces by which the rest of a line is indented, where it is not told

@@ -5,8 +5,8 @@ from pathlib import Path
 import pandas as pd
 import pyarrow as pa
 
+from ..errors import BadInput
 from . import schemas, seal
-from .errors import BadInput
 
 
 def opened(path: Path, schema: pa.Schema, mend: str) -> pd.DataFrame:

@@ -2,7 +2,7 @@
 
 import re
 
-from .units import SAID, UNITS
+from ..units import SAID, UNITS
 
 SIGNS = {"°": "deg", "grad": "deg", "u": "turns", "umdrehungen": "turns", "turn": "turns", "rot": "turns"}
 SIGNS |= {"°c": "degC", "c": "degC", "amp": "A", "sekunden": "s", "counts": "count", "ticks": "count"}

@@ -10,8 +10,8 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.transforms import Bbox, BboxBase
 
+from ..kinematics import Array
 from .files import whole
-from .kinematics import Array
 
 CANVASES: dict[str, Any] = {".png": FigureCanvasAgg, ".pdf": FigureCanvasPdf, ".svg": FigureCanvasSVG}
 DATES = {".png": "Software", ".pdf": "CreationDate", ".svg": "Date"}  # what differs from one day or version to another

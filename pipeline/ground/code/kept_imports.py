@@ -11,8 +11,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from .errors import BadInput
-from .files import write_text
+from ..errors import BadInput
+from ..stored.files import write_text
 
 FINDS = ("fingerprint.py", "kept_imports.py", "modules.py")  # the code that decides what a file imports
 

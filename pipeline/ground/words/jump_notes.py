@@ -5,9 +5,9 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from .command import REMAKE
-from .errors import BadInput
-from .regular_file import read_regular
+from ..command import REMAKE
+from ..errors import BadInput
+from ..stored.regular_file import read_regular
 
 NAME = "zero_jumps.json"  # of the note, beside the dataset
 LARGEST = 10_000_000  # bytes of a note

@@ -9,8 +9,8 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from .command import command
-from .errors import BadInput
+from ..command import command
+from ..errors import BadInput
 
 LONGEST = 60
 JSON_KEY = re.compile(r'^[ \t\[{]*"[^"\n]*"[ \t]*:', re.MULTILINE)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .kinematics import Array
+from ..kinematics import Array
 
 HELD = 1 << 21  # numbers that are sorted in memory
 DIGITS = (22, 21, 21)  # bits of a number that are looked at in each pass; together all 64

@@ -8,12 +8,12 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from ..command import REMAKE
+from ..errors import BadInput
+from ..units import unit_of
 from . import seal
-from .command import REMAKE
-from .errors import BadInput
 from .files import whole
 from .regular_file import open_regular
-from .units import unit_of
 
 MEND = f"delete it and {REMAKE}"
 REFUSED = b"refused"  # the key under which a file tells why there is no table in it

@@ -10,9 +10,7 @@ from .kept_imports import KeptImports
 from .modules import literal
 
 SOURCES = (".py", ".yaml", ".json")
-HOUSE = (
-    Path(__file__).resolve().parents[1]
-)  # the package, which is called `pipeline` here and may be installed as another
+HOUSE = Path(__file__).resolve().parents[2]  # the package: `pipeline` in a checkout, it may be installed as another
 NAME = "pipeline"
 
 

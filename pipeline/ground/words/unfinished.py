@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from .command import recover_command
+from ..command import recover_command
 
 NOTE = "capture-pending.json"  # the capture program's, beside a recording that is not committed
 NAMES = "names"  # in it: what the columns are likely called, where nothing has named them

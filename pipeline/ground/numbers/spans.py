@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from .kinematics import Array, Places
+from ..kinematics import Array, Places
 
 Spans = NDArray[np.intp]  # shape (spans, 2), rising, none of them empty
 Read = Callable[[int, int], Array]  # values of a series from a first place until one that is left out

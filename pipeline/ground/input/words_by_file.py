@@ -7,7 +7,7 @@ import hashlib
 from collections.abc import Iterable
 from pathlib import Path
 
-from .files import write_text
+from ..stored.files import write_text
 
 SIGN = "@"  # an argument parser's fromfile_prefix_chars
 

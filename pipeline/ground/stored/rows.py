@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from . import quantiles, schemas
-from .kinematics import Array, Places
+from ..kinematics import Array, Places
+from ..numbers import quantiles
+from . import schemas
 
 
 class Rows(ABC):

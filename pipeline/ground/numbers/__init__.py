@@ -1,0 +1,1 @@
+"""Numbers without physics: percentiles, spans, regression, and whether two lengths or a stroke can be."""
