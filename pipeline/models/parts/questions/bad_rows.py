@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ....ground.errors import BadInput
 from ....ground.words.counts import are, counted
 
-SHOWN = 10  # rows that are named; of the others it is said how many they are
+SHOWN = 10  # rows, or stretches of rows, that are named; of the others it is said how many they are
 
 
 class BadRow(NamedTuple):
@@ -68,6 +68,14 @@ def _mends(bad: Sequence[BadRow]) -> str:
 
 
 def numbered(rows: Sequence[int]) -> str:
-    """Rows by number: row 3; rows 2, 5; of many the first."""
-    more = f" and {len(rows) - SHOWN} more" if len(rows) > SHOWN else ""
-    return f"row{'s' * (len(rows) > 1)} {', '.join(map(str, rows[:SHOWN]))}{more}"
+    """Rows by number, in rising order: row 3; rows 2, 5; rows 1 to 96; of many stretches the first."""
+    stretches: list[list[int]] = []
+    for row in rows:
+        if stretches and row == stretches[-1][-1] + 1:
+            stretches[-1].append(row)
+        else:
+            stretches.append([row])
+    texts = [f"{rows[0]} to {rows[-1]}" if len(rows) > 2 else ", ".join(map(str, rows)) for rows in stretches]
+    unshown = sum(map(len, stretches[SHOWN:]))
+    more = f" and {unshown} more" if unshown else ""
+    return f"row{'s' * (len(rows) > 1)} {', '.join(texts[:SHOWN])}{more}"
