@@ -13,7 +13,7 @@ import yaml
 from made_recording import content, recording
 
 from pipeline.foreign.mended_clock import mend_time
-from pipeline.formats.stored import read_table
+from pipeline.formats.own_table import read_table
 from pipeline.ground.errors import BadInput
 from pipeline.import_run import import_run
 from pipeline.new_run import make_run as new_run

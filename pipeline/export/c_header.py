@@ -7,7 +7,7 @@ from ..models.interface import about
 from ..models.parts.box import COLUMNS
 from .c_pairs import USAGE, checked_pairs
 from .c_text import Body, function, real, renamed
-from .facts import facts
+from .caveats import facts
 from .inputs import MEANING, Field, Inputs
 from .interface import Source, exporter
 from .recorded_ranges import WHO_SAYS

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..ground.command import HOUSE, command
 from ..models.interface import about
-from .facts import facts
+from .caveats import facts
 from .held_out import ANEW
 from .inputs import MEANING
 from .interface import Source

@@ -8,7 +8,7 @@ from numpy.typing import DTypeLike
 
 from ..ground.errors import BadInput
 from ..ground.units import unit_of
-from .facts import facts
+from .caveats import facts
 from .graph import Graph
 from .inputs import ANSWER
 from .interface import Exporter, Source, exporter

@@ -18,7 +18,7 @@ from ..models.parts.divided import SPLITS, divided
 from ..models.parts.questions.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import dataset_beside, in_words
-from .facts import zeroed_runs
+from .caveats import zeroed_runs
 from .held_out import errors_of
 from .inputs import Inputs
 from .interface import Source, exporter, names

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..formats.stored import read_table
+from ..formats.own_table import read_table
 from ..ground.errors import BadInput
 from ..ground.input.strict_yaml import write_yaml
 from ..ground.names import checked, own_material, run_name

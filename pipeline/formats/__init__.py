@@ -16,7 +16,7 @@ from .interface import Format
 from .nested import table_of
 
 __all__ = ["format_of", "formats", "read_foreign"]
-HELPERS = ("interface", "matlab_child", "nested", "stored", "text_layout", "text_lines", "time_stamps", "unpacked")
+HELPERS = ("interface", "matlab_child", "nested", "own_table", "text_layout", "text_lines", "time_stamps", "unpacked")
 SPACE = b"\xef\xbb\xbf \t\r\n"  # may stand before the first sign of a text
 
 

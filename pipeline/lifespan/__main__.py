@@ -13,7 +13,7 @@ from ..ground.input.parser import Parser
 from ..ground.words.progress import clear, steps
 from ..run.run_arguments import run_dir
 from . import written
-from .forecast.questions import Answer, model_error, stroke_loss
+from .forecast.life_questions import Answer, model_error, stroke_loss
 from .forecast.strokes_left import LEAST_STROKES
 from .from_folders import others_beside, strings
 from .stroke_health.health import Health

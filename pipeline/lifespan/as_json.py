@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from .forecast.law_choice import Choice
-from .forecast.questions import Answer, first
+from .forecast.life_questions import Answer, first
 from .stroke_health.health import INDICATORS, Health
 from .words.calibration_advice import ask_again_after, recalibrate_after
 from .words.sentences import UNFORESEEN

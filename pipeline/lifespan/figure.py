@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ..ground.stored.figure_file import write_figure
 from .forecast.band import until
-from .forecast.questions import Answer
+from .forecast.life_questions import Answer
 from .forecast.strokes_left import LEAST_STROKES
 from .stroke_health.health import Health
 from .stroke_health.indicators import REFERENCE

@@ -7,7 +7,7 @@ from ..ground.errors import BadInput
 from ..ground.stored.files import write_text
 from ..ground.stored.regular_file import read_regular
 from . import as_json, figure
-from .forecast.questions import Answer
+from .forecast.life_questions import Answer
 from .stroke_health.health import Health
 
 LARGEST = 10_000_000  # bytes of a lifespan.json

@@ -10,7 +10,7 @@ from ..ground.kinematics import Array, Geometry
 from ..rig import effects
 from ..rig.concealed import Parameters
 from ..rig.motion_commands import Commands
-from ..rig.string import String
+from ..rig.string_state import String
 from .bench import Bench
 from .protocol import STEPS_PER_SAMPLE, Protocol, phases
 

@@ -11,7 +11,7 @@ from ..rig import effects
 from ..rig.altered_motion import Otherwise
 from ..rig.concealed import Parameters
 from ..rig.motion_commands import Commands
-from ..rig.string import String
+from ..rig.string_state import String
 from .bench import Bench
 from .protocol import Protocol
 from .sealed import RulingJson

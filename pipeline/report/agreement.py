@@ -3,7 +3,7 @@
 import pandas as pd
 
 from ..ground.model_names import NOMINAL
-from .text import paper
+from .layout import paper
 
 WORST = 0.10  # relative difference from the paper's number up to which an error agrees
 GOLDEN = (

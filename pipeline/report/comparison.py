@@ -12,13 +12,13 @@ from ..ground.names import SYNTHETIC
 from ..ground.stored import schemas
 from ..ground.words.jump_notes import read_jumps
 from .agreement import agreement
+from .layout import paper
+from .layout.made_by import MadeBy
+from .layout.plain_markdown import line, plain
+from .layout.titles import titles_of
 from .parts import jumps
 from .shown.shown_strokes import shown_of, tabled, there_of
 from .shown.stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
-from .text import paper
-from .text.made_by import MadeBy
-from .text.plain_markdown import line, plain
-from .text.titles import titles_of
 from .web.marks import add_mark, mark_from, write_page
 
 UNKNOWN = MadeBy()

@@ -15,7 +15,7 @@ from ..ground.errors import program
 from ..ground.stored import schemas
 from ..ground.stored.files import sha256, write_text
 from ..ground.units import unit_of
-from .text.made_by import MadeBy, sentence
+from .layout.made_by import MadeBy, sentence
 from .web.marks import add_mark, mark_from
 
 CONTEXT = {  # as the specification gives it

@@ -14,8 +14,8 @@ from .drawn.drawing import STYLE, save
 from .drawn.figure_4 import figure_4
 from .drawn.figure_5 import figure_5
 from .drawn.winding import with_median, with_nominal
+from .layout.titles import titles_of
 from .model_to_take.usual_model import errors_of
-from .text.titles import titles_of
 from .web.marks import add_mark, mark_from
 
 

@@ -18,11 +18,11 @@ from ..ground.names import SYNTHETIC
 from ..ground.stored.files import write_text
 from ..ground.words.left_out import LeftOut
 from . import left_out
+from .layout.made_by import MadeBy
 from .parts import diagnoses, jumps
 from .parts.index_head import glance
 from .parts.page_parts import FOLDER, Parts, of_materials, of_runs
 from .parts.rig_mark import Marks, add_rig_mark, marks_of_runs
-from .text.made_by import MadeBy
 from .web.glossary import glossary
 from .web.marks import add_mark, mark_from
 from .web.page import Text, anchor, document, folded, paragraph, together

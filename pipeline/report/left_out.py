@@ -11,7 +11,7 @@ from ..ground.input.words_by_file import SIGN
 from ..ground.stored import schemas
 from ..ground.stored.files import write_text
 from ..ground.words.left_out import LeftOut, from_json, read_left_out, to_json
-from .text.plain_markdown import plain
+from .layout.plain_markdown import plain
 from .web.page import paragraph, together
 from .web.sortable_table import table
 

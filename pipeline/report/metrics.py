@@ -9,7 +9,7 @@ from ..ground.errors import program
 from ..ground.input.words_by_file import SIGN
 from ..ground.stored import schemas
 from ..ground.stored.files import write_text
-from .text.sidecar import Column, describe
+from .layout.sidecar import Column, describe
 from .web.marks import add_mark, mark_from
 
 COLUMNS: list[Column] = [

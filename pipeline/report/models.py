@@ -12,6 +12,10 @@ from ..ground.model_names import FLOORS
 from ..ground.stored import schemas
 from ..ground.stored.files import write_text
 from ..ground.words.jump_notes import read_jumps
+from .layout import paper
+from .layout.plain_markdown import line, plain
+from .layout.sidecar import Column, describe
+from .layout.titles import titles_of
 from .model_to_take import inverse_beside
 from .model_to_take.fitted import FLOOR_TITLES, SPLITS, lines_on_files, times_floor
 from .model_to_take.least_errors import on_simulator, sentences
@@ -19,10 +23,6 @@ from .model_to_take.usual_model import RULE, RULES, weighed
 from .parts import jumps
 from .shown.strings_together import together
 from .shown.stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
-from .text import paper
-from .text.plain_markdown import line, plain
-from .text.sidecar import Column, describe
-from .text.titles import titles_of
 from .web.marks import add_mark, mark_from, write_page
 
 WHERE = ["stroke", "phase", "angle_band"]

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from ..ground.errors import BadInput, program
 from ..ground.stored.files import write_text
-from .text.plain_markdown import note
-from .text.sidecar import Column, describe
+from .layout.plain_markdown import note
+from .layout.sidecar import Column, describe
 from .web.markdown import web_page
 from .web.marks import add_mark, mark_from
 

@@ -12,17 +12,17 @@ from ..ground.stored.files import write_text
 from ..ground.words.jump_notes import read_jumps
 from ..ground.words.left_out import LeftOut
 from . import left_out
+from .layout import paper
+from .layout.made_by import MadeBy, sentence, warning
+from .layout.plain_markdown import note, plain
+from .layout.sidecar import Column, describe
+from .layout.table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
+from .layout.titles import titles_of
 from .left_out import quoted
 from .parts import jumps
 from .shown.shown_strokes import rows_of, shown_of, tabled, there_of
 from .shown.strings_together import together
 from .shown.stroke_conditions import add_dataset, dataset_from, otherwise
-from .text import paper
-from .text.made_by import MadeBy, sentence, warning
-from .text.plain_markdown import note, plain
-from .text.sidecar import Column, describe
-from .text.table_forms import OF_WHAT, Row, to_csv, to_latex, to_markdown
-from .text.titles import titles_of
 from .web.marks import add_mark, mark_from
 
 MOST = 3  # runs that a table names

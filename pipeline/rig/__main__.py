@@ -14,9 +14,9 @@ from .commanded import Commanded
 from .device import Device
 from .kept_string import Standing
 from .options import again, base_of, command, free_name, number_of, seed_of
+from .recorded_at_once import simulate
 from .serial_line import line, serve
 from .setup import names, read_setup
-from .simulate import simulate
 
 MOST_STROKES = 1000
 FORECAST = 12  # strokes that a forecast of the life needs at least; a test holds it to that program's own number

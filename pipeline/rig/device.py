@@ -6,7 +6,7 @@ import numpy as np
 
 from ..wire import Decoder, Event, Frame, Kind, Reason, encode
 from ..wire.frames import END, EVENT
-from .simulate import Simulated
+from .recorded_at_once import Simulated
 
 AT_ONCE = 128  # samples in one go: a STOP is heard between them
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from ..wire.motion import Leg, Limits, cruise
 from .motion_commands import Commands, Move, commands
+from .recorded_at_once import Simulated, hello_of, sampled, step_of, string_of
 from .setup import SetUp
-from .simulate import Simulated, hello_of, sampled, step_of, string_of
-from .string import String
+from .string_state import String
 
 BETWEEN_S = 60.0  # of the rig's own time, at rest between two recordings
 REACH, FASTER, HEAVIER = 1.1, 2.5, 2.5  # times what the set-up's own motion does: the limits

@@ -1,6 +1,6 @@
-from pipeline.report.text.made_by import NOT_HASHED, called, made_by, unpacked
+from pipeline.report.layout.made_by import NOT_HASHED, called, made_by, unpacked
 from pipeline.ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
-from pipeline.report.text.plain_markdown import note
+from pipeline.report.layout.plain_markdown import note
 from pipeline.rig.setup_words import other_rig
 
 # Which configuration made what: a mark that every page, table and figure carries.

@@ -29,8 +29,8 @@ from pipeline.capture.session import capture, plain
 from pipeline.capture.stream import Outcome
 from pipeline.ground.errors import BadInput
 from pipeline.rig.device import Device
+from pipeline.rig.recorded_at_once import simulate
 from pipeline.rig.setup import read_setup
-from pipeline.rig.simulate import simulate
 from pipeline.wire import Channel, Decoder, Frame, Hello, Kind, encode, read_recording
 from pipeline.wire.frames import END
 

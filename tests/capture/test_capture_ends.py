@@ -11,8 +11,8 @@ from pipeline.capture.stream import Outcome, record
 from pipeline.ground.errors import BadInput
 from pipeline.rig.device import Device
 from pipeline.rig.record import describe
+from pipeline.rig.recorded_at_once import simulate
 from pipeline.rig.setup import read_setup
-from pipeline.rig.simulate import simulate
 from pipeline.run.samples import read_samples
 from pipeline.run.table.captured import read_frames
 from pipeline.wire import Decoder, Kind, encode

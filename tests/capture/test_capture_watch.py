@@ -11,8 +11,8 @@ from faults.scripted_device import received
 from pipeline.capture.guess import guess
 from pipeline.capture.recording_progress import Progress
 from pipeline.capture.sample_faults import Watch
+from pipeline.rig.recorded_at_once import simulate
 from pipeline.rig.setup import read_setup
-from pipeline.rig.simulate import simulate
 from pipeline.wire import Channel, Event, Frame, Hello, Kind, encode
 from pipeline.wire.frames import EVENT
 

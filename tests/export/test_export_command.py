@@ -23,7 +23,7 @@ from models.made_dataset import STRING, made_dataset, pair_dataset
 
 from pipeline.export.__main__ import arguments, main
 from pipeline.export.c_header import header
-from pipeline.export.facts import SAME, fit
+from pipeline.export.caveats import SAME, fit
 from pipeline.export.interface import names
 from pipeline.export.source import Beside, opened
 from pipeline.ground.errors import program

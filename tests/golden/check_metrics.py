@@ -22,8 +22,8 @@ PAPER_RMS = 0.05  # of the traditional model's 18 numbers from the paper's
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from pipeline.report.agreement import WORST as PAPER_WORST  # noqa: E402
-from pipeline.report.text import paper  # noqa: E402
-from pipeline.report.text.sidecar import STATUS  # noqa: E402
+from pipeline.report.layout import paper  # noqa: E402
+from pipeline.report.layout.sidecar import STATUS  # noqa: E402
 
 
 def read(path: Path) -> dict[tuple[str, str], list[float]]:

@@ -10,9 +10,9 @@ import pytest
 from golden import check_metrics
 from golden.check_metrics import PUBLISHED, complaints, misdiagnosis
 
-from pipeline.report.text import paper
-from pipeline.report.text.made_by import MadeBy
-from pipeline.report.text.sidecar import describe
+from pipeline.report.layout import paper
+from pipeline.report.layout.made_by import MadeBy
+from pipeline.report.layout.sidecar import describe
 
 
 @pytest.fixture

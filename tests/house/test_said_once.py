@@ -8,7 +8,7 @@ IN_ONE_PLACE = {
     r"""startswith\(["']x_""": {"ground/outside_library.py"},
     # beside it: the paper's printed numbers, and the leak's figure, by the models' names
     r"""(?<!\w)["'](inn|spline|traditional)["']""": {
-        "ground/model_names.py", "report/text/paper.py", "report/leak.py", "export/c_spline.py",
+        "ground/model_names.py", "report/layout/paper.py", "report/leak.py", "export/c_spline.py",
     },
 }  # fmt: skip
 

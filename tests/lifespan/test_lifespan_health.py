@@ -6,7 +6,7 @@ import pytest
 from made_life import folder, samples
 
 from pipeline.ground.errors import BadInput
-from pipeline.lifespan.forecast.questions import model_error, stroke_loss
+from pipeline.lifespan.forecast.life_questions import model_error, stroke_loss
 from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.stroke_health.health import INDICATORS, health
 from pipeline.lifespan.stroke_health.stiffness import stiffness

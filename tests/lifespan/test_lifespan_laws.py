@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from pipeline.lifespan.forecast.fit import fit
+from pipeline.lifespan.forecast.fitted_law import fit
 from pipeline.lifespan.forecast.law_choice import choose, outliers
 from pipeline.lifespan.forecast.laws import LAWS
 

@@ -18,7 +18,7 @@ from pipeline.ground.words import wrapped_lines
 from pipeline.lifespan.__main__ import main
 from pipeline.lifespan.figure import page, question
 from pipeline.lifespan.forecast.laws import LAWS
-from pipeline.lifespan.forecast.questions import Answer, first, model_error, stroke_loss
+from pipeline.lifespan.forecast.life_questions import Answer, first, model_error, stroke_loss
 from pipeline.lifespan.forecast.strokes_left import ACCELERATES, HORIZON, LEAST_STROKES, Left, sudden, surprises
 from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.score.__main__ import held, loses, score

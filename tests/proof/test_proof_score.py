@@ -8,8 +8,8 @@ from made_recording import BASE
 
 from pipeline.proof.score import share_intervals
 from pipeline.proof.score.against_truth import outcome
-from pipeline.proof.score.metrics import scores
 from pipeline.proof.score.overlap import overlap
+from pipeline.proof.score.scores import scores
 
 
 def verdict(word, named=(), *alternatives):

@@ -5,7 +5,7 @@ import json
 import pandas as pd
 import pytest
 
-from pipeline.proof.score import baselines_beside, case_table, metrics, page
+from pipeline.proof.score import baselines_beside, case_table, page, scores
 
 DIMENSIONS = {"radius_mm": 0.5, "separator_mm": 8.0, "torsion_zone_mm": 150.0}
 
@@ -76,7 +76,7 @@ def test_every_case_has_a_row_and_none_is_left_out(place):
 def test_the_scores_and_the_page_say_so(place):
     table, sizes = case_table.gather(place, ["b"])
     besides = baselines_beside.gather(table, place, ["b"])
-    scored = pd.concat([metrics.scores(table, sizes), baselines_beside.scores(besides)], ignore_index=True)
+    scored = pd.concat([scores.scores(table, sizes), baselines_beside.scores(besides)], ignore_index=True)
     found = scored.set_index(["metric", "stratum"])["value"]
     large = "single, rich, kappa at least 0.5"
     assert found[("named exactly", large)] == pytest.approx(1 / 3) and found[("refused", large)] == pytest.approx(1 / 3)

@@ -9,10 +9,10 @@ import pytest
 
 from pipeline.ground.stored import schemas
 from pipeline.report.campaign import figures, page
+from pipeline.report.campaign.error_sentences import CALLED, leaders, nearest, untold, without_others
 from pipeline.report.campaign.results import pooled
-from pipeline.report.campaign.words import CALLED, leaders, nearest, untold, without_others
+from pipeline.stages.campaign.campaign_tables import COVERAGE, FEW_SHOT, FLOOR
 from pipeline.stages.campaign.points import SCHEMA
-from pipeline.stages.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
 
 TITLES = {"inn": "INN model", "spline": "Spline model", "calibrated": "Calibrated model"}
 STRINGS = ["a", "b", "c", "d"]

@@ -17,7 +17,7 @@ from pipeline.report.drawn.figure_5 import as_bars, by_range, figure_5, foot_of
 from pipeline.report.drawn.winding import with_median, with_nominal
 from pipeline.report.drawn.zero_of_x import zero_of_x
 from pipeline.report.figures import best_other
-from pipeline.report.text.made_by import MadeBy
+from pipeline.report.layout.made_by import MadeBy
 
 TITLES = {"inn": "INN model", "spline": "Spline model", "mlp": "MLP model", "traditional": "Traditional model"}
 AWAY = {"inn": 0.1, "spline": 0.02, "mlp": 0.3, "traditional": 0.01}  # of the measurement, in mm and turns

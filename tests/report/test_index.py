@@ -23,13 +23,13 @@ from pipeline.ground.stored import schemas
 from pipeline.ground.words.left_out import LeftOut, to_json
 from pipeline.report.end_of_job.summary import summary
 from pipeline.report.index import page
+from pipeline.report.layout.made_by import MadeBy
 from pipeline.report.model_to_take.to_take import LATER, Models, materials_table
 from pipeline.report.model_to_take.usual_model import RULE, RULES, uses
 from pipeline.report.models import NOTES
 from pipeline.report.parts.index_head import glance, next_run, runs_table, shortened
 from pipeline.report.parts.page_parts import of_materials, of_runs
 from pipeline.report.parts.recorded_strings import by_stroke, recorded_strings, rows, sentence
-from pipeline.report.text.made_by import MadeBy
 from pipeline.report.web.markdown import web_page
 from pipeline.report.web.page import anchor, together
 

@@ -9,9 +9,9 @@ import pytest
 import yaml
 from snakemake.utils import update_config
 
-from pipeline.report.text.made_by import MadeBy, called, made_by, sentence, unpacked, warning
-from pipeline.report.text.plain_markdown import note, plain
-from pipeline.report.text.sidecar import describe
+from pipeline.report.layout.made_by import MadeBy, called, made_by, sentence, unpacked, warning
+from pipeline.report.layout.plain_markdown import note, plain
+from pipeline.report.layout.sidecar import describe
 from pipeline.report.web.page import document, paragraph
 from pipeline.rig.setup_words import other_rig
 

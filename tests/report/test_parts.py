@@ -11,8 +11,8 @@ from made_verdict import made_verdict
 from test_diagnoses import FINE, TIED
 from test_index import Seen
 
+from pipeline.report.layout.made_by import MadeBy
 from pipeline.report.parts.page_parts import FEW
-from pipeline.report.text.made_by import MadeBy
 
 MANY = 60
 STRINGS = {f"m-{at}": [f"m-{at}-{run:02d}" for run in range(20)] for at in range(MANY // 20)}

@@ -11,8 +11,8 @@ from made_verdict import made_verdict
 
 from pipeline.real.rigs import Answer, Expected, read_rigs
 from pipeline.report.real import index, page
-from pipeline.report.real.doubts import doubt, found_answer
 from pipeline.report.real.results import read_results
+from pipeline.report.real.verdict_doubts import doubt, found_answer
 
 HYSTERESIS = Expected(names=[["friction_hysteresis", "backlash"]], never=["axial_elasticity"], said="a loop is missing")
 OPEN = Expected(said="nobody knows")

@@ -9,11 +9,11 @@ from in_a_browser import clicked, needs_browser
 
 from pipeline.ground.stored import schemas
 from pipeline.report.comparison import comparison
+from pipeline.report.layout import paper
+from pipeline.report.layout.made_by import MadeBy
+from pipeline.report.layout.table_forms import from_markdown, to_csv, to_latex, to_markdown
 from pipeline.report.parts.materials import html_table
 from pipeline.report.tables import rows, write
-from pipeline.report.text import paper
-from pipeline.report.text.made_by import MadeBy
-from pipeline.report.text.table_forms import from_markdown, to_csv, to_latex, to_markdown
 from pipeline.report.web.page import document
 
 TITLES = {"inn": "INN model", "mlp": "MLP model", "traditional": "Traditional model"}

@@ -11,7 +11,7 @@ from pipeline.ground.errors import BadInput
 from pipeline.ground.kinematics import RAD_PER_TURN
 from pipeline.rig.campaign.plan import plan
 from pipeline.rig.campaign.specimen import SIGMA, Bands, draw_specimen, materials
-from pipeline.rig.folder import whole_recordings
+from pipeline.rig.synthetic_folder import whole_recordings
 from pipeline.run.dimensions import geometry
 from pipeline.run.samples import read_samples
 from pipeline.run.strokes import segment

@@ -16,7 +16,7 @@ from pipeline.rig.endurance.ageing import made
 from pipeline.rig.endurance.life import ENOUGH_LOST, live
 from pipeline.rig.endurance.plan import MOST_STROKES, plan
 from pipeline.rig.motion_commands import Motion, commands
-from pipeline.rig.string import String
+from pipeline.rig.string_state import String
 from pipeline.run.dimensions import geometry
 from pipeline.run.samples import read_samples
 from pipeline.run.strokes import segment

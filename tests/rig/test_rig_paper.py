@@ -10,8 +10,8 @@ import pytest
 
 from pipeline.ground.kinematics import Array
 from pipeline.rig.motion_commands import commands
+from pipeline.rig.recorded_at_once import simulate
 from pipeline.rig.setup import described, dimensions, read_setup
-from pipeline.rig.simulate import simulate
 from pipeline.run.strokes import label
 from pipeline.stages.dataset import blocks_from_top, held_out
 

@@ -11,7 +11,7 @@ from pipeline.ground.kinematics import Geometry
 from pipeline.rig import effects
 from pipeline.rig.motion_commands import Motion, commands
 from pipeline.rig.setup import described, dimensions, read_setup
-from pipeline.rig.string import String
+from pipeline.rig.string_state import String
 
 GEOMETRY = Geometry("separator", 0.40, 400.0, 15.0, 150.0, 8.0)
 STROKES = {"repeat": 3, "top_turns": 25, "speed_turns_per_s": 2.5, "hold_s": 5, "rest_s": 10, "load_n": 20}

@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.ground.kinematics import Geometry
 from pipeline.rig import effects
-from pipeline.rig.string import String
+from pipeline.rig.string_state import String
 
 GEOMETRY = Geometry(
     "separator", radius_mm=0.5, separator_mm=8.0, torsion_zone_mm=150.0, length_mm=400.0, stiffness_n_per_mm=15.0

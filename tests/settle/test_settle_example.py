@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from pipeline.rig.recorded_at_once import simulate
 from pipeline.rig.setup import read_setup
-from pipeline.rig.simulate import simulate
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -15,7 +15,7 @@ from ..mechanisms.library import mechanisms
 from ..prediction.simulation import of_run, state_of
 from ..recording.system_units import Units
 from ..words.language.vocabulary import Vocabulary
-from ..words.named.effects import sentence
+from ..words.named.effect_sentence import sentence
 
 
 def adopted_effects(problem: Problem, run: Run, ending: str) -> list[AdoptedEffect]:

@@ -18,7 +18,7 @@ from ..study import heldout
 from ..words.explanations.rivals import called
 from ..words.held_out import holdout
 from ..words.language.quantity import listing, number, percent, said_unit, size
-from ..words.language.table import aligned
+from ..words.language.text_table import aligned
 from ..words.language.vocabulary import Vocabulary
 from ..words.measured.dimensions import LEAVES, name_of
 from ..words.measured.exactness import assumed

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...ground.kinematics import Array
 from ...ground.words.progress import steps
-from .fit import Fit, fit
+from .fitted_law import Fit, fit
 from .laws import LAWS, Law
 
 MOST_POINTS = 80  # strokes beyond are averaged in blocks: the laws are smooth

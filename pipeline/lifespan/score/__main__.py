@@ -14,7 +14,7 @@ from ...ground.input.outputs import folder_to_write
 from ...ground.stored.files import whole, write_text
 from ...ground.words.progress import steps
 from ...string.from_raw import read
-from ..forecast.questions import Answer, model_error, stroke_loss
+from ..forecast.life_questions import Answer, model_error, stroke_loss
 from ..forecast.strokes_left import LEAST_STROKES, Left, first_passed
 from ..stroke_health.health import Health, health
 from ..stroke_health.indicators import REFERENCE

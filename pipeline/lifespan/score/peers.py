@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...ground.kinematics import Array
-from ..forecast.fit import fit
+from ..forecast.fitted_law import fit
 from ..forecast.laws import LAWS, Law
 from ..forecast.strokes_left import FUTURES, HORIZON, STEPS, Left, passages
 

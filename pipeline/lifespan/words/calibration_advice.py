@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ..forecast.questions import Answer
+from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import LEAST_STROKES, Span
 from ..stroke_health.indicators import REFERENCE
 from .percent import tail

@@ -2,7 +2,7 @@
 
 from textwrap import fill
 
-from ..forecast.questions import Answer
+from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import FUTURES, LEAST_STROKES, Span
 from ..stroke_health.indicators import REFERENCE
 from .percent import tail

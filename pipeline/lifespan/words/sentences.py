@@ -10,7 +10,7 @@ from ...ground.command import command, program_name
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from ...ground.words.counts import are
 from ...string.zero import Jump
-from ..forecast.questions import Answer
+from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
 from ..stroke_health.at_rest import longer_at_rest
 from ..stroke_health.health import SAME_RANGE, Health

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..forecast.questions import Answer
+from ..forecast.life_questions import Answer
 from ..stroke_health.indicators import REFERENCE
 
 LAST = 3  # strokes that tell how far a limit is

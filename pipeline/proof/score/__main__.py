@@ -12,8 +12,8 @@ from .authors import by_author, by_law
 from .case_table import OWN, gather
 from .figures import draw
 from .hands import section
-from .metrics import scores
 from .page import page
+from .scores import scores
 
 
 @program

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pandas as pd
 
 from . import share_intervals
-from .metrics import CHANCE, FIRM_WRONG, LARGE
+from .scores import CHANCE, FIRM_WRONG, LARGE
 
 ALL = "all"
 AUTHOR_COLUMNS = ("author", "quantity", "count", "of", "value", "low", "high")

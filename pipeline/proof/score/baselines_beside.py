@@ -10,7 +10,7 @@ import pandas as pd
 from ..verdict_json import VerdictJson
 from .against_truth import outcome
 from .case_table import Row
-from .metrics import CHANCE, COLUMNS, LARGE, Score, middle, share
+from .scores import CHANCE, COLUMNS, LARGE, Score, middle, share
 
 OWN = "diagnosis"
 TABLE = ("run", "stratum", "effects", "kappa", "method", "names", "named", "outcome", "heldout_ratio", "seconds")

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from ..text.plain_markdown import line
+from ..layout.plain_markdown import line
 from .results import MAPS, TOLERANCE, by_string, pooled
 
 SHOWN_LEVEL = 0.9  # of the tables by material and by string

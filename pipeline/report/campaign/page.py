@@ -9,17 +9,17 @@ import pandas as pd
 from ...ground.errors import program
 from ...ground.stored import schemas
 from ...ground.stored.files import write_text
+from ...stages.campaign.campaign_tables import COVERAGE, FEW_SHOT, FLOOR
 from ...stages.campaign.points import SCHEMA
-from ...stages.campaign.tables import COVERAGE, FEW_SHOT, FLOOR
 from ..drawn.drawing import STYLE, save
-from ..text.plain_markdown import plain
-from ..text.sidecar import Column, describe
-from ..text.titles import titles_of
+from ..layout.plain_markdown import plain
+from ..layout.sidecar import Column, describe
+from ..layout.titles import titles_of
 from ..web.marks import add_mark, mark_from, write_page
 from . import figures
 from .coverage import intervals
+from .error_sentences import by_material, leaders, nearest, shots_table, untold, without_others
 from .results import MAPS
-from .words import by_material, leaders, nearest, shots_table, untold, without_others
 
 STRING: list[Column] = [("string", "string", "the string asked about"), ("material", "string", "its material")]
 FEW_SHOT_COLUMNS: list[Column] = [

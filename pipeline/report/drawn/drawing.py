@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...ground.stored.figure_file import write_figure
-from ..text.made_by import MadeBy, sentence, warning
+from ..layout.made_by import MadeBy, sentence, warning
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
 WARNING = "#c2410c"

@@ -7,10 +7,10 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from ...ground.names import SYNTHETIC
+from ..layout import paper
 from ..shown.shown_strokes import drawn, in_figure, tabled_and_last
 from ..shown.strings_together import together
 from ..shown.stroke_conditions import labels
-from ..text import paper
 from .averaged import PARTS, averaged
 from .clipped import clipped
 from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, name, wrapped

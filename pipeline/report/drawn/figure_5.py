@@ -12,10 +12,10 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from ...ground.kinematics import Array
+from ..layout import paper
 from ..shown.shown_strokes import drawn, in_figure
 from ..shown.strings_together import together
 from ..shown.stroke_conditions import labels
-from ..text import paper
 from .clipped import clipped
 from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
 from .winding import strokes_of, winding

@@ -5,10 +5,10 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from ...ground.words.jump_notes import NAME, read_jumps
+from ..layout import paper
+from ..layout.plain_markdown import spoken
 from ..model_to_take.fitted import lines_at_end
 from ..parts.diagnoses import verdicts
-from ..text import paper
-from ..text.plain_markdown import spoken
 
 ON_ONE_PAGE = "tables, figures, every model and how to ask it"
 PAGE = "index.html"

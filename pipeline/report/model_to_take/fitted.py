@@ -7,7 +7,7 @@ import pandas as pd
 
 from ...ground.model_errors import chosen_of
 from ...ground.model_names import FLOORS, WHOLE_MOTION
-from ..text.plain_markdown import line
+from ..layout.plain_markdown import line
 from .model_advice import advice_on
 from .usual_model import errors_of, uses
 

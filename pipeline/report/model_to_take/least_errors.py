@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import pandas as pd
 
 from ...ground.model_names import FLOORS, PAPER, WHOLE_MOTION
-from ..text.plain_markdown import plain
+from ..layout.plain_markdown import plain
 from .fitted import SPLITS, times_floor
 
 NEAR = {"forward": 1.05, "inverse": 1.10}  # times its floor: what a model that knows the direction should reach

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from ...ground.units import unit_of
 from ...ground.words.verdict_text import headline, to_do
-from ..text.verdict_content import Content
+from ..layout.verdict_content import Content
 from ..web.glossary import word
 from ..web.page import Text, link, paragraph, picture, together
 

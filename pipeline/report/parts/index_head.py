@@ -6,8 +6,8 @@ from pathlib import Path
 
 from markupsafe import Markup
 
+from ..layout.verdict_content import Content
 from ..model_to_take.to_take import materials_table
-from ..text.verdict_content import Content
 from ..web.glossary import word
 from ..web.page import Text, folded, paragraph, together
 from ..web.sortable_table import table

@@ -7,7 +7,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from ...ground.words.jump_notes import read_jumps
-from ..text.plain_markdown import plain
+from ..layout.plain_markdown import plain
 from ..web.page import paragraph, together
 
 Notes = Mapping[str, Sequence[str]]  # by material, what is said of jumps of its zero

@@ -5,11 +5,11 @@ from pathlib import Path
 
 from markupsafe import Markup
 
+from ..layout import paper
+from ..layout.table_forms import OF_WHAT, from_markdown
 from ..shown.shown_strokes import SHOWN
 from ..shown.strings_together import TOGETHER
 from ..shown.stroke_conditions import OTHERWISE
-from ..text import paper
-from ..text.table_forms import OF_WHAT, from_markdown
 from ..web.page import Text, link, paragraph, picture, together
 from ..web.sortable_table import table
 

@@ -7,7 +7,7 @@ a configuration sets up recorded it.
 import argparse
 from collections.abc import Callable, Collection
 
-from ..text.made_by import MadeBy
+from ..layout.made_by import MadeBy
 from ..web.marks import mark_from
 
 Marks = Callable[[str], MadeBy | None]  # a run's name → its mark

@@ -16,9 +16,9 @@ from ...ground.units import unit_of
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Rig, read_rigs
 from ..web.page import STYLE, link
-from .doubts import found_answer
 from .figures import figure
 from .results import CARRIED, TITLES, Result, apart, expected_words, read_results
+from .verdict_doubts import found_answer
 
 WIDE = """
 body { max-width: 76rem } table { font-size: 13px } .scroll { overflow-x: auto } td.left, th.left { text-align: left }

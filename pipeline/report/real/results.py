@@ -12,8 +12,8 @@ from ...ground.units import unit_of
 from ...real.black_boxes import looks
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Expected, Rig, expected_of
-from ..text.verdict_content import Content
-from .doubts import doubt
+from ..layout.verdict_content import Content
+from .verdict_doubts import doubt
 
 SIMULATORS = {"nominal": "nominal", "calibrated": "calibrated", "explained": "explained"}
 BLACK_BOXES = {name: look["title"] for name, look in looks().items()}

@@ -9,7 +9,7 @@ from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 from markupsafe import Markup
 
-from ..text.made_by import MadeBy
+from ..layout.made_by import MadeBy
 from .page import anchor, document
 
 INDEX = Markup(

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from ...ground.errors import BadInput
 from ...ground.stored.files import write_text
-from ..text.made_by import MadeBy, unpacked
-from ..text.plain_markdown import note
+from ..layout.made_by import MadeBy, unpacked
+from ..layout.plain_markdown import note
 from .markdown import web_page
 
 

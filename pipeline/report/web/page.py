@@ -7,7 +7,7 @@ from urllib.parse import quote
 
 from markupsafe import Markup, escape
 
-from ..text.made_by import MadeBy, sentence
+from ..layout.made_by import MadeBy, sentence
 
 HERE = Path(__file__).parent
 STYLE = Markup((HERE / "style.css").read_text(encoding="utf-8"))

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ...ground.errors import program
 from ...ground.words.counts import counted
-from ..folder import whole_recordings, write_run
+from ..synthetic_folder import whole_recordings, write_run
 from .plan import plan
 
 

@@ -11,7 +11,7 @@ from .. import sensors
 from ..effect import Effect
 from ..motion_commands import Commands, Motion, commands
 from ..sensors import Sensor
-from ..string import String
+from ..string_state import String
 from .specimen import Specimen
 
 STEPS_PER_SAMPLE = 4

@@ -9,7 +9,7 @@ import pandas as pd
 from ...ground.errors import program
 from ...ground.stored.files import whole
 from ...ground.words.counts import counted
-from ..folder import whole_recordings, write_run
+from ..synthetic_folder import whole_recordings, write_run
 from .life import live
 from .plan import plan
 

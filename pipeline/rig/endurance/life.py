@@ -8,7 +8,7 @@ import pandas as pd
 from ...ground.kinematics import Array
 from ..campaign.recorded import STEPS_PER_SAMPLE, sampled
 from ..motion_commands import Commands, Motion, commands
-from ..string import String
+from ..string_state import String
 from .ageing import made
 from .plan import Planned
 

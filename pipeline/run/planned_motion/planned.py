@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ...formats.stored import read_table
+from ...formats.own_table import read_table
 from ...ground.errors import BadInput
 from ...ground.input.text_file import TextFile
 from ...ground.kinematics import Array

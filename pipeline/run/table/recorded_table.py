@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ...formats.stored import table_pieces
+from ...formats.own_table import table_pieces
 from ..description import Channel, Run
 from ..folder import recording_path
 from .captured import check_lines, frame_pieces, read_frames, say_mended

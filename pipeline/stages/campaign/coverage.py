@@ -12,7 +12,7 @@ from ...models.interface import make_model
 from ...models.parts.configured import fitting
 from ...models.parts.questions.prediction_intervals import Intervals, TooFew
 from .arguments import parser, points_of
-from .tables import COVERAGE
+from .campaign_tables import COVERAGE
 
 LEFT_OUT = 2  # strokes of each string, its last
 LEVELS = (0.5, 0.8, 0.9, 0.95)

@@ -14,7 +14,7 @@ from ...models.interface import Model, about, make_model
 from ...models.parts.configured import fitting
 from .adapt import Adaptation
 from .arguments import parser, points_of
-from .tables import FEW_SHOT
+from .campaign_tables import FEW_SHOT
 
 SHOTS = (0, 1, 2, 3, 5)  # strokes of the new string that are shown
 ASKED_AFTER = 5  # so the same strokes are asked about whatever was shown

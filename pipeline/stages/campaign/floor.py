@@ -13,9 +13,9 @@ from ...ground.stored import schemas
 from ...ground.stored.given_table import opened
 from ...ground.words.progress import steps
 from ..floor import FLOORS, residuals
+from .campaign_tables import FLOOR
 from .few_shot import asked_and_shown
 from .points import SCHEMA
-from .tables import FLOOR
 
 
 def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:

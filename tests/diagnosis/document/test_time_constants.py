@@ -3,7 +3,7 @@
 from made_content import content, page, parameter
 
 from pipeline.diagnosis.document.time_constants import time_constants_s
-from pipeline.diagnosis.words.named.effects import time_constants
+from pipeline.diagnosis.words.named.effect_sentence import time_constants
 
 CREEP = {
     "fresh": parameter(1.0, "1"), "fastest_s": parameter(1.0, "s"), "slowest_s": parameter(240.0, "s"),

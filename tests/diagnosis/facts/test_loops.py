@@ -18,7 +18,7 @@ from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.recording.working_samples import PHASES
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
-from pipeline.diagnosis.words.named.effects import details
+from pipeline.diagnosis.words.named.effect_sentence import details
 from pipeline.systems import systems
 
 ROOT = Path(__file__).parents[3]

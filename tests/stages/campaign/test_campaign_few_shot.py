@@ -9,11 +9,11 @@ from pipeline.ground.stored import schemas
 from pipeline.models.interface import about, make_model
 from pipeline.stages.campaign import coverage, few_shot, floor
 from pipeline.stages.campaign.adapt import Adaptation
+from pipeline.stages.campaign.campaign_tables import COVERAGE, FEW_SHOT
 from pipeline.stages.campaign.coverage import LEFT_OUT, LEVELS, of_string
 from pipeline.stages.campaign.few_shot import ASKED_AFTER, SHOTS, asked_and_shown, curves, fitted, reads
 from pipeline.stages.campaign.floor import floors
 from pipeline.stages.campaign.points import SCHEMA
-from pipeline.stages.campaign.tables import COVERAGE, FEW_SHOT
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from ...document.content import Verdict
 from ...document.explanations import share_of
 from ...mechanisms.interface import physics
 from ..language.quantity import listing, percent, quantity
-from ..language.table import aligned
+from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured import to_measure, tolerances
 from ..measured.dimensions import name_of

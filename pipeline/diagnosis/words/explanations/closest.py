@@ -12,8 +12,8 @@ from ...document.made_keys import amount, amount_or_none
 from ...mechanisms.interface import physics
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, percent, size, times
-from ..language.table import UNKNOWN as NOT_KNOWN
-from ..language.table import within
+from ..language.text_table import UNKNOWN as NOT_KNOWN
+from ..language.text_table import within
 from ..language.vocabulary import Vocabulary
 from . import not_named, probability, though_it_fits
 from .rivals import called, entries

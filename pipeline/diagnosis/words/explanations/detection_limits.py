@@ -7,7 +7,7 @@ from ...mechanisms.library import mechanisms
 from ..held_out import holdout, unseen
 from ..held_out.without_name import UNNAMED
 from ..language.quantity import listing, size
-from ..language.table import aligned
+from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
 
 ABREAST = 3  # effects in a row

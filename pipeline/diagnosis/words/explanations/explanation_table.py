@@ -5,7 +5,7 @@ from ...document.explanations import ExplanationEntry, share_of
 from ...document.made_keys import amount, amount_or_none
 from ...mechanisms.interface import physics
 from ..language.quantity import of_column, percent, size, times
-from ..language.table import UNKNOWN, within
+from ..language.text_table import UNKNOWN, within
 from ..language.vocabulary import Vocabulary
 from . import chances, closest, less_likely, not_named, probability, rivals
 

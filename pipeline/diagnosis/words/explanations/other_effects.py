@@ -7,7 +7,7 @@ from ...document.explanations import Change, NotKept, Stood
 from ...document.made_keys import amount, amount_or_none
 from ...mechanisms.library import mechanisms
 from ..language.quantity import listing, of_column, percent, size, times
-from ..language.table import UNKNOWN, wrapped_cells
+from ..language.text_table import UNKNOWN, wrapped_cells
 from ..language.vocabulary import Vocabulary
 from .rivals import ALIKE, LITTLE, called
 

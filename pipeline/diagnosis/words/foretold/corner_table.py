@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 
 from ..language.quantity import percent, to_the_band
-from ..language.table import aligned
+from ..language.text_table import aligned
 from .prediction import OUTSIDE
 
 BEND, CORNERS = 1e-3, 16  # of the highest speed: what changes it by more is a corner; of so many no table is printed

@@ -7,7 +7,7 @@ from ...document.content import Verdict
 from ...document.expected import Expected, ExpectedExplanation
 from ...document.made_keys import amount, extent
 from ..language.quantity import at, duration, listing, plus_minus, quantity, size
-from ..language.table import UNKNOWN, aligned
+from ..language.text_table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from . import columns_of, recorded_evidence, slow_sign
 from .foretold_numbers import Number, compared, error, of_explanation, tells

@@ -2,7 +2,7 @@
 
 from ...prediction.carried_over import CLEARLY, CarriedOver
 from ..language.quantity import number, percent, size
-from ..language.table import aligned
+from ..language.text_table import aligned
 
 PARTS = {
     (True, True): "all of the diagnosis: its effects and its dimensions",

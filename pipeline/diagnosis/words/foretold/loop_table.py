@@ -9,7 +9,7 @@ from ....ground.kinematics import Array
 from ....run.planned_motion.motion_course import Mask
 from ....run.turning import turning_points
 from ..language.quantity import listing, number, percent, said_unit, to_the_band
-from ..language.table import aligned
+from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
 from .prediction import AFTER_RECORDING, OUTSIDE
 

@@ -10,7 +10,7 @@ from ...prediction.errors_to_compare import ToCompare
 from ...prediction.motor_zero import HOME
 from ..held_out import holdout
 from ..language.quantity import listing, size, times
-from ..language.table import aligned
+from ..language.text_table import aligned
 
 SWITCHED_OFF = f"If the motor was switched off in between, its zero is another: add {HOME}."
 A_PART = f"A part of it may hold: add {HOME}, which takes the part that does on the first stroke."

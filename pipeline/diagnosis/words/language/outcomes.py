@@ -1,6 +1,6 @@
 """What each outcome of a run would mean that tries what a nameless mismatch follows, by the title of the run."""
 
-from .table import aligned
+from .text_table import aligned
 from .vocabulary import Vocabulary
 
 HEAD = ["if what is missing", "it would mean"]

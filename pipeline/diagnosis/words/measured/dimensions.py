@@ -11,7 +11,7 @@ from ...document.made_keys import amount, amount_or_none
 from ..held_out import holdout
 from ..held_out.without_name import moved_in_vain
 from ..language.quantity import listing, number, said_unit, size, times
-from ..language.table import UNKNOWN, wrapped_cells
+from ..language.text_table import UNKNOWN, wrapped_cells
 from ..language.vocabulary import Vocabulary
 from . import change, exactness, tolerances
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ..language.quantity import at, said_unit, size, to_the_band
-from ..language.table import UNKNOWN
+from ..language.text_table import UNKNOWN
 from ..language.vocabulary import Vocabulary
 
 UNSEEN = 0.01  # of the rms of an effect: a difference between two motions that is less is none

@@ -2,7 +2,7 @@
 
 from ...document.bounds import of_later_run
 from ...document.content import Verdict
-from ..language.table import IN_A_STEP, ROOM, aligned
+from ..language.text_table import IN_A_STEP, ROOM, aligned
 from ..language.vocabulary import Vocabulary
 from . import change, exactness, tolerances
 from .dimensions import far_moved, from_to, name_of, whence

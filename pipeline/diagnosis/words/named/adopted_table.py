@@ -6,9 +6,9 @@ from ...document.effects_named import AdoptedEffect
 from ...document.made_keys import amount, amount_or_none
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import size
-from ..language.table import aligned
+from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
-from .effects import at_the_top
+from .effect_sentence import at_the_top
 
 HEADING = "What was adopted, by the library's names"
 HEAD = ["effect", "adopted from", "its size here, rms"]

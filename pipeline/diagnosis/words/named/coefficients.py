@@ -9,7 +9,7 @@ from ...mechanisms.library import mechanisms
 from ...recording.drivers import Drivers
 from ..language.explained_words import meaning, on_rig
 from ..language.quantity import listing, number, said_unit
-from ..language.table import UNKNOWN, aligned
+from ..language.text_table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.moved_reading import Size, cells, change, moves, not_added_up
 from . import formulas

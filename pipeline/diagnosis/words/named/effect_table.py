@@ -7,10 +7,10 @@ from ...document.made_keys import Interval, amount, by_name, interval
 from ..explanations import probability
 from ..held_out import holdout
 from ..language.quantity import listing, percent, size
-from ..language.table import aligned
+from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
-from . import cancelling, certainty, effects, in_a_line, needed
+from . import cancelling, certainty, effect_sentence, in_a_line, needed
 from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_interval, to_report
 
 HEADING = "What acts, by the library's names"
@@ -68,7 +68,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     does = {
         each["id"]: in_a_line.of_named(each, content, words) if short else _sentence(each, content) for each in entries
     }
-    between = {} if short else {entry["id"]: effects.between_runs(entry, words) for entry in entries}
+    between = {} if short else {entry["id"]: effect_sentence.between_runs(entry, words) for entry in entries}
     table_lines = heads
     for (id_, *_), row in zip(rows, table, strict=True):
         what = does.get(id_) or in_a_line.of_open(id_, content, words)
@@ -92,7 +92,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     return [
         *table_lines,
         *(f"of your own, {entry['id']}: {entry['sentence']}" for entry in of_own),
-        *(IDLE.format(id_, effects.NOTHING) for id_ in content["evidence"].get("idle", [])),
+        *(IDLE.format(id_, effect_sentence.NOTHING) for id_ in content["evidence"].get("idle", [])),
         *_in_one([*needed.lines(content), *certainty.to_write(content, words)]),
         *_in_one([*([sure] if shares else []), *certainty.than_the_explanation(content)]),
         READ.format(largest, READ_PART * parts, holdout.named(content)),
@@ -160,7 +160,7 @@ def _in_one(sentences: list[str]) -> list[str]:
 
 def _of_strokes(content: Verdict, id_: str, words: Vocabulary) -> str:
     """What a named effect does from stroke to stroke."""
-    return effects.at_the_top(content, by_name(content["evidence"], f"tops_{words.ending}").get(id_), words)
+    return effect_sentence.at_the_top(content, by_name(content["evidence"], f"tops_{words.ending}").get(id_), words)
 
 
 def only_elsewhere(content: Verdict) -> list[str]:

@@ -9,7 +9,7 @@ from ....ground.kinematics import Array
 from ...mechanisms.interface import Mechanism
 from ...recording.drivers import Drivers
 from ..language.quantity import number, quantity, said_unit, size, span
-from ..language.table import aligned
+from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.adopted_numbers import UNUSED, Numbers, adopted, rows
 from .nonlinear_parameters import MEANT, meaning_of, on_this_rig

@@ -11,7 +11,7 @@ from ...mechanisms.library import mechanisms
 from ..language.explained_words import meaning, of_effect, on_rig
 from ..language.quantity import listing, number, size
 from ..language.vocabulary import Vocabulary
-from . import effects
+from . import effect_sentence
 from .own_size import doubt_of, own_part
 
 MOST, EXACT_S = 3, 100.0  # events that are told, the largest; from when on a time is told to the second
@@ -24,7 +24,7 @@ def of_named(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
     """What an effect of the best explanation does; with its largest size only where that size is well known."""
     does, mechanism = of_effect(entry, words), mechanisms()[entry["id"]]
     calculated = "a temperature that is calculated from the motion, not measured"
-    does = does.replace("the temperature", calculated) if effects.calculated(mechanism, entry) else does
+    does = does.replace("the temperature", calculated) if effect_sentence.calculated(mechanism, entry) else does
     events = _events(content.get("simulation", []), entry["id"], words)
     if events or own_part(entry, content, words) or doubt_of(entry, content, words):
         return _joined(does, events, ", ")

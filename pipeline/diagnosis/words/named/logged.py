@@ -5,7 +5,7 @@ from ...document.made_keys import by_name
 from ...mechanisms.library import mechanisms
 from ..language.quantity import number, size
 from ..language.vocabulary import Vocabulary
-from . import effects
+from . import effect_sentence
 
 FOLLOWED = "temperature"  # the driver of what follows it
 SAYS = "The logged temperature ({low} to {high} °C) was not needed{seen}."
@@ -19,7 +19,7 @@ def temperature(content: Verdict, words: Vocabulary) -> list[str]:
     driver = mismatch.get("driver", "") if mismatch else ""
     following = {id_ for id_, mechanism in mechanisms().items() if mechanism.driver == FOLLOWED}
     named = {entry["id"]: entry for entry in content["mechanisms"]}
-    best = {id_ for id_, entry in named.items() if not effects.calculated(mechanisms()[id_], entry)}
+    best = {id_ for id_, entry in named.items() if not effect_sentence.calculated(mechanisms()[id_], entry)}
     maybe = {id_ for ids in content["alternatives"] for id_ in ids}
     adopted = {entry["id"] for entry in content.get("simulation", [])} - named.keys()
     if not ends or FOLLOWED in driver or following & (best | maybe | adopted):

@@ -7,7 +7,7 @@ from ...proposal.design import PLAIN, deviations
 from ..explanations import probability, rivals
 from ..language import outcomes
 from ..language.quantity import duration, first_upper, number, percent, place_near, quantity, size, to_tell
-from ..language.table import UNKNOWN, aligned
+from ..language.text_table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from . import parting, worth
 from .technician import legs_of

@@ -10,7 +10,7 @@ from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from ..named import own_size
 from ..next_run.run_asked import more_strokes
-from . import report
+from . import for_a_paper
 
 NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
 UNTRIED = " (how much it errs on unseen strokes is not known)"
@@ -56,7 +56,7 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
         tried = holdout.other_name(content) != holdout.NO_EFFECT
         gains = "Adopting gains nothing" if tried else "Nothing shows that adopting gains anything"
         return f"{gains}: {in_vain.said(content, words)}."
-    reportable = report.own_sizes(content, words)
+    reportable = for_a_paper.own_sizes(content, words)
     sizes = (
         f"; report no size but that of {_called(reportable, content, words)} (details.txt, TO REPORT)"
         if reportable

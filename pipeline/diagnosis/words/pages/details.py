@@ -28,7 +28,7 @@ from ..measured.dimensions import cautions, has_table, suspicious, table
 from ..named import adopted_table, certainty, effect_table, logged, slow_look_alikes
 from ..next_run import commands, deciding_run, experiment, make_sure, signs, tells, worth
 from ..next_run.run_asked import no_run, to_settle
-from . import adoption, error_table, report, spikes, to_do, verdict
+from . import adoption, error_table, for_a_paper, spikes, to_do, verdict
 from .headline import headline
 from .spoken import whole
 
@@ -58,7 +58,7 @@ def details_text(
         (RUN, following(content, words, folders, out)),
         (signs.HEADING, signs.lines(content, words)),
         ("To use it", adoption.how(content, words, folders, out)),
-        (report.HEADING, report.lines(content, words)),
+        (for_a_paper.HEADING, for_a_paper.lines(content, words)),
         (other_effects.HEADING, other_effects.lines(content, words)),
         ("What would have been seen", detection_limits.lines(content, words)),
     ]

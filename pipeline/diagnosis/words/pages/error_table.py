@@ -9,7 +9,7 @@ from ..explanations import rivals
 from ..held_out import holdout, unseen
 from ..held_out.without_name import kept_times
 from ..language.quantity import size
-from ..language.table import UNKNOWN, aligned
+from ..language.text_table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from ..measured import moved_words
 from ..measured.dimensions import far_moved, has_table

@@ -10,7 +10,7 @@ from ...mechanisms.library import mechanisms
 from ...recording.system_units import Units
 from ..language.quantity import listing
 from ..language.vocabulary import Vocabulary
-from ..named import effects
+from ..named import effect_sentence
 from ..next_run import experiment
 
 
@@ -21,7 +21,7 @@ def spoken(content: Verdict, system: System) -> Verdict:
     trends = by_name(evidence, f"trends_{words.ending}")
     for entry in [*content["mechanisms"], *content.get("of_your_own", {"mechanisms": []})["mechanisms"]]:
         mechanism = mechanisms()[entry["id"]]
-        entry["sentence"] = effects.sentence(
+        entry["sentence"] = effect_sentence.sentence(
             mechanism,
             entry,
             spans.get(entry["id"]),
@@ -34,12 +34,12 @@ def spoken(content: Verdict, system: System) -> Verdict:
         )
     for beside in content.get("beside", []):
         span = amount(beside, f"span_{words.ending}")
-        beside["sentence"] = effects.sentence(mechanisms()[beside["id"]], beside, span, words, units)
+        beside["sentence"] = effect_sentence.sentence(mechanisms()[beside["id"]], beside, span, words, units)
     if content["mismatch"]:
         listed = cast(list[str], content["mismatch"]["driver"])  # as it was found: the words are made here
         driver = followed(listed, words, evidence["loaded"])
-        if any(effects.calculated(mechanisms()[entry["id"]], entry) for entry in content["mechanisms"]):
-            driver = driver.replace("the temperature", effects.CALCULATED)
+        if any(effect_sentence.calculated(mechanisms()[entry["id"]], entry) for entry in content["mechanisms"]):
+            driver = driver.replace("the temperature", effect_sentence.CALCULATED)
         content["mismatch"]["driver"] = driver
     if content["next_run"]:
         content["next_experiment"] = experiment.in_one_line(content, words, whole(evidence, words))

@@ -9,7 +9,7 @@ from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.words.language import explained_words
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.measured.dimensions import from_to, likely_range
-from pipeline.diagnosis.words.named.effects import sentence
+from pipeline.diagnosis.words.named.effect_sentence import sentence
 from pipeline.diagnosis.words.named.own_size import with_interval
 from pipeline.diagnosis.words.pages.adoption import columns_of_plan, hung
 

@@ -10,7 +10,7 @@ from pipeline.diagnosis.mechanisms.interface import Mechanism
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.recording.system_units import Units
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
-from pipeline.diagnosis.words.named import effects
+from pipeline.diagnosis.words.named import effect_sentence
 from pipeline.diagnosis.words.pages.spoken import spoken
 from pipeline.systems import systems
 
@@ -42,7 +42,7 @@ def test_every_mechanism_of_the_library_has_a_sentence_on_every_rig(problem):
                 names = [*nonlinear, *(term.name for term in mechanism.terms(problem.drivers, nonlinear))]
                 found = {units.name(name): parameter(0.21, units.unit("mm")) for name in names}
                 entry = {"id": mechanism.id, f"rms_{words.ending}": parameter(0.3, words.unit), "parameters": found}
-                said = effects.sentence(mechanism, entry, 0.7, words, units)
+                said = effect_sentence.sentence(mechanism, entry, 0.7, words, units)
                 assert said.endswith(".") and not re.search(r"[{}]|  |\.\.|, \.", said), said
                 assert re.search(rf"0\.(30|70) {words.unit}", said), said
 
@@ -113,7 +113,7 @@ def test_a_mechanism_of_ones_own_may_say_no_more_than_its_size():
     own = Mechanism("x_own", "speed", "", "", "", "", "Air brakes the motion, by {size}.", lambda _: [], lambda *_: [])
     entry = {"id": "x_own", "rms_mm": parameter(0.3, "mm"), "parameters": {}}
     words = Vocabulary.of(SYSTEMS["mm"])
-    said = effects.sentence(own, entry, None, words, Units.of(SYSTEMS["mm"]))
+    said = effect_sentence.sentence(own, entry, None, words, Units.of(SYSTEMS["mm"]))
     assert said == "Air brakes the motion, by 0.30 mm rms."
 
 
@@ -146,14 +146,14 @@ def test_effects_that_work_against_each_other_more_are_said_to():
 def test_an_effect_without_a_constant_to_report_says_why() -> None:
     """A page reported a loss without a constant, and no word said why."""
     bare = {"id": "viscous_loss", "sentence": "A loss follows the speed: 114 N s/m."}
-    assert effects.has_constants({"sentence": "A loss follows the speed: 114 N s/m (110 to 118)."}), (
+    assert effect_sentence.has_constants({"sentence": "A loss follows the speed: 114 N s/m (110 to 118)."}), (
         "a unit of two words"
     )
     parts = {"id": "sensor_lag", "sentence": "The reading is late, which is worth 0.044 mm rms."}
     known = {"id": "friction_hysteresis", "sentence": "A loop: half the loop is 0.108 mm (0.0985 to 0.111)."}
-    lines = effects.no_constants([bare, parts, known])
+    lines = effect_sentence.no_constants([bare, parts, known])
     assert lines == [
         "Of viscous_loss there is no constant to report: the fit gives its constant no interval.",
         "Of sensor_lag there is no constant to report: the fit knows what its parts do together, not each part.",
     ]
-    assert effects.no_constants([known]) == []
+    assert effect_sentence.no_constants([known]) == []

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from ..text.plain_markdown import line
+from ..layout.plain_markdown import line
 from .results import (
     ALONE,
     MAPS,

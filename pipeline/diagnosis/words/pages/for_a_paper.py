@@ -10,7 +10,7 @@ from ..language.places import lying
 from ..language.quantity import listing, percent, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
-from ..named import certainty, effects, own_size, slow_look_alikes
+from ..named import certainty, effect_sentence, own_size, slow_look_alikes
 from . import of_adopted
 
 HEADING = "To report it"
@@ -108,7 +108,7 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
     for entry in entries:
         size = own_size.own_with_interval if all_in_part else _size
         sizes.append(f"{entry['id']} {size(entry, content, words)}")
-        if not own_size.own_part(entry, content, words) and effects.has_constants(entry):
+        if not own_size.own_part(entry, content, words) and effect_sentence.has_constants(entry):
             constants.append(entry["id"])
     also = f", and the constants of {listing(constants)} above" if constants else ""
     of_each = f", of each {own_size.PART}" if all_in_part else ""
@@ -178,7 +178,7 @@ def _not_yet(content: Verdict, words: Vocabulary) -> list[str]:
     sentences += [_only_part(in_part)] if in_part else []
     sentences += [f"Do not report what {listing(in_all)} {_does(in_all)} in all."] if in_all else []
     whole = [entry for entry in content["mechanisms"] if entry["id"] in reportable and entry["id"] not in in_part]
-    sentences += effects.no_constants(whole)
+    sentences += effect_sentence.no_constants(whole)
     rule = [RULE] if reportable else []
     return [" ".join([*rule, *sentences, FITTED])] if content["mechanisms"] else []
 

@@ -1,6 +1,6 @@
 """Tables: columns under one another, and no wider than a page."""
 
-from pipeline.diagnosis.words.language.table import ROOM, aligned, within, wrapped_cells
+from pipeline.diagnosis.words.language.text_table import ROOM, aligned, within, wrapped_cells
 
 
 def test_a_table_is_narrower_where_the_page_is_and_a_name_that_is_too_long_has_a_line_of_its_own() -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 from ...ground.units import unit_of
 from ...real.rigs import Answer, Expected
-from ..text.verdict_content import Content
+from ..layout.verdict_content import Content
 
 SHOWN = 4  # of the explanations that tie
 

@@ -12,7 +12,7 @@ from ..wire.motion import Limits
 from . import effects, sensors
 from .motion_commands import Commands, commands
 from .setup import SetUp, described, dimensions
-from .string import String
+from .string_state import String
 
 DEVICE = "twistbench synthetic rig"
 FIRMWARE = "1"
