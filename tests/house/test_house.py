@@ -165,15 +165,15 @@ ROOMS_OF_GROUND = {
 # the same of the reports; at their top are the programs, one a rule
 REPORT = "pipeline.report"
 ROOMS_OF_REPORT = {
-    "text": "",
-    "web": "text",
+    "layout": "",
+    "web": "layout",
     "shown": "",
-    "model_to_take": "text web shown",
-    "drawn": "text shown",
-    "parts": "text web shown model_to_take",
-    "end_of_job": "text model_to_take parts",
-    "campaign": "text web drawn",
-    "real": "text web",
+    "model_to_take": "layout web shown",
+    "drawn": "layout shown",
+    "parts": "layout web shown model_to_take",
+    "end_of_job": "layout model_to_take parts",
+    "campaign": "layout web drawn",
+    "real": "layout web",
 }
 # the same of a string's life
 LIFESPAN = "pipeline.lifespan"
