@@ -143,6 +143,31 @@ def test_a_second_header_that_names_other_columns_ends_what_is_read_until_the_fi
     assert len(read.rows) == 40 and read.lines.bad == 10 and read.lines.others == 1
 
 
+LABELLED = ["t:{} turns:{} x:{}\r\n", "t:{},turns:{},x:{}\r\n", "t: {}; turns: {}; x: {}\n", "t={}\tturns={}\tx={}\n"]
+
+
+@pytest.mark.parametrize("form", LABELLED)
+def test_a_line_with_a_name_before_each_number_is_a_sample_of_these_names(form):
+    printed = [form.format(20 * n, f"-{n}.25", f"{n}e-1") for n in range(40)]
+    other = "x: 1, heap: 2, t: 3\n"  # a message in the same form, of other names
+    order = "x:4.1 t:820 turns:-41.25\n"
+    read = Read("".join(["fw: 3, rev: 2\n", *printed[:20], other, *printed[20:], order, *printed[:1]]).encode())
+    assert read.lines.columns == ("t", "turns", "x") and read.lines.bad == 0 and read.lines.text == 2
+    assert read.rows[:40] == [[f"{20 * n}", f"-{n}.25", f"{n}e-1"] for n in range(40)]
+    assert read.rows[40:] == [["820", "-41.25", "4.1"], ["0", "-0.25", "0e-1"]]
+
+
+@pytest.mark.parametrize("printed", [b"12:30:05 1 2\n", b"version: 2.1, board: 3\n", b"a: 1, b: 2, c: 3\n"])
+def test_what_only_looks_like_names_before_numbers_names_none(printed):
+    assert Read(HEADER + printed + line(1)).rows == [line(1).decode().strip().split(",")]
+    assert Read(printed * 9).lines.columns == ()
+
+
+def test_a_header_may_have_its_units_in_brackets():
+    read = Read(b"time [ms], angle [turns], x [mm]\n" + b"".join(LINES))
+    assert read.lines.columns == ("time [ms]", "angle [turns]", "x [mm]") and len(read.rows) == 50
+
+
 def test_given_columns_win_over_what_the_rig_calls_them():
     read = Read(HEADER + b"".join(LINES), ("time_ms", "theta", "x_mm"))
     assert read.lines.columns == ("time_ms", "theta", "x_mm") and len(read.rows) == 50 and read.lines.bad == 0

@@ -3,7 +3,9 @@
 import math
 import re
 
-NAME = re.compile(r"[A-Za-z_][\w .()/%°-]{0,63}")
+NAME = re.compile(r"[A-Za-z_][\w .()\[\]/%°-]{0,63}")
+LABELLED = re.compile(r"([A-Za-z_][\w ()\[\]/%-]{0,63}?)\s*[:=]\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)(?:\s*[,;]\s*|\s+|$)")
+LABELS = 3  # so many at least: a banner may say its version and a number as well
 KNOWN = re.compile(  # what somebody calls a column of such a rig, and hardly a word of a greeting
     r"(^|[_\W])(t|time|millis|micros|theta|phi|angle|turns?|rev|rad|deg|x|mm|ms|us|n|load|force|torque|temp\w*|"
     r"current|motor_\w+|displacement|disp|pos|position|contraction|length)($|[_\W])",
@@ -39,6 +41,20 @@ def names_of(parts: list[str]) -> tuple[str, ...]:
     """The fields of a line if they can be names of columns, else nothing."""
     good = len(parts) > 1 and len(set(parts)) == len(parts) and all(NAME.fullmatch(part) for part in parts)
     return tuple(parts) if good else ()
+
+
+def labelled(line: bytes) -> dict[str, str]:
+    """Numbers by their names if each has its name before it, `t:20 turns:1.5 x:3.2` as plotters read it, else none."""
+    text = line.decode("ascii", "replace").strip() if len(line) <= MAX_LINE else ""
+    numbers_by_name: dict[str, str] = {}
+    at = 0
+    while at < len(text):
+        field = LABELLED.match(text, at)
+        if field is None or field[1] in numbers_by_name:
+            return {}
+        numbers_by_name[field[1]] = field[2]
+        at = field.end()
+    return numbers_by_name if len(numbers_by_name) >= LABELS and is_known(tuple(numbers_by_name)) else {}
 
 
 def is_known(header: tuple[str, ...]) -> bool:

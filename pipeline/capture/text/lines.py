@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ...ground.words.counts import are, counted
-from .fields import MAX_LINE, TIME, fields, is_known, names_of, numbers, points
+from .fields import MAX_LINE, TIME, fields, is_known, labelled, names_of, numbers, points
 from .lines_without_names import Unnamed
 from .naming import Naming
 
@@ -42,7 +42,8 @@ class Lines:
 
     A header is a line of names that is followed by lines of as many numbers. A later one that names the same columns in
     another order puts the fields back into the first one's; one that names others ends what can be read, until the
-    first comes again. Greetings, banners and messages are passed over and counted, wherever they stand.
+    first comes again. A line may as well have a name before each number. Greetings, banners and messages are passed
+    over and counted, wherever they stand.
     """
 
     columns: tuple[str, ...] = ()
@@ -65,6 +66,7 @@ class Lines:
         self.headers: list[tuple[tuple[str, ...], str]] = []  # lines that can be
         self._printed: tuple[str, ...] = ()
         self._likely: tuple[str, ...] = ()
+        self._labels: tuple[str, ...] = ()  # of the last line that has a name before each number
         self._order: list[int] | None = None
         self._foreign = False
 
@@ -78,7 +80,14 @@ class Lines:
         self.count += 1
         if not line.strip() or line.lstrip().startswith(b"#"):
             return None
-        parts, between = fields(line)
+        labels = labelled(line)
+        if labels and self._printed and set(labels) != set(self._printed):
+            self._pass_over(line)
+            return None
+        if labels and tuple(labels) != self._labels:
+            self._labels = tuple(labels)
+            self._header(self._labels, ",", ",".join(labels).encode())
+        parts, between = (list(labels.values()), ",") if labels else fields(line)
         header = names_of(parts)
         if header:
             self._header(header, between, line)
