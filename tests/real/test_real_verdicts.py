@@ -1,4 +1,7 @@
-"""Verdicts on the public recordings that a specialist would sign; the recordings are not ours to keep."""
+"""Verdicts on the public recordings that a specialist would sign; the recordings are not ours to keep.
+
+All are long: a diagnosis of a real recording takes five seconds to half a minute.
+"""
 
 import gzip
 from pathlib import Path
@@ -12,6 +15,7 @@ from pipeline.diagnosis.verdict import diagnosis
 from pipeline.import_run import import_run
 from pipeline.run.samples import read_strokes
 
+pytestmark = pytest.mark.long
 ROOT = Path(__file__).parents[2]
 ANSWERS = {"mass_kg": 95.11, "viscous": 203.5, "coulomb": 20.39, "offset": -3.16}  # of the benchmark's authors
 DIRECTION = {"friction_hysteresis", "backlash", "viscous_loss", "sensor_lag", "stick_slip"}  # what parts by direction
@@ -72,7 +76,7 @@ def test_the_cable_of_the_surgical_tool_rubs_and_stretches(tmp_path, load, most_
     assert held["calibrated_deg"] > 1.2 and held["explained_deg"] < most_deg
 
 
-@pytest.mark.parametrize("module", [1, *(pytest.param(module, marks=pytest.mark.long) for module in (2, 3))])
+@pytest.mark.parametrize("module", [1, 2, 3])
 def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_path, module):
     content = diagnosed(
         imported(tmp_path, "tsa_haptic", "z_motion_slow_motors_5kg.csv.gz", f"tsa_haptic_{module}", "z-01")
@@ -84,7 +88,6 @@ def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_
     assert held["calibrated_mm"] > 0.2 and held["explained_mm"] < 0.13
 
 
-@pytest.mark.long
 def test_two_speeds_together_leave_no_explanation_without_a_loop(tmp_path):
     names = {"z-01": "z_motion_slow_motors_5kg.csv.gz", "x-01": "x_motion_slow_motors_5kg.csv.gz"}
     content = diagnosed(*(imported(tmp_path, "tsa_haptic", name, "tsa_haptic_1", run) for run, name in names.items()))
@@ -93,14 +96,20 @@ def test_two_speeds_together_leave_no_explanation_without_a_loop(tmp_path):
     assert "angle_turns_2" in content["parameters"]
 
 
-def test_a_short_excerpt_goes_through(tmp_path):
+def test_a_short_excerpt_gets_no_firm_name_and_is_told_by_its_direction(tmp_path):
     folder = imported(tmp_path, "tsa_haptic", "z_motion_slow_motors_5kg.csv.gz", "tsa_haptic_1", "z-01", rows=1200)
     content = diagnosed(folder)
-    assert content["verdict"] == "unknown"
+    # 12 s and three strokes at one speed cannot tell a loop from a lag: a firm name, right or wrong, would be a guess.
+    # What is left follows the direction, and the tension adds next to nothing to it. To say that without a name is as
+    # true as to let names tie, as they do on the whole recording.
+    assert content["verdict"] in ("ambiguous", "unknown")
+    assert "direction" in content["mismatch"]["driver"]
+    if content["verdict"] == "ambiguous":
+        assert len(sets(content)) > 1 and sets(content)[0] & DIRECTION
+    assert not any("axial_elasticity" in one for one in sets(content))
     assert content["mismatch"]["rms_mm"] > 0.05
 
 
-@pytest.mark.long
 def test_points_of_no_known_answer_get_no_firm_name(tmp_path):
     name = "cartesian_points_v1.csv.gz"
     for module in (1, 2, 3):
