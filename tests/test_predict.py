@@ -584,7 +584,9 @@ def test_a_column_that_is_near_none_is_to_be_taken_out(dataset: Path) -> None:
     assert "note: is not a column that is read. Mend: take it out; known are motor_turns, " in done.stderr, done.stderr
 
 
-def test_strings_that_sizes_set_apart_are_not_answered_together(dataset: Path) -> None:
+@pytest.fixture(scope="module")
+def of_two_sizes(dataset: Path) -> Path:
+    """A dataset of two strings of other radii, made-01 and made-02."""
     first, path = pd.read_parquet(dataset), dataset.with_name("two_sizes.parquet")
     second = first.assign(string="made-02", run="made-02", displacement_mm=first["displacement_mm"] * 0.9)
     schemas.write(
@@ -592,6 +594,34 @@ def test_strings_that_sizes_set_apart_are_not_answered_together(dataset: Path) -
         schemas.DATASET,
         path,
     )
+    return path
+
+
+def test_strings_that_sizes_set_apart_are_not_answered_together(of_two_sizes: Path) -> None:
     text = TWO.replace("string\n", "string,radius_mm\n").replace("-01\n", "-01,0.4\n").replace("-02\n", "-02,0.6\n")
-    done = ask(path, text)
+    done = ask(of_two_sizes, text)
     assert done.returncode == 0 and "beware" not in done.stderr, "their sizes set them apart"
+
+
+def test_a_recorded_string_brings_its_own_sizes_and_sizes_their_string(of_two_sizes: Path) -> None:
+    answers = []
+    for columns, cells in (("string,radius_mm", "made-02,0.6"), ("string", "made-02"), ("radius_mm", "0.6003")):
+        done = ask(of_two_sizes, f"stroke,direction,motor_turns,{columns}\n2,1,9,{cells}\n", "--model", "polynomial")
+        assert done.returncode == 0, done.stderr
+        answers.append(pd.read_csv(of_two_sizes.with_name("answers.csv")))
+    assert "radius_mm" not in answers[1], "the columns are those of the questions"
+    assert len({tuple(table[["displacement_mm", "displacement_mm_low"]].iloc[0]) for table in answers[:2]}) == 1
+    assert answers[2]["displacement_mm"][0] == pytest.approx(answers[0]["displacement_mm"][0], abs=0.01)
+
+
+def test_a_size_that_is_not_the_named_strings_is_no_question(of_two_sizes: Path) -> None:
+    """The answer was another string's, with its narrow interval and no word."""
+    text = "stroke,direction,motor_turns,string,radius_mm\n2,1,9,made-02,0.4\n2,1,9,made-01,\n"
+    done = ask(of_two_sizes, text, "--model", "polynomial")
+    assert done.returncode == 2 and "is 0.4 in row 1, and string made-02 has 0.6. Mend: leave radius_mm" in done.stderr
+    table = pd.read_csv(of_two_sizes.with_name("answers.csv"))
+    assert np.isnan(table["displacement_mm"][0]) and np.isfinite(table["displacement_mm"][1])
+    assert table["why"][0].startswith("no question: radius_mm is 0.4, and string made-02 has 0.6;")
+    done = ask(of_two_sizes, "stroke,direction,motor_turns,string\n2,1,9,new\n2,1,9,made-01\n", "--model", "polynomial")
+    assert "string: is new in row 1, which has no recording, and its radius_mm is not told" in done.stderr
+    assert "recorded are made-01, made-02; of a new string add the column radius_mm" in done.stderr

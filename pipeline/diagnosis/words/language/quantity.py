@@ -56,10 +56,12 @@ def plus_minus(value: float, half_width: float, unit: str) -> str:
     return f"{value:,.{decimals}f} ± {half_width:,.{decimals}f} {said_unit(unit)}".strip()
 
 
-def of_column(value: float, unit: str, highest: float) -> str:
+def of_column(value: float, unit: str, highest: float, digits: int = 2) -> str:
     """A size in a column whose highest is known: in the unit of that one, so that no column mixes two units."""
     small = abs(value) < LEAST <= abs(highest)
-    return f"{number(value, 2, whole=True)} {said_unit(unit)}".strip() if small else size(value, unit)
+    if small:
+        return f"{number(value, digits, whole=True)} {said_unit(unit)}".strip()
+    return quantity(value, unit, digits, whole=True)
 
 
 def to_tell(values: Sequence[float], apart: float, unit: str) -> list[str]:

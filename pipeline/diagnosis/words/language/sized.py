@@ -1,6 +1,6 @@
 """A size in words with the ends of its 90 % interval, with a digit more where two would hide them."""
 
-from .quantity import quantity
+from .quantity import NEAR_0, of_column, quantity
 from .vocabulary import Vocabulary
 
 
@@ -10,9 +10,14 @@ def span(low: float, high: float, words: Vocabulary) -> str:
 
 
 def sized(value: float, low: float, high: float, words: Vocabulary) -> tuple[str, str]:
-    """A size and its interval: `15 N` and `14 to 16 N`; with a digit more where an end would read as the value."""
+    """A size and its interval: `15 N` and `14 to 16 N`; with a digit more where an end would read as the value.
+
+    Its two ends have one unit, and a lower end that is nearly 0 beside the upper one is 0.
+    """
+    low = 0.0 if 0.0 < low < NEAR_0 * high else low
     for digits in (2, 3):
-        own, least, most = (quantity(each, words.unit, digits, whole=True) for each in (value, low, high))
+        own, most = (quantity(each, words.unit, digits, whole=True) for each in (value, high))
+        least = of_column(low, words.unit, high, digits)
         if not low < value < high or own not in (least, most):
             break
     return own, f"{least.removesuffix(most[most.find(' ') :])} to {most}"

@@ -15,6 +15,7 @@ from ..box import COLUMNS
 from ..conditions import Conditions
 from ..settings import shown
 from .bad_rows import BadRow, first_of_each, of_mask, refusal
+from .own_sizes import with_own_sizes
 from .question_table import bad_cells, known_columns, question_table
 
 ASKED = ("stroke", "direction")  # every question must tell
@@ -40,7 +41,8 @@ class Questions:
 
 
 def read_questions(path: Path, dataset: pd.DataFrame, each_string: bool = False) -> Questions:
-    """Questions of a csv about a dataset. What does not vary in it need not be told.
+    """Questions of a csv about a dataset. What does not vary in it need not be told, nor what the
+    recordings of the string say of its sizes.
 
     With `each_string` a row about a string that was not recorded is no question. Raises BadInput naming all columns
     that are missing, or all rows where none can be answered.
@@ -68,7 +70,9 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_
         raise BadInput(path, "columns", problem, "tell one of the two, and the other is answered; commas part columns")
     if questions.empty:
         raise BadInput(path, "rows", "there are none", "write one question a line")
-    points, wrong, missing = pd.DataFrame(index=range(len(questions))), list[BadRow](), list[str]()
+    columns = list(questions.columns)
+    questions, wrong = with_own_sizes(questions, dataset)
+    points, missing = pd.DataFrame(index=range(len(questions))), list[str]()
     for name in dataset.columns:
         if name in questions.columns:
             may_be_empty = len(from_columns) == len(EITHER) and name in EITHER
@@ -96,8 +100,8 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_
     is_bad = np.isin(np.arange(len(points)), [entry.row - 1 for entry in bad])
     good = points[~is_bad].reset_index(drop=True)
     good["stroke"] = good["stroke"].astype(np.int64)
-    kept = [name for name in points if name in questions.columns]
-    return Questions(good, list(questions.columns), np.flatnonzero(~is_bad), bad, points.loc[is_bad, kept])
+    kept = [name for name in points if name in columns]
+    return Questions(good, columns, np.flatnonzero(~is_bad), bad, points.loc[is_bad, kept])
 
 
 def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.DataFrame]]:

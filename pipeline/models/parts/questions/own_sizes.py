@@ -1,0 +1,75 @@
+"""The sizes of the string that a question is about: a recorded string has its own, and no question gives it others."""
+
+import numpy as np
+import pandas as pd
+
+from .bad_rows import BadRow, of_mask
+from .strings_alike import SIZES
+
+ALIKE = 1e-3  # relative: a size that is told so near to the recorded one is that one, rounded
+
+
+def with_own_sizes(questions: pd.DataFrame, dataset: pd.DataFrame) -> tuple[pd.DataFrame, list[BadRow]]:
+    """Questions with the sizes of their strings filled in, and the rows that tell a recorded string another size.
+
+    Only sizes that vary between strings and never within one are filled in. Where no string is told and the sizes of
+    each row are those of one string alone, that string is filled in.
+    """
+    own = _own_sizes(dataset)
+    if own.empty or own.columns.empty:
+        return questions, []
+    if "string" not in questions.columns:
+        return _with_strings(questions, own), []
+    sized, wrong = questions.copy(), list[BadRow]()
+    strings = questions["string"].astype("string")
+    is_strange = (strings.notna() & ~strings.isin(own.index)).to_numpy(bool)
+    for name in own.columns:
+        recorded = strings.map(own[name]).astype(float)
+        if name not in questions.columns:
+            sized[name] = recorded
+            each = [f"is {string}" for string in strings[is_strange]]
+            strange = f", which has no recording, and its {name} is not told"
+            mend = f"recorded are {', '.join(sorted(own.index)[:10])}; of a new string add the column {name}"
+            wrong += of_mask(is_strange, "string", each, strange, mend)
+            continue
+        sizes = pd.to_numeric(questions[name], errors="coerce")
+        is_other = (sizes.notna() & recorded.notna() & ~_alike(sizes, recorded)).to_numpy(bool)
+        each = [f"is {size:g}" for size in sizes[is_other]]
+        for entry, string in zip(of_mask(is_other, name, each, "", ""), strings[is_other], strict=True):
+            of_string = f", and string {string} has {own.loc[string, name]:g}"
+            mend = f"leave {name} out of questions about recorded strings, which have their own"
+            wrong.append(entry._replace(instead=of_string, mend=mend))
+        sized[name] = questions[name].where(questions[name].notna(), recorded)
+    return sized, wrong
+
+
+def _own_sizes(dataset: pd.DataFrame) -> pd.DataFrame:
+    """By string, the sizes that vary between strings and never within one."""
+    varying = [name for name in SIZES if name in dataset and dataset[name].nunique(dropna=False) > 1]
+    by_string = dataset.groupby(dataset["string"].astype(str))[varying]
+    constant = by_string.nunique(dropna=False).eq(1).all()
+    return by_string.first()[[name for name in varying if constant[name]]]
+
+
+def _with_strings(questions: pd.DataFrame, own: pd.DataFrame) -> pd.DataFrame:
+    """Questions with the string whose sizes each row tells; as they are where a row fits none or several."""
+    told_sizes = [name for name in own.columns if name in questions.columns]
+    if not told_sizes:
+        return questions
+    sizes = questions[told_sizes].apply(pd.to_numeric, errors="coerce")
+    fits = [_alike(sizes, own.loc[string, told_sizes]).all(axis=1) for string in own.index]
+    if not (sum(fit.astype(int) for fit in fits) == 1).all():
+        return questions
+    string = np.select([fit.to_numpy() for fit in fits], list(own.index), default="")
+    return _with_own(questions.assign(string=string), own)
+
+
+def _with_own(questions: pd.DataFrame, own: pd.DataFrame) -> pd.DataFrame:
+    """Questions with the sizes that they do not tell, those of their recorded strings."""
+    lacking = [name for name in own.columns if name not in questions.columns]
+    return questions.assign(**{name: questions["string"].map(own[name]) for name in lacking})
+
+
+def _alike(sizes: pd.DataFrame | pd.Series, recorded: pd.Series) -> pd.DataFrame | pd.Series:
+    """Whether sizes are the recorded ones, but for how they are rounded; of the shape of `sizes`, without unit."""
+    return (sizes - recorded).abs() <= ALIKE * recorded.abs()
