@@ -30,11 +30,13 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="stiffening",
     driver="load x worked strokes",
-    equation="dx = +F (1/K_0 - 1/K(c)), K = K_0 (1 + k g(c))",
+    equation="dx = +(F - F_0) (1/K_0 - 1/K), 1/K = 1/K_0 - k g(c)",
+    variants={"whole_s": "dx = +(F - F_0) (1/K_0 - 1/K), 1/K = 1/K_0 - k g(t)"},
     letters={
+        "F_0": "from_load",
         "K": "the stiffness of the string now",
         "K_0": "the stiffness before the first stroke, which the strengths hold already | not needed alone",
-        "g": "how it grows with the strokes",
+        "g": "how its yielding falls with the strokes, or over time, by the words in the names",
     },
     strengths=("k",),
     source="McKenna, Hearle and O'Hear, Handbook of Fibre Rope Technology, 2004 (stiffness after working)",

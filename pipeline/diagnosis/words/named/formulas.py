@@ -44,9 +44,10 @@ def formula(mechanism: Mechanism, words: Vocabulary, shape: Iterable[str] = ()) 
 
     `shape` are its nonlinear parameters, which tell of which kind it is.
     """
+    of_kind = next((mechanism.variants[key] for key in shape if key in mechanism.variants), mechanism.equation)
     if words.twisted:
-        return next((mechanism.variants[key] for key in shape if key in mechanism.variants), mechanism.equation)
-    equation = mechanism.plain_equation or mechanism.equation.replace("theta", "q")
+        return of_kind
+    equation = mechanism.plain_equation or of_kind.replace("theta", "q")
     named = {"q": words.motion, "x": words.reading, "y": words.reading}
     meant = [f"{symbol}: the {word}" for symbol, word in named.items() if re.search(rf"\bd?{symbol}(_|\b)", equation)]
     return equation if mechanism.plain_equation or not meant else f"{equation}; {', '.join(meant)}"

@@ -109,6 +109,12 @@ def test_the_rest_of_an_equation_says_what_its_letters_are(problem) -> None:
     assert formulas.split(backlash) == (backlash, {}), "half the play is no letter"
 
 
+def test_each_kind_of_an_effect_has_its_own_equation_where_nothing_is_twisted_too() -> None:
+    stiffening, drive = mechanisms()["stiffening"], Vocabulary.of(systems()["cable_drive"])
+    over_time = formulas.formula(stiffening, drive, ["whole_s", "from_load"])
+    assert "g(t)" in over_time and "g(c)" in formulas.formula(stiffening, drive, ["work", "from_load"])
+
+
 def test_sizes_of_one_table_have_one_unit(problem) -> None:
     """0.30 µm stood in a column of mm."""
     words = Vocabulary.of(problem.system)
