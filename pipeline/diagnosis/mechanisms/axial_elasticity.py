@@ -38,11 +38,11 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="axial_elasticity",
     driver="load",
-    equation="dx = -(F - F_tare)/K - toe(F)",
+    equation="dx = -(F - F_tare)/K - (toe(F) - toe(F_tare))",
     letters={
         "F_tare": "from_load",
         "K": "the stiffness: one over the strength straight_…",
-        "toe": "a stretch that ends as the load grows, of the strengths toe_…",
+        "toe": "a stretch that is no straight line: of the strengths toe_… it ends as the load grows",
     },
     strengths=("K", "toe"),
     source=(

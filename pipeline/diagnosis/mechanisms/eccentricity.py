@@ -99,12 +99,14 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="eccentricity",
     driver="angle within the turn",
-    equation="x_m = x + A sin(theta + p)",
+    equation="x_m = x + sum A_n sin(n theta + p_n), or theta_s = theta + A_n sin(n theta + p_n)",
     letters={
-        "A": "the height of the ripple: the root of sine squared and cosine squared",
-        "p": "where in the turn the ripple begins: by sine against cosine",
+        "A_n": "the height of each ripple: the root of sine squared and cosine squared",
+        "n": "how often it comes in a turn | 1, or the number in the name",
+        "p_n": "where in the turn each ripple begins: by sine against cosine",
+        "theta": "the angle of what turns: the motor's, or 2 pi for each pitch_turns or wheel_mm of the way",
     },
-    strengths=("A", "p"),
+    strengths=("A_n", "p_n"),
     meanings={
         "pitch_turns": "how far the {motion} goes from one ripple to the next",
         "wheel_mm": "the circumference of the sensor's wheel; 0: it follows the motor's own turn",

@@ -139,7 +139,7 @@ def along(drivers: Drivers, nonlinear: Nonlinear) -> dict[str, Array]:
 MECHANISM = Mechanism(
     id="friction_hysteresis",
     driver="direction x load",
-    equation="dx = -sum k_i f_i g_i s_i, s_i: stop operators of the twist (Prandtl-Ishlinskii)",
+    equation="dx = -sum k_i f_i g_i s_i, s_i: stop operators of the twist (Prandtl-Ishlinskii), or its direction",
     letters={
         "F_0": "usual_load",
         "a_i": "how much of each play counts: share and inner_share",
@@ -148,7 +148,7 @@ MECHANISM = Mechanism(
         "g_i": "how it grows with the helix angle: the words `twist` and `steep` in the names | by its name",
         "k_i": "the strengths",
         "play": "the twist that follows once the play is taken up",
-        "s_i": "a stop, which turns with the direction | -1 to 1",
+        "s_i": "a stop, which turns with the direction, or the direction itself, which is 0 at rest | -1 to 1",
         "w": "play_turns",
     },
     plain_equation="h s; h: half the loop, s: the direction of motion, from -1 to 1, rounded where it turns",

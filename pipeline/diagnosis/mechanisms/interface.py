@@ -54,6 +54,8 @@ class Mechanism:
     mechanism. An id that begins with `x_` is no physics of the library: alone it
     names nothing.
 
+    `equation` is what the terms do, each strength a letter; a test evaluates it beside them.
+
     `meaning` is a line of the glossary, in the words of a string: what a person would see; left out, what it follows.
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
     value of the effect), {loop} (by how much both ways differ at one place), {times} (its time constants),

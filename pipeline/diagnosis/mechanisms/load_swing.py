@@ -115,11 +115,11 @@ def mode(drivers: Drivers, hz: Array, damping: float, name: str) -> list[Term]:
 MECHANISM = Mechanism(
     id="load_swing",
     driver="acceleration",
-    equation="q'' + 2 z w q' + w^2 q = -a",
+    equation="dx = k q, q'' + 2 z w q' + w^2 q = -a",
     letters={
         "a": "the acceleration of the string's end",
         "q": "how far the load swings",
-        "w": "how fast it swings: 2 pi x frequency_hz",
+        "w": "how fast it swings: 2 pi x frequency_hz, over the root of F/F_ref where heavy_slow is 1",
         "z": "damping",
     },
     meanings={
@@ -128,6 +128,8 @@ MECHANISM = Mechanism(
         "heavy_slow": "1 means: it swings slower under a heavier load, and 0: always alike",
         "second_hz": "how fast the second swing is",
     },
+    strengths=("k",),
+    names={"late": "-(q'/w + 2 z q), which comes a quarter of a swing after q"},
     source="Den Hartog, Mechanical Vibrations, 1956 (a damped mass on a spring whose support moves)",
     confused_with="sensor_lag, eccentricity",
     told_apart_by="an abrupt stop followed by a hold",

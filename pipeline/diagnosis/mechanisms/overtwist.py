@@ -82,11 +82,14 @@ def coiled(turns: Array, critical: float, memory: float) -> Array:
 MECHANISM = Mechanism(
     id="overtwist",
     driver="high twist",
-    equation="dx = +k max(theta' - theta_c, 0), theta' the twist or its play",
+    equation="dx = +k max(theta' - theta_c, 0) + h n, theta' the twist or its play",
     letters={
-        "k": "the strengths",
+        "h": "what a coil adds that is born past the critical twist",
+        "k": "what each turn adds",
+        "n": "whether there is such a coil: from the twist at which it is born until it melts | 0 or 1",
     },
-    strengths=("k",),
+    strengths=("k", "h"),
+    rows={"k": "^loop|coiled|slowly", "h": "born"},
     meanings={
         "top_turns": "the highest {motion} of the recording, {scale}",
     },
@@ -99,6 +102,16 @@ MECHANISM = Mechanism(
     meaning="past a critical twist the displacement runs ahead, with a loop of its own.",
     sentence="Past a critical {motion} the string coils and the {reading} runs ahead, by up to {span} ({size}).",
     details=("it begins at {critical_turns}",),
+    names={
+        "loop_*": "what has a loop, as wide to each side as the number after loop says, in shares of top_turns",
+        "mm_per_turn2": "the square of the twist beyond",
+        "coiled_*": (
+            "the twist beyond where a coil melts, while there is one: from the critical twist until twice the number "
+            "in the name below it, in shares of top_turns"
+        ),
+        "born_*": "whether there is a coil that is born at that number of the way from theta_c to top_turns",
+        "slowly": "what follows within a second",
+    },
     twisted=True,
     candidates=candidates,
     remembers_turns=True,

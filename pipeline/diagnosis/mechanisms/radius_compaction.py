@@ -52,9 +52,9 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="radius_compaction",
     driver="twist and tension",
-    equation="r_e = r (1 - k(tan a, F)), or r (F/F_ref)^-s",
+    equation="r_e = r (1 - k(tan a, F) - s ln(F/F_ref))",
     letters={
-        "s": "the power of the load",
+        "s": "by how much a load of e times as much presses it thinner",
     },
     strengths=("k", "s"),
     rows={"k": "tangent|within|settled|stage|closing|ordering", "s": "log_load"},

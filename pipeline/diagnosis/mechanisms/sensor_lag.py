@@ -94,7 +94,7 @@ MECHANISM = Mechanism(
     names={
         "filter_*_s": "the reading with a first-order lag of the time in the name, less the reading itself",
         "delay_*_s": "the reading that much later, less the reading itself",
-        "clock_skew": "the rate of the reading x the time so far: two clocks run apart",
+        "clock_skew": "minus the rate of the reading x the time so far: two clocks run apart",
     },
     candidates=candidates,
     terms=terms,

@@ -41,7 +41,7 @@ MECHANISM = Mechanism(
     driver="torque (load x twist)",
     equation="theta_s = theta - F r sin a / k_t",
     letters={
-        "k_t": "the stiffness of the shaft: one over the strengths",
+        "k_t": "the stiffness of the shaft: the radius over the strengths",
     },
     strengths=("k_t",),
     meanings={

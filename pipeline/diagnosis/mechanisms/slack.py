@@ -60,13 +60,20 @@ def _sorted(drivers: Drivers) -> tuple[np.ndarray, np.ndarray]:
 MECHANISM = Mechanism(
     id="slack",
     driver="low twist",
-    equation="theta_s = max(theta - theta_0, 0), or x = max(x_0, x_geo - s), or, of a sag, a sum of such s",
+    equation="theta_s = max(theta - theta_0, 0)",
+    variants={
+        "take_up_mm": "x = max(x_0, x_geo - s)",
+        "sag_mm": "x = x_geo - sum k_i min(s_i, x_geo - x_0)",
+    },
     letters={
-        "s": "the slack, as a length",
+        "k_i": "how much of each part of the sag there is",
+        "s": "take_up_mm",
+        "s_i": "the parts of the sag: the number in each name times sag_mm",
         "theta_0": "take_up_turns",
-        "x_0": "the displacement at which the slack ends",
+        "x_0": "the displacement without twist, which stays until the slack ends",
         "x_geo": "the displacement of a taut string",
     },
+    strengths=("k_i",),
     meanings={
         "sag_mm": "the whole slack, as a length",
         "softness": "how softly it ends, as a share of the slack",

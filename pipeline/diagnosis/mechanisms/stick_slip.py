@@ -97,10 +97,12 @@ def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
 MECHANISM = Mechanism(
     id="stick_slip",
     driver="slow motion",
-    equation="dx = -(x - s), s sticks until |x - s| > reach, then slips",
+    equation="dx = -k (x - s), s sticks until |x - s| > reach, then slips",
     letters={
+        "k": "how much of it: at every speed, and what fades as exp(-(v/usual_rate)^2)",
         "s": "where the reading sticks",
     },
+    strengths=("k",),
     meanings={
         "back_share": "how much of the reach is given back at a slip, as a share of it",
         "reach_mm": "how far the reading falls behind before it slips",
@@ -116,6 +118,7 @@ MECHANISM = Mechanism(
     sentence="Slow motion goes in jerks of {size}.",
     details=("what sticks is let go after about {reach_mm}",),
     candidates=candidates,
+    names={"slow": "the gap where it is slow alone: the gap x exp(-(v/usual_rate)^2)"},
     remembers_turns=True,
     terms=terms,
     random=random,

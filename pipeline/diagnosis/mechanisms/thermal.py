@@ -69,6 +69,7 @@ MECHANISM = Mechanism(
     driver="temperature",
     equation="dx = -a (T - T0), dT/dt = (power - T)/tau where T is not measured",
     letters={
+        "T": "the temperature; of a strength after_… it follows the measured one in the time in the name",
         "T0": "the temperature at the start",
         "a": "the strengths",
         "tau": "the time constant of each strength | in its name",

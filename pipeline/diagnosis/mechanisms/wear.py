@@ -39,6 +39,7 @@ MECHANISM = Mechanism(
     driver="travel",
     equation="r_e = r (1 -+ k g(travel))",
     letters={
+        "travel": "the distance travelled so far, each bit of it times the load to the power of load_power",
         "g": "how it grows with the travel, by the words in the names",
     },
     strengths=("k",),
