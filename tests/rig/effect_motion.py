@@ -11,7 +11,7 @@ import numpy as np
 
 from pipeline.ground.kinematics import Geometry
 from pipeline.rig.effect import Lived
-from pipeline.rig.string import String
+from pipeline.rig.string_state import String
 
 GEOMETRY = Geometry("separator", 0.40, 400.0, 15.0, 150.0, 8.0)
 STEP_S, TURN = 0.002, 2.0 * np.pi
