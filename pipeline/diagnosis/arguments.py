@@ -12,7 +12,7 @@ from .mechanisms import library
 
 
 def parsed(description: str) -> argparse.Namespace:
-    """What was asked for on the command line; raises BadInput for a folder to write and a mechanism that are none."""
+    """The parsed command line; raises BadInput for an unusable output folder and for an unknown mechanism."""
     parser = Parser(prog=command("diagnose"), description=description)
     parser.add_argument("run_dir", type=run_dir, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the folder in which each run gets a folder; required")

@@ -1,4 +1,4 @@
-"""Recordings that hardly leave their noise, and so decide nothing: refused, with the size of both."""
+"""Recordings that hardly differ from their noise decide nothing: they are refused, with the size of both."""
 
 from pathlib import Path
 
@@ -15,7 +15,7 @@ LEAST_MOTION = 20.0  # times the noise that the reading must move: less shows no
 
 
 def refuse_faint(study: Study, folder: Path) -> None:
-    """Raise BadInput where the reading hardly leaves the noise, so that any verdict would be a guess.
+    """Raise BadInput where the reading hardly exceeds the noise, so that any verdict would be a guess.
 
     What was measured to move counts, or what should have moved where that is more. What a regression without physics
     foretells of strokes that it has not seen is no noise, even if no mechanism explains it.
@@ -35,7 +35,7 @@ def refuse_faint(study: Study, folder: Path) -> None:
 
 
 def unforeseen(problem: Problem, state: State) -> float:
-    """What a state, with a regression that saw the earlier strokes alone, leaves of the later ones, rms.
+    """The rms residual of a state on the later strokes, less what a regression on the earlier ones foretells.
 
     It is infinite where there are too few strokes to hold any out.
     """

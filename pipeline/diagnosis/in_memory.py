@@ -39,7 +39,7 @@ def diagnosed(
     by: Judge | None = None,
     say: Say = lambda _: None,
 ) -> tuple[Verdict, Study]:
-    """Diagnose one run, or several of one rig together: the content of `diagnosis.json`, and what it was made from.
+    """Diagnose one run, or several runs of one rig together: the content of `diagnosis.json`, and its study.
 
     The library lacks the mechanisms in `without`; `by` judges in place of the library's own judge; `say` is told each
     step. Raises BadInput for runs that are not of one rig, and for recordings too poor to decide anything.
@@ -89,7 +89,7 @@ def diagnosed(
 
 
 def missed(study: Study, content: Verdict, ending: str) -> float:
-    """What the simulator misses a stroke by that no fit has seen, its single samples' noise averaged: rms, its unit."""
+    """The rms error of the simulator on an unseen stroke, noise of single samples averaged; in the reading's unit."""
     noise = amount(content["fit"], f"noise_floor_{ending}")
     unseen_error = amount_or_none(content["fit"]["heldout"] or {}, f"explained_{ending}")
     unseen = noise if unseen_error is None else float(unseen_error)
@@ -97,7 +97,7 @@ def missed(study: Study, content: Verdict, ending: str) -> float:
 
 
 def of_run_yaml(study: Study, runs: list[Run]) -> Evidence:
-    """What the words must know of run.yaml beside its dimensions, for the `evidence`.
+    """What the words need from run.yaml beside its dimensions, for the `evidence`.
 
     The tolerances and the sensor's scale that it gives, and by how much a run errs with the effects and dimensions that
     it has adopted: rms in the channel's unit, with the zero of the reading at its best.
@@ -115,12 +115,12 @@ def of_run_yaml(study: Study, runs: list[Run]) -> Evidence:
 
 
 def steps_of(recorded: list[RecordedRun]) -> float:
-    """The steps that the sensor reads in, the coarsest of the runs, in the channel's unit; 0 where none is seen."""
+    """The resolution of the sensor, the coarsest of the runs, in the channel's unit; 0 where none is seen."""
     return max(resolution(each.samples[each.run.system.channel].to_numpy()) for each in recorded)
 
 
 def optional(step: str, name: str, work: Callable[[], Result]) -> Result | None:
-    """What a step gives without which the verdict still stands; its failure is shown in full, and gives None."""
+    """The result of a step that a verdict does not need; None if it fails, and the failure is shown in full."""
     try:
         return work()
     except Exception:

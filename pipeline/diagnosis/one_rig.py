@@ -1,4 +1,4 @@
-"""Whether runs are of one string on one rig, so that they can be diagnosed together; if not, what keeps them apart."""
+"""Whether runs are of one string on one rig, so that they can be diagnosed together; if not, which fields differ."""
 
 import shlex
 from collections.abc import Sequence
@@ -33,7 +33,7 @@ def of_one_rig(recorded: list[RecordedRun]) -> None:
 
 
 def adopted_apart(first: RecordedRun, other: RecordedRun) -> BadInput:
-    """That two runs have not adopted the same effects: which has some, and how they are taken out."""
+    """The sentence that two runs have adopted different effects: which run has some, and how to take them out."""
     names = [each.run.run for each in (first, other) if each.run.simulation]
     without = [each.run.run for each in (first, other) if not each.run.simulation]
     problem = f"{names[0]} has adopted effects, {listing(without) or names[-1]} has {'not' if without else 'others'}"
@@ -42,7 +42,7 @@ def adopted_apart(first: RecordedRun, other: RecordedRun) -> BadInput:
 
 
 def to_take_out(runs: Sequence[tuple[Run, Path]]) -> list[str]:
-    """The commands after which runs, each with its folder, can be diagnosed together: of those with adopted effects.
+    """The commands that take adopted effects out of runs, so that these can be diagnosed together.
 
     Nothing where all have adopted the same.
     """
@@ -52,7 +52,7 @@ def to_take_out(runs: Sequence[tuple[Run, Path]]) -> list[str]:
 
 
 def described(run: Run, field: str) -> Any:
-    """What `run.yaml` says of a thing that runs of one rig must share: not load, strokes before and id."""
+    """The part of `run.yaml` that runs of one rig must share: all but load, strokes before and id."""
     value = getattr(run, field)
     if field == "rig":
         return {key: entry for key, entry in value.items() if key != "load_n"}

@@ -1,4 +1,4 @@
-"""Columns of a motion that is planned, beside its reading: without effects, a band, the explanations that tie."""
+"""The columns of a planned motion beside its reading: without effects, the band, and the tied explanations."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +15,7 @@ from .words.foretold.prediction import OUTSIDE, column_of
 
 @dataclass(frozen=True)
 class PlannedColumns:
-    """Columns of a plan by their names, each of shape (samples,) in its unit, and what they are made from.
+    """The columns of a plan by name, each of shape (samples,) in its unit, and the objects they are made from.
 
     `diagnosis` is the one that foretells the error, in the file `place`; None where there is none. `width` is the error
     that it foretells, None where it does not; then there is no band. `rivals` are the readings of the explanations that
@@ -30,7 +30,7 @@ class PlannedColumns:
 
 
 def planned_columns(plan: Plan, simulator: Simulator) -> PlannedColumns:
-    """Columns of a planned motion beside its reading; raises BadInput for a diagnosis.json that is none."""
+    """The columns of a planned motion beside its reading; raises BadInput for an unusable diagnosis.json."""
     channel = plan.run.system.channel
     ending = channel.rpartition("_")[2]
     columns = {OUTSIDE: (~plan.inside()).astype(float)} if plan.outside else {}

@@ -1,4 +1,4 @@
-"""What `simulate` says of the columns of a planned motion: where it leaves the recordings, its band, what else ties."""
+"""The words of `simulate` on a planned motion's columns: where it leaves the recordings, its band, and ties."""
 
 import shlex
 from pathlib import Path
@@ -23,7 +23,7 @@ from .words.language.vocabulary import Vocabulary
 
 
 def of_outside(plan: Plan, path: Path | None) -> list[str]:
-    """The warning that a plan, from a file, leaves what was recorded; nothing where it does not."""
+    """The warning that a plan, from a file, leaves the recorded range; nothing where it stays inside."""
     if not plan.outside or not plan.outside.asks:
         return []
     when = stretches(plan.outside.rows, plan.samples["time_s"].to_numpy())

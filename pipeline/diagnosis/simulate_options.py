@@ -1,4 +1,4 @@
-"""What `simulate` may be told on its command line."""
+"""The command line options of `simulate`."""
 
 import shlex
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ class SimulateOptions:
 
 
 def parsed(description: str) -> SimulateOptions:
-    """The command line; it ends the program with 2 where arguments do not go together."""
+    """The parsed command line; ends the program with status 2 where arguments exclude each other."""
     parser = Parser(prog=command("simulate"), description=description)
     parser.add_argument("run_dir", type=run_dir, metavar="RUN_DIR", help="the run whose motion and load are simulated")
     parser.add_argument(

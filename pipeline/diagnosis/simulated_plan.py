@@ -1,4 +1,4 @@
-"""A motion that is planned for a run, with what simulates it: a table of time and motion → `Plan`."""
+"""A motion that is planned for a run, with its simulator: a table of time and motion → `Plan`."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The recorded motion of a run, and what a simulator reads along it: after the runs before it, homed anew if asked."""
+"""The recorded motion of a run with its simulated reading: after the runs before it, homed anew if asked."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ class SimulatedRecording:
 
     @cached_property
     def carried(self) -> CarriedOver | None:
-        """What of the simulator is taken for this recording, its motor homed; None unless that is asked for.
+        """The part of the simulator that is used for this recording, its motor homed; None unless asked for.
 
         Raises BadInput for a rig that cannot be homed, or a recording without a stroke for it.
         """
@@ -41,12 +41,12 @@ class SimulatedRecording:
 
     @cached_property
     def simulator(self) -> Simulator:
-        """What acts: what was asked for, or the part of it that holds for this recording."""
+        """The acting simulator: the one that was asked for, or the part of it that holds for this recording."""
         return self.asked.with_content(self.carried.content) if self.carried else self.asked
 
     @cached_property
     def before(self) -> Sequence[RecordedRun]:
-        """The runs that go before it, which were diagnosed together with it, as far as they lie beside its folder."""
+        """The runs before it that were diagnosed together with it, as far as they lie beside its folder."""
         return simulated_before(self.simulator.content, self.recorded.run.run, self.recorded.place)
 
     @cached_property

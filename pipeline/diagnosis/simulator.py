@@ -1,4 +1,4 @@
-"""What simulates a run: a diagnosis that a person gives, or what the run's own run.yaml has adopted."""
+"""The simulator of a run: a diagnosis that a person gives, or what the run's own run.yaml has adopted."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -26,7 +26,7 @@ class Simulator:
 
     @classmethod
     def of(cls, run: Run, source: Path, diagnosis: Verdict | None = None) -> "Simulator":
-        """What simulates a run: the diagnosis that is given, or what its run.yaml has adopted."""
+        """The simulator of a run: the diagnosis that is given, or what its run.yaml has adopted."""
         return cls(of_run(run) if diagnosis is None else to_simulate(diagnosis, run.run), source, diagnosis)
 
     @classmethod
@@ -35,11 +35,11 @@ class Simulator:
         return cls.of(run, file, read_diagnosis(file)) if file else cls.of(run, folder / "run.yaml")
 
     def with_content(self, content: Simulated) -> "Simulator":
-        """It with other effects or dimensions, as far as they hold for another recording."""
+        """The same simulator with other effects or dimensions, as far as they hold for another recording."""
         return replace(self, content=content)
 
     def diagnosis(self, run: Run) -> tuple[Path, Verdict | None]:
-        """The file of the diagnosis that it is from, and what that says; None where it is gone.
+        """The file of the diagnosis that the simulator is from, and its content; None where it is gone.
 
         Raises BadInput for a file that is no diagnosis.
         """

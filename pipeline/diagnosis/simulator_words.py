@@ -1,4 +1,4 @@
-"""What `simulate` says of what simulates: what acts and whose dimensions, that it is no name, or of another rig."""
+"""The words of `simulate` on its simulator: what acts, whose dimensions, and warnings that it may not fit."""
 
 import shlex
 from collections.abc import Sequence
@@ -22,13 +22,13 @@ from .words.pages.advice import contrary
 
 
 def by(simulator: Simulator, dimensions: Path) -> str:
-    """With what a motion was simulated: what acts, and the file of the dimensions."""
+    """With what a motion was simulated: the acting effects, and the file of the dimensions."""
     adopted = simulator.content["parameters"] and simulator.given is None
     return f"with {simulator.acting} and the dimensions {'that fit with them, in' if adopted else 'of'} {dimensions}"
 
 
 def of_simulator(simulator: Simulator, run: Run, before: Sequence[RecordedRun]) -> list[str]:
-    """What a person must know of what acts: the runs before, no name, advice against it."""
+    """What a reader must know of the simulator: the runs before, that it is no name, advice against it."""
     content, called = simulator.content, Vocabulary.of(run.system)
     words = [*said_of(content, run.run, before, simulator.source), *said_of_no_name(content, called.ending)]
     advised = contrary(cast(Verdict, content), called) if simulator.given is not None and content["simulation"] else ""
@@ -48,7 +48,7 @@ def of_another(simulator: Simulator, run: Run, folder: Path) -> list[str]:
 
 
 def of_dimensions(run: Run, folder: Path) -> list[str]:
-    """The warning that a dimension of run.yaml is another than when effects were adopted, which fit no more."""
+    """The warning that a dimension of run.yaml changed since effects were adopted, so that these fit no more."""
     changed = measured_since(run)
     if not changed:
         return []

@@ -1,4 +1,4 @@
-"""Everything found, as the content of `diagnosis.json`."""
+"""The whole result of a diagnosis, as the content of `diagnosis.json`."""
 
 from typing import Any, Literal, cast
 
@@ -57,7 +57,7 @@ def mismatch_signal(study: Study) -> tuple[Array, list[str]]:
 
 
 def systematic(study: Study, state: State) -> tuple[Array, list[str]]:
-    """What the generic dictionary finds in the residual of a simulator, and the driver of most of it.
+    """The part of a simulator's residual that the generic dictionary fits, and the driver of most of it.
 
     Shape (samples,), in the reading's unit.
     """
@@ -79,7 +79,7 @@ def systematic(study: Study, state: State) -> tuple[Array, list[str]]:
 
 
 def relative(study: Study) -> Relative:
-    """What each simulator leaves, over the reading itself, both rms, after the filter that is stated with them."""
+    """The rms residual of each simulator over that of the reading, after the filter that is stated with it."""
     problem, below_hz = study.problem, study.problem.system.stated_below_hz
     first, step_s, rows = problem.drivers.first, problem.drivers.step_s, problem.rows
 

@@ -17,7 +17,7 @@ JSON = "diagnosis.json"
 
 
 def write_words(content: Verdict, system: System, folders: list[Path], out: Path, doubts: list[str]) -> str:
-    """Write what a diagnosis of runs says, as JSON and in words, `doubts` first; return the words."""
+    """Write the words of a diagnosis of runs, as JSON and as text, `doubts` first; return the words."""
     before = earlier.sentences(content, folders, out)  # it may lie where this one is written
     write_text(out / JSON, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     texts_from = (content, system, folders, out, [*doubts, *before])

@@ -30,7 +30,7 @@ WITHIN, BEYOND = (0.0, 1.8), (1.0, 3.0)  # sigma of the measuring errors; so far
 
 @dataclass(frozen=True)
 class Case:
-    """All that a case is, before it is performed; the same seed draws the same case."""
+    """Everything about a case before it is performed; the same seed draws the same case."""
 
     seed: int
     stratum: Stratum
@@ -75,7 +75,7 @@ def draw_case(
 def _pure(
     name: str, bench: Bench, protocol: Protocol, floor_mm: float, kappa: float, rng: np.random.Generator
 ) -> tuple[Parameters, Size, Ruling]:
-    """An effect of that size which the referee lets pass under its name; raises OutOfReach after some attempts."""
+    """An effect of the wanted size that the referee lets pass under its name; raises OutOfReach after some attempts."""
     for _ in range(ATTEMPTS):
         of = draw_effect(name, bench, protocol, rng)
         strength, size = strength_for(name, of, bench, protocol, floor_mm, kappa)
@@ -88,10 +88,10 @@ def _pure(
 def _always(
     bench: Bench, protocol: Protocol, floor_mm: float, but: Sequence[str], rng: np.random.Generator
 ) -> dict[str, Parameters]:
-    """Small effects that no diagnosis need find; none is there of which nothing shows, however much there is.
+    """Small effects that no diagnosis has to find, by id; an effect that this bench cannot show is left out.
 
-    Their size is what calibration leaves of them alone: a wrongly measured bench leaves something of itself, and no
-    strength is so small that less is left.
+    The size of each is what calibration leaves of it on a bench that was measured exactly. A wrongly measured bench
+    leaves something by itself, so that even the smallest strength would seem too large.
     """
     exact_bench = replace(bench, measured=bench.true)
     always = {}

@@ -43,9 +43,9 @@ def copies(case: Case, names: Iterable[str] = NAMED, shapes: int = SHAPES) -> Co
 
 
 def left_over(case: Case, of: Copies) -> dict[str, float]:
-    """By effect: what it leaves of the case's mismatch, in noise floors, when it copies it as well as it can.
+    """By effect: what is left of the case's mismatch, in noise floors, after the effect's best copy of it.
 
-    What leaves less than a diagnosis could see is a tie by construction, whatever the recording is worth else.
+    An effect that leaves less than a diagnosis could see ties by construction, however good the recording is.
     """
     bench, protocol, floor_mm = case.bench, case.protocol, case.nuisance.floor_mm
     wanted_mm = _left_mm(bench, protocol, case.effects, floor_mm) - _left_mm(bench, protocol, {}, floor_mm)

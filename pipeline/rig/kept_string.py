@@ -1,4 +1,4 @@
-"""A rig whose string stays on it: what one recording did to it, the next one finds; and it takes programs of motion."""
+"""A rig whose string stays on it: each recording starts where the last one ended. It runs motion programs."""
 
 import copy
 from collections.abc import Sequence

@@ -47,7 +47,10 @@ class Numbers:
         return True
 
     def ends(self, number: int, payload: bytes) -> bool:
-        """Whether an END can bear this number: no earlier one than came, and no later one than it counts samples."""
+        """Whether an END can bear this number. It may lie at most LATE below the highest number so far.
+
+        A larger leap must fit the count of samples in the END.
+        """
         samples, _ = END.unpack(payload)
         if number - self.high > LATE:
             return 0 <= number - 1 - samples <= LATE + self.others

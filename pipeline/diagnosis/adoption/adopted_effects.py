@@ -45,7 +45,7 @@ def adopted_effects(problem: Problem, run: Run, ending: str) -> list[AdoptedEffe
 
 
 def effects_of(problem: Problem, run: Run) -> list[tuple[Act, Array]]:
-    """Each effect that a run has adopted, all times it acts together, and what it does to the reading.
+    """Each effect that a run has adopted, all its acts together, with what it does to the reading.
 
     With the dimensions that were adopted; each of shape (samples,), in the reading's unit.
     """

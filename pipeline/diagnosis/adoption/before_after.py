@@ -44,7 +44,7 @@ def refuse_unadvised(content: Verdict, words: Vocabulary, source: Path, sure: bo
 
 
 def against_advice(content: Verdict, words: Vocabulary, out: str) -> list[str]:
-    """That adopting goes against the advice of the verdict, where it does, with the line `out` that takes it out."""
+    """The warning that adopting goes against the verdict's advice, with the line `out` that undoes it; or nothing."""
     whether = contrary(content, words)
     if not whether:
         return []
@@ -52,7 +52,7 @@ def against_advice(content: Verdict, words: Vocabulary, out: str) -> list[str]:
 
 
 def dimensions(content: Verdict) -> list[str]:
-    """The dimensions that come with the effects, each from what was measured to what fits; which to measure again."""
+    """The dimensions that come with the effects: measured and fitted values, and which ones to measure again."""
     evidence = content.get("evidence")
     sigmas = evidence.get("moved_sigma") if isinstance(evidence, dict) else None
     moved = {name: abs(sigma) for name, sigma in sigmas.items() if is_number(sigma)} if isinstance(sigmas, dict) else {}
@@ -81,7 +81,7 @@ def dimensions(content: Verdict) -> list[str]:
 
 
 def outdated(content: Verdict, run: Run) -> str:
-    """Which dimension of a run.yaml is not the one that a diagnosis of it began with, in words; nothing where none is.
+    """Dimensions of run.yaml that changed since the diagnosis was made, in words; nothing where none changed.
 
     A scale of the displacement sensor is a part of its channel, and counts too.
     """
@@ -119,15 +119,15 @@ def probable(ids: list[str], content: Verdict) -> str:
 
 
 def is_of(content: Verdict, run: str) -> bool:
-    """Whether a diagnosis is of a run; one that names none is taken to be."""
+    """Whether a diagnosis is of a run; a diagnosis that names no run counts as being of it."""
     of = content.get("run", run)
     return run in (of if isinstance(of, list) else [of])
 
 
 def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
-    """What the verdict on a run says of strokes that no fit has seen, and whether it says not to adopt; or nothing.
+    """What the verdict says of a run's unseen strokes, and whether it says not to adopt; else nothing.
 
-    Of a run that went after others in the diagnosis that is said too.
+    If the run went after others in the diagnosis, a sentence says so too.
     """
     fit, verdict = content.get("fit"), content.get("verdict")
     unseen_errors = fit.get("heldout") if isinstance(fit, dict) else None
@@ -157,7 +157,7 @@ def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
 
 
 def told(problem: Problem, samples: int, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:
-    """What `pipeline.simulate` errs by on a run's own recording, before and from now on.
+    """The error of `pipeline.simulate` on a run's own recording, before adopting and from now on.
 
     `problem` is the run's without any effect, averaged where it has fewer rows than the recording has `samples`;
     `before` and `now` are what its run.yaml simulates; `own`: the diagnosis at `path` is of this run. Raises BadInput,

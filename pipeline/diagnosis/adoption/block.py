@@ -18,7 +18,7 @@ KEY, ORIGIN = "simulation", "adopted"
 
 
 def with_block(text: str, entries: Sequence[Included | Adoption], named: str = KEY) -> str:
-    """Text of a `run.yaml` with the key `named` replaced, or added after the last key; all other text is kept.
+    """Text of a `run.yaml` with the key `named` replaced, or added at the end; all other text is kept.
 
     `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.
     """
@@ -52,7 +52,7 @@ def _end(node: yaml.Node) -> int:
 
 
 def adopted(text: str, entries: Sequence[Included], path: Path, origin: list[Adoption] | None = None) -> str:
-    """The text with the entries, parsed to see that it says just that and else what it said; raises BadInput.
+    """The text with the entries; it is parsed to check that all else stays the same. Raises BadInput.
 
     `origin` is where they came from, as the run.yaml shall say it; an empty one replaces an older one only.
     """
@@ -69,7 +69,7 @@ def adopted(text: str, entries: Sequence[Included], path: Path, origin: list[Ado
 
 
 def without_block(text: str, named: str) -> str:
-    """Text of a `run.yaml` without the key `named` and its value; text without that key is given back as it is.
+    """Text of a `run.yaml` without the key `named` and its value; unchanged where it has no such key.
 
     `text` must be one mapping of YAML; whether the result says what it should is for the caller to check.
     """
@@ -94,7 +94,7 @@ def without_block(text: str, named: str) -> str:
 
 
 def bare(text: str, path: Path) -> str:
-    """The text without what was adopted, parsed to see that it says all else as it did; raises BadInput."""
+    """The text without the adopted keys; it is parsed to check that all else stays the same. Raises BadInput."""
     content = parse_yaml(text, path)
     wanted = {key: value for key, value in content.items() if key not in (KEY, ORIGIN)}
     mend = f"take the keys {KEY} and {ORIGIN} out by hand"
@@ -102,7 +102,7 @@ def bare(text: str, path: Path) -> str:
 
 
 def _checked(make: Callable[[], str], wanted: dict[str, object], path: Path, done: str, mend: str) -> str:
-    """The text that `make` gives where it says what is wanted, and that is a run; else raises BadInput."""
+    """The text that `make` gives, if it says what is wanted and describes a valid run; else raises BadInput."""
     try:
         new_text = make()
         right = parse_yaml(new_text, path) == wanted

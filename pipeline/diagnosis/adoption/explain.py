@@ -1,4 +1,4 @@
-"""What the numbers mean that a run has adopted, for who is curious: nobody needs them to predict."""
+"""What the adopted numbers in a run.yaml mean, for curious readers: nobody needs the meaning to predict."""
 
 from pathlib import Path
 
@@ -18,13 +18,13 @@ from .number_sizes import sizes
 
 
 def without_effects(run: Run, samples: pd.DataFrame, strokes: pd.DataFrame) -> Problem:
-    """The problem of a recording, as if its run.yaml had adopted nothing; one stroke will do, for nothing is fitted."""
+    """The problem of a recording as if its run.yaml had adopted nothing; one stroke is enough, nothing is fitted."""
     recorded = RecordedRun(run.model_copy(update={KEY: []}), samples, strokes)
     return at_own_rate([recorded], thin=run.system.differentiates, to_fit=False)
 
 
 def explained(folder: Path) -> list[str]:
-    """What the numbers mean that a run's `run.yaml` has adopted, first what each effect does. Raises BadInput."""
+    """What the adopted numbers of a run's `run.yaml` mean, after what each effect does. Raises BadInput."""
     (run, samples, strokes), path = read_strokes(folder), folder / "run.yaml"
     if not run.simulation:
         return [f"{path} holds nothing that was adopted"]

@@ -1,4 +1,4 @@
-"""What each number of adopted effects does to the reading of a recording, all else held."""
+"""What each number of adopted effects does to the reading of a recording while all other numbers are held."""
 
 from dataclasses import replace
 
@@ -13,7 +13,7 @@ NEAR = 0.02  # of the motion's range: what is nearer to its highest or lowest va
 
 
 def sizes(problem: Problem, state: State) -> list[list[Size]]:
-    """Of each act in a state: what it does as a whole, and then what each of its coefficients does that is not 0."""
+    """For each act in a state: the size of the whole act, then that of each coefficient that is not 0."""
     whole = problem.simulate(state)
 
     def size_of(act: Act, instead: Act | None) -> Size:
@@ -39,7 +39,7 @@ def _without(coefficients: tuple[float, ...], place: int) -> tuple[float, ...]:
 
 
 def _size(problem: Problem, effect: Array) -> Size:
-    """The size of an effect of shape (samples,), in the reading's unit; its rms is that of the verdict, by `rms`."""
+    """The size of an effect of shape (samples,), in the reading's unit; `rms` is computed as in the verdict."""
     motion = problem.record.motion
     low, high = float(motion.min()), float(motion.max())
     near = NEAR * (high - low)

@@ -1,4 +1,4 @@
-"""What a search may choose from: all candidates that a recording shows or suggests, and what has no physics at all."""
+"""The candidates of a search: those that a recording shows or suggests, and columns without any physics."""
 
 import numpy as np
 
@@ -10,14 +10,14 @@ from ..mechanisms.library import mechanisms
 
 
 def suggested(problem: Problem, state: State) -> dict[str, list[Nonlinear]]:
-    """Candidates that what a state leaves makes plausible, by mechanism."""
+    """Candidates that the residual of a state suggests, by mechanism."""
     predicted = problem.simulate(state)[: problem.rows]
     residual = problem.measured[: problem.rows] - predicted
     return {id_: mechanism.suggest(problem.drivers, residual, predicted) for id_, mechanism in problem.library.items()}
 
 
 def catalogue(problem: Problem, more: dict[str, list[Nonlinear]]) -> dict[str, list[Nonlinear]]:
-    """All candidates of all mechanisms that the recording could show, and those that it suggests."""
+    """All candidates of all mechanisms that the recording could show, and the suggested candidates."""
     catalogued = {id_: mechanism.candidates(problem.drivers) + more[id_] for id_, mechanism in problem.library.items()}
     if not set(PORTS) <= set(problem.system.ports):  # those that act where the system has a port
         catalogued = {
@@ -32,7 +32,7 @@ def catalogue(problem: Problem, more: dict[str, list[Nonlinear]]) -> dict[str, l
 
 
 def without_physics(problem: Problem, more: dict[str, list[Nonlinear]]) -> np.ndarray:
-    """The generic dictionary, and what acts on the reading alone at the candidates that a recording suggests.
+    """The generic dictionary, and the suggested terms that act on the reading alone.
 
     Shape (columns, samples), in the reading's unit.
     """
@@ -49,7 +49,7 @@ def without_physics(problem: Problem, more: dict[str, list[Nonlinear]]) -> np.nd
 def with_refined(
     problem: Problem, catalogued: dict[str, list[Nonlinear]], states: list[State]
 ) -> dict[str, list[Nonlinear]]:
-    """The catalogue with the refined parameters of what acts in some states."""
+    """The catalogue with the refined parameters of the acts in some states added."""
     near = {id_: list(options) for id_, options in catalogued.items()}
     for state in states:
         for act in state.acts:
@@ -59,5 +59,8 @@ def with_refined(
 
 
 def apart(ids: tuple[str, ...]) -> bool:
-    """Whether all of a set listen to different drivers: two laws of one driver bend into anything, and name nothing."""
+    """Whether all mechanisms of a set follow different drivers.
+
+    Two laws of one driver imitate anything, and name nothing.
+    """
     return len({mechanisms()[id_].driver for id_ in ids}) == len(ids)

@@ -1,4 +1,4 @@
-"""Effects whose every move is chance: a recording shows that they are there, and how large; nothing predicts them."""
+"""Effects that move at random: a recording shows that they are there and how large they are; nothing predicts them."""
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
@@ -29,7 +29,7 @@ def seen(problem: Problem, state: State) -> dict[str, Nonlinear]:
 
 
 def act(problem: Problem, id_: str, nonlinear: Nonlinear) -> Act:
-    """A random effect as it enters the simulator: named, and silent."""
+    """A random effect as it enters the simulator: it is named and adds nothing."""
     return Act(id_, (nonlinear,), (0.0,) * len(problem.terms(mechanisms()[id_], nonlinear)))
 
 
@@ -48,7 +48,7 @@ def floor_at_rest(problem: Problem, state: State, otherwise: float) -> float:
 
 
 def size(problem: Problem, state: State) -> float:
-    """What a residual has beyond its floor at rest, rms."""
+    """The rms of a residual beyond its floor at rest."""
     whole = float(np.std(left(problem, state)))
     return float(np.sqrt(max(whole**2 - floor_at_rest(problem, state, whole) ** 2, 0.0)))
 

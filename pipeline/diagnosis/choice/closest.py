@@ -1,4 +1,4 @@
-"""Of an unknown mismatch, what foretells it better by far than dimensions alone: a simulator, and no name."""
+"""A simulator for an unknown mismatch: an explanation that foretells far better than dimensions, and is no name."""
 
 from dataclasses import replace
 
@@ -12,15 +12,15 @@ FORETOLD = 0.7  # of the error of dimensions alone on left-out stretches: who er
 
 
 def with_closest(study: Study) -> Study:
-    """The study, with what predicts the rig where its verdict is unknown and an explanation does so clearly."""
+    """The study; if its verdict is unknown and its best explanation foretells clearly, that one is its `closest`."""
     return replace(study, closest=study.best) if study.verdict == "unknown" and foretells(study) else study
 
 
 def foretells(study: Study) -> bool:
-    """Whether the best explanation, which is no name, takes half of the mismatch and more, and keeps it.
+    """Whether the best explanation, which is no name, takes half of the mismatch or more, also on left-out stretches.
 
-    It is physics of the library alone, its effects do not cancel each other, and it misses stretches that its
-    coefficients were not fitted to by much less than dimensions alone do.
+    It must be physics of the library alone, and its effects must not cancel each other. On stretches that its
+    coefficients were not fitted to, it must err by much less than dimensions alone.
     """
     if not study.sets or study.share < HALF_TAKEN or cancels(study.problem, study.best):
         return False

@@ -1,4 +1,4 @@
-"""Compare two explanations: the first wins if the second fits worse by about as much as if the first were true.
+"""Compare two explanations: the first wins if the second fits worse by about as much as expected if the first is true.
 
 Source: Cox, Tests of separate families of hypotheses, 4th Berkeley Symposium, 1961.
 """
@@ -16,7 +16,7 @@ REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
 
 
 def price(search: Search, explanation: Explanation) -> float:
-    """Misfit, and two numbers (when, how much) for every sudden event after the first of its kind."""
+    """Misfit, and a cost of two numbers (when, how much) for every sudden event after the first of its kind."""
     return explanation.fit.misfit + 2.0 * search.penalty * (len(explanation.keys) - len(explanation.ids))
 
 
@@ -39,12 +39,12 @@ def beats(search: Search, explanation: Explanation, other: Explanation) -> bool:
 
 
 def explains(search: Search, explanation: Explanation, floor: float) -> bool:
-    """Whether an explanation takes enough of the mismatch to be one."""
+    """Whether an explanation takes away enough of the mismatch to count as one."""
     return explanation.energy - floor**2 <= (1.0 - EXPLAINED) * (search.nothing.energy - floor**2)
 
 
 def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
-    """Every explanation as small as the chosen one that the best one does not beat, the best first."""
+    """Every explanation of the chosen one's size that the best one does not beat, the best first."""
     if not chosen.ids:
         return []
     larger = search.forward(floor)
@@ -73,13 +73,13 @@ def unbeaten(search: Search, chosen: Explanation, floor: float) -> list[Explanat
 
 
 def that_take_away(search: Search, sets: list[Explanation]) -> list[Explanation]:
-    """Those of the sets that take away at least a share `IDLE` of what the best of them takes from the mismatch."""
+    """The sets that take away at least a share `IDLE` of what the best of them takes away from the mismatch."""
     most = max(search.nothing.energy - explanation.energy for explanation in sets)
     return [explanation for explanation in sets if search.nothing.energy - explanation.energy >= IDLE * most]
 
 
 def to_the_noise(search: Search, chosen: Explanation, floor: float) -> list[Explanation]:
-    """Explanations of one mechanism more that leave about the noise floor, where the chosen one leaves clearly more.
+    """Larger explanations, by one mechanism, that leave about the noise floor where the chosen one leaves clearly more.
 
     They are kept beside the chosen one: the recording cannot tell whether a formula of the chosen one is slightly wrong
     or a weak mechanism is missing. `floor` is the noise floor in the reading's unit. Empty where the chosen one has an

@@ -1,4 +1,4 @@
-"""Cross-validation: of what ties, the smallest that foretells left-out stretches about as well as any comes first.
+"""Cross-validation of a tie: the smallest explanation that predicts left-out stretches about as well comes first.
 
 Source: Stone, "Cross-validatory choice and assessment of statistical predictions", Journal of the Royal Statistical
 Society B 36, 1974.
@@ -18,7 +18,7 @@ AS_WELL = 1.35  # times the best error: hardly worse to a person who predicts
 
 
 def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:
-    """Error (rms) of each explanation on stretches that its coefficients were fitted without, nonlinear ones held."""
+    """Error (rms) of each explanation on stretches left out of the fit of its coefficients; nonlinear ones are held."""
     wanted = np.unique(np.concatenate([explanation.fit.columns for explanation in sets])).astype(int)
     place = {int(column): number for number, column in enumerate(wanted)}
     table = np.ascontiguousarray(linear.table[[*wanted, -1]])
@@ -46,7 +46,7 @@ def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:
 
 
 def by_prediction(linear: Linear, sets: list[Explanation]) -> list[Explanation]:
-    """The sets, the smallest of those first that predict about as well as the best; the rest as given."""
+    """The sets: first the smallest that predicts about as well as the best, then the others as given."""
     if len(sets) < 2:
         return sets
     errors = left_out_errors(linear, sets)

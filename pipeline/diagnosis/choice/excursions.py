@@ -25,7 +25,7 @@ class Excursion:
 
 
 def excursions(problem: Problem, state: State) -> list[Excursion]:
-    """Those in what a state leaves of the rows that a fit sees, in order.
+    """The excursions in the residual of a state, in order, in the rows that a fit sees.
 
     None of a rig that winds nothing, which has other noise, and none beside adopted effects, which are inexact.
     """
@@ -36,7 +36,7 @@ def excursions(problem: Problem, state: State) -> list[Excursion]:
 
 
 def far_off(residual: Array, time_s: Array) -> list[Excursion]:
-    """The times at which a residual is far from its middle, in order; none where much of it is.
+    """The times at which a residual is far from its median, in order; none where much of it is far off.
 
     `residual` has the shape (samples,), in the reading's unit; `time_s` the same, in s.
     """

@@ -19,7 +19,7 @@ UNKNOWN = 0.4  # of the probability of "none of them", from which on the verdict
 
 @dataclass(frozen=True)
 class LeftOut:
-    """A likely explanation that is no name: `because` of what (`recalibration.py` or `cancels`), `of` which effects."""
+    """A likely explanation that is no name: `because` is the reason (`recalibration.py`), `of` the effects."""
 
     ids: tuple[str, ...]
     because: str
@@ -28,7 +28,7 @@ class LeftOut:
 
 @dataclass(frozen=True)
 class Judged:
-    """Explanations that are held, the likeliest first; how likely each weighed set is, and "none of them"."""
+    """The held explanations, the likeliest first; the probability of each weighed set and of "none of them"."""
 
     sets: list[Explanation]
     likely: dict[tuple[str, ...], float]
@@ -45,7 +45,7 @@ NOTHING = Judged([], {}, 1.0)
 
 
 def held(named: Array) -> list[int]:
-    """Places of the explanations that are held, the likeliest first, from the probability of each.
+    """Places of the held explanations, the likeliest first, from the probability of each.
 
     `named` has the shape (explanations,), in shares of 1.
     """
@@ -55,7 +55,7 @@ def held(named: Array) -> list[int]:
 
 
 def helpers_share(candidates: list[Weighed], named: Array) -> float:
-    """Probability of the explanations without physics of the library: it counts as that of "none of them".
+    """Probability of explanations without physics of the library; it is added to that of "none of them".
 
     `named` has the shape (explanations,), in shares of 1.
     """
@@ -63,7 +63,7 @@ def helpers_share(candidates: list[Weighed], named: Array) -> float:
 
 
 def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
-    """What a search found, judged; `base` is the calibrated simulator, `floor` that of the noise.
+    """The judgement on what a search found; `base` is the calibrated simulator, `floor` the noise floor.
 
     The judge was taught on strings. Where nothing is wound, `compare` does it.
     """

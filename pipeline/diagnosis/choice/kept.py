@@ -1,4 +1,4 @@
-"""Which of the likely explanations are names, why the others are left out, and the simulator with the best in it."""
+"""Which likely explanations are names, why the others are left out, and the simulator with the best name in it."""
 
 from dataclasses import replace
 
@@ -15,10 +15,10 @@ INEXACT_FROM = 0.2  # noise floors between two ways to weigh the samples: more s
 
 
 def kept(search: Search, judgement: Judged, base: State) -> tuple[State, Judged]:
-    """The simulator with the best explanation that is a name, and the judgement, which now says what it leaves out.
+    """The simulator with the best explanation that is a name, and the judgement with the explanations left out.
 
-    `base` is the calibrated simulator. What dimensions could do as well is no name, and effects that cancel each other
-    are not a rival explanation.
+    `base` is the calibrated simulator. An effect that dimensions could imitate is no name. Effects that cancel each
+    other are not a rival explanation.
     """
     problem = search.linear.problem
     dimensions = Linear(problem, base, white(1.0), {})
@@ -37,13 +37,13 @@ def kept(search: Search, judgement: Judged, base: State) -> tuple[State, Judged]
 
 
 def _why_not(search: Search, best: State, dimensions: Linear, sets: int) -> tuple[str, tuple[str, ...]] | None:
-    """Why the best of so many sets is no name once it is refined, and of which of its effects; None where it is one."""
+    """Why the best of so many sets is no name once refined, and by which of its effects; None where it is one."""
     why = no_name(search.linear.problem, best, dimensions)
     return why or (("cancels", ()) if sets > 1 and cancels(search.linear.problem, best) else None)
 
 
 def at_work(search: Search, explanation: Explanation) -> State:
-    """The simulator with an explanation in it, refined through the simulator itself.
+    """The simulator with an explanation in it, fitted again through the simulator itself, without linearisation.
 
     Where the formula is right, weighing samples alike gives what weighing them by their noise gives, but for chance.
     Where the two part, what is left is misfit and no noise, and plain least squares is what a person would want; so it

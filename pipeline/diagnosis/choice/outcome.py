@@ -48,24 +48,24 @@ class Study:
 
     @property
     def simulator(self) -> State:
-        """What predicts the rig: with what is named, or with what comes closest, or the base."""
+        """The state that predicts the rig: with the named effects, else with the closest ones, else calibration."""
         return self.closest or self.state
 
     def beside_chance(self, ids: tuple[str, ...]) -> tuple[str, ...]:
-        """An explanation with what is random in it, which was seen and not weighed, so that it stands in each."""
+        """An explanation with the random effects that were seen: unweighed, they belong to each explanation."""
         return with_random(ids, self.random)
 
     def without_chance(self, ids: tuple[str, ...]) -> tuple[str, ...]:
-        """What of an explanation was weighed."""
+        """The part of an explanation that was weighed: its ids without random effects."""
         return tuple(id_ for id_ in ids if id_ not in self.random)
 
     def explanation(self, ids: tuple[str, ...]) -> Explanation:
-        """The best explanation by these mechanisms; what is random in it has no curve that could be fitted."""
+        """The best explanation by these mechanisms; a random effect in it has no curve that could be fitted."""
         return replace(self.search.explain(self.without_chance(ids) or ids), ids=ids)
 
     @property
     def best_ids(self) -> tuple[str, ...]:
-        """Ids of what the best explanation names."""
+        """Ids that the best explanation names."""
         return tuple(act.id for act in self.best.acts if act not in self.problem.included)
 
 
@@ -138,12 +138,12 @@ def decide(
 
 
 def with_random(ids: tuple[str, ...], random: Iterable[str]) -> tuple[str, ...]:
-    """Ids of an explanation and of what is random, sorted; the same ids where nothing random was seen."""
+    """Ids of an explanation and of random effects, sorted; the same ids where no random effect was seen."""
     return tuple(sorted({*ids, *random})) if random else ids
 
 
 def _likely_beside(likely: dict[tuple[str, ...], float], random: Iterable[str]) -> dict[tuple[str, ...], float]:
-    """Probabilities of explanations, in shares of 1, once what is random stands in each; stand-ins alone stay so."""
+    """Probabilities of explanations, in shares of 1, with random effects added; stand-ins alone stay unchanged."""
     together: dict[tuple[str, ...], float] = {}
     for ids, share in likely.items():
         beside = with_random(ids, random) if physics(ids) else ids
@@ -152,16 +152,16 @@ def _likely_beside(likely: dict[tuple[str, ...], float], random: Iterable[str]) 
 
 
 def bare(problem: Problem, noise: Noise) -> float:
-    """What calibration would leave of a recording without what its `run.yaml` adopted, rms, noise taken off."""
+    """The rms that calibration would leave without the effects that `run.yaml` adopted, noise taken off."""
     without = replace(problem, included=problem.beside)
     bare_rms = rms((problem.measured - without.simulate(calibrate(without, noise)))[: problem.rows])
     return float(np.sqrt(max(bare_rms**2 - noise.floor**2, 0.0)))
 
 
 def surely(noise: Noise) -> float:
-    """Noise floors of mismatch that no noise makes; more, where the floor itself is known badly.
+    """The mismatch in noise floors that no noise makes; it is larger where the floor itself is known badly.
 
-    In a short recording of slow noise the dictionary swallows much of it, and how loud it was is an estimate.
+    In a short recording of slow noise the dictionary swallows much of the noise. Its loudness is then an estimate.
     """
     doubt = 0.5 * max(noise.swallowed - SWALLOWED, 0.0)
     return float(np.sqrt((np.hypot(1.0, UNKNOWN_FROM) + doubt) ** 2 - 1.0))

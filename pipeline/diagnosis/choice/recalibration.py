@@ -1,4 +1,4 @@
-"""Recalibration in disguise: what is named must do something, inside the recording, that dimensions could not."""
+"""Recalibration in disguise: a named effect must do something in the recording that moved dimensions could not."""
 
 import numpy as np
 from scipy.optimize import lsq_linear
@@ -19,7 +19,7 @@ LINES = {"twist": 1, "radius": 0, "length": 0}  # degree in the motion that a di
 
 
 def outside(problem: Problem, terms: list[Term]) -> bool:
-    """Whether the corner of a mechanism lies outside the recording: what is seen of it is a shift or a line.
+    """Whether a mechanism's corner lies outside the recording, so that only a shift or a line of it is seen.
 
     Its first twist, say, is taken up below the lowest twist that was recorded.
     """
@@ -27,7 +27,7 @@ def outside(problem: Problem, terms: list[Term]) -> bool:
 
 
 def _line(problem: Problem, term: Term) -> bool:
-    """Whether a term is no more than a constant, or on the twist a straight line of it, in the rows that a fit sees."""
+    """Whether a term is only a constant, or at the twist port only a straight line, in the rows that a fit sees."""
     if callable(term.signal) or term.port not in LINES:
         return False
     rows = slice(0, problem.rows)
@@ -40,7 +40,7 @@ def _line(problem: Problem, term: Term) -> bool:
 
 
 def only_calibration(effect: Array, dimensions: Linear) -> bool:
-    """Whether dimensions, each moved by no more than it may, take back all but a little of an effect.
+    """Whether dimensions, each moved within its limits, imitate all but a little of an effect.
 
     `dimensions` is the simulator linearised with nothing acting in it. Shape (samples,), in the reading's unit.
     """
@@ -49,7 +49,7 @@ def only_calibration(effect: Array, dimensions: Linear) -> bool:
 
 
 def beyond(effect: Array, dimensions: Linear) -> Array:
-    """What dimensions, each moved by no more than it may, leave of an effect.
+    """The part of an effect that dimensions, each moved within its limits, cannot imitate.
 
     Both of shape (samples,), in the reading's unit.
     """
@@ -76,7 +76,7 @@ def in_disguise(linear: Linear, explanation: Explanation, dimensions: Linear) ->
 
 
 def no_name(problem: Problem, state: State, dimensions: Linear) -> Why | None:
-    """Why what acts in a simulator can be no explanation: no physics of any strength, or calibration in disguise.
+    """Why the acts of a simulator can be no explanation: no strength, or calibration in disguise.
 
     None where it can. A simulator in which nothing acts names nothing and is none.
     """

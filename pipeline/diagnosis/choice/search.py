@@ -27,7 +27,7 @@ SIGNS_TRIED = 24  # of the best further events, until one goes the same way as t
 
 @dataclass(frozen=True)
 class Explanation:
-    """A set of mechanisms at candidates of each, its fit, its cost (misfit and ln n a number) and plain energy."""
+    """Mechanisms, each with its candidates; their fit, its cost (misfit and ln n per number) and plain energy."""
 
     ids: tuple[str, ...]
     keys: tuple[Key, ...]
@@ -37,7 +37,7 @@ class Explanation:
 
 
 class Search:
-    """Explanations on one linearisation, remembered."""
+    """The explanations on one linearisation; each fitted one is remembered."""
 
     def __init__(self, linear: Linear, least: float = 0.0) -> None:
         self.linear, self.least = linear, least  # rms that a mechanism must take away at least
@@ -109,7 +109,7 @@ class Search:
         return self.explained([ids])[0]
 
     def explained(self, sets: list[tuple[str, ...]]) -> list[Explanation]:
-        """The best explanation by exactly the mechanisms of each set; what many leave is asked for at once."""
+        """The best explanation by exactly the mechanisms of each set; all of them are asked for at once."""
         ordered = [tuple(sorted(ids)) for ids in sets]
         new = [ids for ids in dict.fromkeys(ordered) if ids not in self._explained]
         if new:
@@ -158,7 +158,7 @@ class Search:
         return Explanation(explanation.ids, explanation.keys, fit, cost, self.linear.plain(columns).energy)
 
     def more(self, small: Explanation, large: Explanation, floor: float) -> bool:
-        """Whether a larger explanation has physics that no discrepancy of the smaller one's formulas makes up for."""
+        """Whether a larger explanation has physics that a discrepancy of the smaller one's formulas cannot replace."""
         if not small.ids:
             enough = small.energy - large.energy >= max(LEAST_EFFECT * floor, self.least) ** 2
             return large.cost <= small.cost - LEAST_GAIN and enough
@@ -177,7 +177,7 @@ class Search:
         return float(np.sqrt(max(self.nothing.energy - floor**2, 0.0)))
 
     def forward(self, floor: float, largest: int | None = None) -> Explanation:
-        """The smallest explanation that a larger one does not beat by enough, in likelihood and in size."""
+        """The smallest explanation that no larger one beats by enough, in likelihood and in size."""
         chosen = self.nothing
         for size in range(1, (largest or self.largest) + 1):
             larger = self.all_of(size)
@@ -190,7 +190,7 @@ class Search:
         return chosen
 
     def select(self, floor: float, largest: int | None = None) -> Explanation:
-        """What going forward chooses, without the mechanism that going backward does not miss."""
+        """The explanation that `forward` chooses, without a mechanism that turns out not to be needed."""
         chosen = self.forward(floor, largest)
         for id_ in chosen.ids if len(chosen.ids) > 1 else ():
             smaller = self.explain(tuple(other for other in chosen.ids if other != id_))

@@ -58,7 +58,7 @@ def weighed(search: Search, base: State, floor: float) -> list[Weighed]:
 
 
 def marked(problem: Problem, base: State) -> dict[str, float]:
-    """How clearly what calibration leaves shows the mark of each mechanism that has one, by id."""
+    """How clearly the residual after calibration shows the mark of each mechanism that has one, by id."""
     predicted = problem.simulate(base)[: problem.rows]
     residual = problem.measured[: problem.rows] - predicted
     library = problem.library.items()
@@ -66,7 +66,7 @@ def marked(problem: Problem, base: State) -> dict[str, float]:
 
 
 def own(marks: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
-    """Each mark, apart for a set that names its mechanism and for one that does not."""
+    """Each mark twice: for a set that names its mechanism, and for a set that does not."""
     mark_by_sign = {f"with_{id_}": mark if id_ in ids else 0.0 for id_, mark in marks.items()}
     return mark_by_sign | {f"without_{id_}": 0.0 if id_ in ids else mark for id_, mark in marks.items()}
 
@@ -77,18 +77,18 @@ def amplitude(energy: float, floor: float) -> float:
 
 
 def worth(smaller: Explanation, larger: Explanation) -> float:
-    """What the larger explanation takes away beyond the smaller one, rms."""
+    """The rms that the larger explanation takes away beyond the smaller one."""
     return float(np.sqrt(max(smaller.energy - larger.energy, 0.0)))
 
 
 def completes(smaller: Explanation, larger: Explanation, floor: float) -> float:
-    """The share of what the smaller explanation leaves beyond the noise that the larger one takes away."""
+    """The share of the smaller explanation's excess over the noise that the larger one takes away."""
     excess_energy = max(smaller.energy - floor**2, LEAST_LEFT * floor**2)
     return float(np.clip((smaller.energy - larger.energy) / excess_energy, -1.0, 2.0))
 
 
 def cost(difference: float) -> float:
-    """A difference of costs, large ones compressed."""
+    """A difference of costs on a scale that compresses large ones."""
     return float(np.arcsinh(difference / 10.0))
 
 
@@ -118,7 +118,7 @@ def signs(search: Search, explanation: Explanation, rivals: list[Explanation], f
 def _parts(
     search: Search, explanation: Explanation, rivals: list[Explanation], floor: float, whole: float
 ) -> dict[str, float]:
-    """What the part that is worth least is worth, and how much of it another in its place would do."""
+    """The worth of an explanation's weakest mechanism, and how much of it another mechanism would give instead."""
     smaller = (
         [search.explain(tuple(id_ for id_ in explanation.ids if id_ != out)) for out in explanation.ids]
         if len(explanation.ids) > 1
@@ -137,7 +137,7 @@ def _parts(
 
 
 def _more(explanation: Explanation, rivals: list[Explanation], floor: float, whole: float) -> dict[str, float]:
-    """What the best further mechanism would add."""
+    """The gain that the best further mechanism would add."""
     larger = [
         other
         for other in rivals
@@ -155,12 +155,12 @@ def _more(explanation: Explanation, rivals: list[Explanation], floor: float, who
 
 
 def cancelled(own: float, together: float) -> float:
-    """The logarithm of how much larger the parts of an explanation are than what they do together, both in mm."""
+    """The logarithm of the ratio of an explanation's effects, added one by one, to their joint effect, both in mm."""
     return float(np.clip(np.log(own / together), 0.0, MOST_CANCELLED)) if together > 0.0 and own > 0.0 else 0.0
 
 
 def sizes(search: Search, explanation: Explanation) -> tuple[float, float]:
-    """How large the parts of an explanation are, each by itself and then added, and what they do together, in mm."""
+    """The sizes of an explanation's effects, taken one by one and added, and the size of their joint effect, in mm."""
     linear = search.linear
     fit = linear.plain(linear.columns_of(explanation.keys))
     at, own, together = len(linear.calibration), 0.0, np.zeros(linear.rows)

@@ -1,1 +1,1 @@
-"""What `diagnosis.json` and `run.yaml` hold of a diagnosis, and that it has the form for a program to read."""
+"""The form in which `diagnosis.json` and `run.yaml` hold a diagnosis, and its check before a program reads it."""

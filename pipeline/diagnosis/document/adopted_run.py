@@ -1,4 +1,4 @@
-"""The run that decides between what tied, as run.yaml holds it: a short list, a line for each thing to do."""
+"""The run that decides a tie, as run.yaml holds it: a short list, one line for each thing to do."""
 
 import re
 
@@ -12,7 +12,7 @@ DROPPED = "Record "  # how the sentence begins that the commands replace
 
 
 def as_list(experiment: str) -> list[str]:
-    """A run as `next_experiment` of diagnosis.json holds it, as its title, its steps, and what it is good for.
+    """A run in the form of `next_experiment` in diagnosis.json: its title, its steps, and what it is good for.
 
     What the predictions differ by, and how the recording is diagnosed, stay in the adopted diagnosis.
     """
@@ -27,5 +27,5 @@ def as_list(experiment: str) -> list[str]:
 
 
 def in_one_line(protocol: str | list[str] | None) -> str | None:
-    """A run of a run.yaml in one line, be it a list or, as earlier, a paragraph."""
+    """A run from a run.yaml in one line, whether it is a list or a paragraph, as in earlier versions."""
     return " ".join(protocol) if isinstance(protocol, list) else protocol

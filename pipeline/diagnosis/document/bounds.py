@@ -7,7 +7,7 @@ HOME_REACH = 20.0  # tolerances that the motor's zero of a later run may move: i
 
 
 def at_bound(moved_sigma: dict[str, float]) -> dict[str, str]:
-    """Each dimension that stands at the bound of its tolerance, `upper` or `lower`, from how many sigma each moved."""
+    """Each dimension at the bound of its tolerance, `upper` or `lower`, from the sigma that each dimension moved."""
     return {
         name: "upper" if sigma > 0.0 else "lower"
         for name, sigma in moved_sigma.items()
@@ -16,5 +16,5 @@ def at_bound(moved_sigma: dict[str, float]) -> dict[str, str]:
 
 
 def of_later_run(name: str) -> bool:
-    """Whether a parameter is a later run's own, such as `angle_turns_2`: a break changed it, and it is no dimension."""
+    """Whether a parameter belongs to a later run alone, such as `angle_turns_2`, and so is no dimension."""
     return re.search(r"_turns_\d+$", name) is not None

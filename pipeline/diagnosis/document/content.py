@@ -12,7 +12,7 @@ from .made_keys import amount
 
 
 class Simulated(TypedDict):
-    """What a simulator takes of it: dimensions by name, each with its `value`, and what acts. `run`: of which runs.
+    """What a simulator takes from a diagnosis: dimensions by name, the acting effects, and `run`: of which runs.
 
     `against_advice`: of a run.yaml, what the verdicts advised that it adopted against their advice.
     """
@@ -58,7 +58,7 @@ class Rival(TypedDict):
 
 
 class Unseen(TypedDict):
-    """The simulator that the whole procedure found without the last strokes, and what it saw of each run, in s."""
+    """The simulator that was found without the last strokes, and how much of each run it saw, in s."""
 
     seen_s: list[float]  # from the run's first sample on; a run with 0 was not seen at all
     parameters: dict[str, Dimension]
@@ -66,7 +66,7 @@ class Unseen(TypedDict):
 
 
 class Mismatch(TypedDict):
-    """What is wrong with a simulator: where, and what it follows; a made key: `rms_…`, in the reading's unit."""
+    """A simulator's mismatch: where it is and what it follows; a made key: `rms_…`, in the reading's unit."""
 
     location: Location
     driver: str
@@ -102,7 +102,7 @@ class Fit(TypedDict, total=False):
 
 
 class Verdict(Simulated, total=False):
-    """All of it, as docs/diagnosis_json.md describes it; a file may lack anything but what is simulated."""
+    """The whole content, as docs/diagnosis_json.md describes it; only what is simulated must be there."""
 
     verdict: str  # consistent, parameters, explained, ambiguous or unknown
     mismatch: Mismatch | None
@@ -132,14 +132,14 @@ def proposal(content: Verdict) -> NextRun:
 
 
 def mismatch_of(content: Verdict) -> Mismatch:
-    """What is wrong with the simulator: how much, where, and what it follows; raises ValueError where nothing is."""
+    """The mismatch of the simulator: how much, where, and what it follows; raises ValueError where there is none."""
     if content["mismatch"] is None:
         raise ValueError("the verdict has no mismatch")
     return content["mismatch"]
 
 
 def left_with_discrepancy(explanation: ExplanationEntry, ending: str) -> float:
-    """What an explanation leaves if its formulas may be a little wrong, rms in the reading's unit, `ending` of keys.
+    """The rms that an explanation leaves if its formulas may be a little wrong; `ending` of the keys.
 
     A file from before 2026-11-28 calls it `bent_…`.
     """

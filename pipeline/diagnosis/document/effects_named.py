@@ -31,7 +31,7 @@ class Dimension(TypedDict, total=False):
 
 
 class WithParameters(TypedDict):
-    """What has the parameters of an effect."""
+    """An entry that has the parameters of an effect."""
 
     parameters: dict[str, Quantity]
 
@@ -46,7 +46,7 @@ class MechanismEntry(WithParameters):
 
 
 class StandIn(TypedDict):
-    """What a simulator has beside what is named; made keys: `rms_…` with a `value`, `span_…`, in the reading's unit."""
+    """A stand-in of a simulator, beside the named effects; made keys: `rms_…` with a `value`, and `span_…`."""
 
     id: str
     parameters: dict[str, Quantity]
@@ -62,13 +62,13 @@ class AdoptedEffect(TypedDict):
 
 
 class OfYourOwn(TypedDict):
-    """What mechanisms of a user's own explain, which names nothing."""
+    """What mechanisms of a user's own explain; the verdict names none of them."""
 
     mechanisms: list[MechanismEntry]
     simulation: NotRequired[list[Included]]
 
 
 class Loop(TypedDict):
-    """How far both ways part; made keys: `width_…` in the reading's unit, and the channel that moves: where."""
+    """How far winding and unwinding part; made keys: `width_…` in the reading's unit, and the channel: where."""
 
     by_load: NotRequired[list[list[float]]]  # loads in their unit, each with the width under it

@@ -1,4 +1,4 @@
-"""What the words of a verdict stand on, as `evidence` of a diagnosis holds it."""
+"""The facts that the words of a verdict rest on: `evidence` of a diagnosis."""
 
 from typing import TypedDict
 
@@ -8,7 +8,7 @@ from .explanations import ExplanationEntry, LeftOut, NotKept
 
 
 class Pattern(TypedDict, total=False):
-    """What an explanation leaves that is no noise; a made key: `rms_…`, in the reading's unit."""
+    """The part of an explanation's residual that is no noise; a made key: `rms_…`, in the reading's unit."""
 
     location: Location
     driver: list[str]
@@ -39,7 +39,7 @@ class Spike(TypedDict):
 
 
 class Covered(TypedDict, total=False):
-    """What a recording covers: lowest and highest, in the units of load and motion."""
+    """The range that a recording covers: lowest and highest, in the units of load and motion."""
 
     load: list[float]
     speed_per_s: list[float]

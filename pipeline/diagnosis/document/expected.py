@@ -1,4 +1,4 @@
-"""Parts of a diagnosis that foretell: what each explanation expects of strokes that nobody made, and the next run."""
+"""Parts of a diagnosis that foretell: what each explanation expects of strokes not made yet, and the next run."""
 
 from typing import NotRequired, TypedDict
 
@@ -14,7 +14,7 @@ class ExpectedExplanation(TypedDict):
 
 
 class Expected(TypedDict, total=False):
-    """What explanations foretell of strokes that nobody made, and of which strokes; empty where nothing is named."""
+    """What explanations foretell of strokes not made yet, and of which strokes; empty where nothing is named."""
 
     load: float  # the usual one, in the unit of the load
     speed_per_s: float  # the usual one, in the motion's unit per second
@@ -51,7 +51,7 @@ Place = TypedDict("Place", {"from": float}, total=False)  # the motion that a pr
 
 
 class NextRun(Place, total=False):
-    """A proposed run, in numbers; `gap_now` and `gap_then`: by how much the best leads, now and as foretold."""
+    """A proposed run in numbers; `gap_now`, `gap_then`: the lead of the best explanation, now and as foretold."""
 
     title: str
     legs: list[LegSaid]

@@ -48,7 +48,7 @@ class Change(TypedDict):
 
 
 class Stood(TypedDict):
-    """What one tied explanation leaves to change while the motor stands, by `hold` and `rest`."""
+    """By how much the residual of a tied explanation changes while the motor stands, by `hold` and `rest`."""
 
     ids: list[str]
     stands: dict[str, Change]

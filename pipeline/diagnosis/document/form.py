@@ -1,4 +1,4 @@
-"""What a program reads of a `diagnosis.json` has the form that a diagnosis gives it, or is refused by its field."""
+"""Checks that the parts of a `diagnosis.json` have the right form; a wrong part is refused by its field."""
 
 from pathlib import Path
 from typing import Any, TypeVar
@@ -10,7 +10,7 @@ from ...ground.input.complaint import short
 
 
 class Form(BaseModel):
-    """The form of a part of a diagnosis: nothing is taken for what it is not."""
+    """The form of one part of a diagnosis: a value of another type is refused."""
 
     model_config = ConfigDict(strict=True)
 
@@ -19,7 +19,7 @@ AnyForm = TypeVar("AnyForm", bound=Form)
 
 
 def formed(form: type[AnyForm], content: Any, path: Path, mend: str, field: str = "") -> AnyForm:
-    """A part of the diagnosis at `path` in its form; raises BadInput for another, with the field that is wrong.
+    """The part of the diagnosis at `path`, checked; raises BadInput with the field that is wrong.
 
     `field` is the part's own name, which stands for all of it; left out, it is that of the first wrong field in it.
     """

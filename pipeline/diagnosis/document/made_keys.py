@@ -1,4 +1,4 @@
-"""What stands in a part of a diagnosis under a key that is made: of the reading's unit (`rms_mm`), or a channel's name.
+"""Values under keys that are made at run time: from the reading's unit (`rms_mm`), or from a channel's name.
 
 A type names only the keys that are the same on every rig; these are read and written here, and checked when they are.
 """
@@ -41,7 +41,7 @@ def extent(part: Mapping[str, object], key: str) -> list[float]:
 
 
 def by_name(part: Mapping[str, object], key: str) -> dict[str, float]:
-    """The numbers by name, mostly of effects, under a made key, in the unit that the key says; empty without them."""
+    """Numbers by name, mostly of effects, under a made key, in the key's unit; empty where there are none."""
     value = part.get(key, {})
     if not isinstance(value, dict):
         raise TypeError(f"{key} has no numbers by name")
@@ -57,7 +57,7 @@ def interval(part: Mapping[str, object], key: str) -> Interval:
 
 
 def with_made(part: AnyPart, by_made_key: Mapping[str, Made], before: str = "") -> AnyPart:
-    """The part with what stands under made keys, before its own entry `before`, else last: as in the file."""
+    """The part with the values under made keys before its entry `before`, else at its end, as in the file."""
     place = list(part).index(before) if before in part else len(part)
     first, last = ({key: part[key] for key in keys} for keys in (list(part)[:place], list(part)[place:]))
     # a type names no made key; a part may have them all the same
@@ -65,5 +65,5 @@ def with_made(part: AnyPart, by_made_key: Mapping[str, Made], before: str = "") 
 
 
 def put(part: Mapping[str, object], key: str, value: Made) -> None:
-    """Write what stands under a made key into a part."""
+    """Write a value under a made key into a part."""
     cast(dict[str, object], part)[key] = value  # a type names no made key, and a part may have them all the same

@@ -1,4 +1,4 @@
-"""The time constants of a named effect: those that carry most of it, not all that a recording could have shown."""
+"""The time constants of a named effect that carry most of it, not all that a recording could have shown."""
 
 import re
 

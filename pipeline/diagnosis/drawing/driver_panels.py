@@ -55,7 +55,7 @@ def listeners(drivers: Drivers, pitch: float = 0.0, motion: str = "") -> dict[st
 
 
 def filled(figure: SubFigure, count: int) -> list[Axes]:
-    """So many panels in two rows without a hole; all share the axis of the first."""
+    """That many panels in two rows without a gap; all share the axis of the first panel."""
     upper = (count + 1) // 2
     grid = figure.add_gridspec(2 if count > 1 else 1, upper * max(count - upper, 1))
     filled_axes: list[Axes] = []
@@ -96,7 +96,7 @@ def by_driver(
 def by_stroke(
     axes: Axes, drivers: Drivers, signal: Array, residuals: dict[str, Array], floor: float, label: str
 ) -> bool:
-    """Mean residual of whole strokes over the mean of a slow signal; whether there are strokes enough to draw it.
+    """Mean residual of whole strokes over the mean of a slow signal; False if there are too few strokes.
 
     Each of shape (samples,), in its unit.
     """

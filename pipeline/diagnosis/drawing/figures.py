@@ -41,7 +41,7 @@ WIDE = 100  # characters of a line of the title
 
 
 def title(content: Verdict, holds: bool = False, misses: bool = False) -> str:
-    """The verdict in at most two lines, none longer than the page is wide: the best explanation, how many more tie.
+    """The verdict in at most two lines that fit the page: the best explanation, and how many others tie.
 
     `holds`: what run.yaml has adopted still explains the recording; `misses`: something is still missing.
     """
@@ -75,7 +75,7 @@ def title(content: Verdict, holds: bool = False, misses: bool = False) -> str:
 
 
 def _kept(content: Verdict, adopted_ids: list[str]) -> str:
-    """That `adopted_ids` still explain the recording; that this is no test where it was fitted to it."""
+    """The sentence that `adopted_ids` still explain the recording, and is no test where they were fitted to it."""
     adopted = f"adopted {TOGETHER.join(adopted_ids)}"
     if holdout.against_advice(content):
         return f"{adopted}, against the advice of {'its' if len(adopted_ids) == 1 else 'their'} verdict"
@@ -85,7 +85,7 @@ def _kept(content: Verdict, adopted_ids: list[str]) -> str:
 
 
 def warning(content: Verdict, words: Vocabulary) -> str:
-    """A run.yaml not to predict with, that nothing is to be adopted, and which dimensions moved far, a line each."""
+    """Lines: a run.yaml not to predict with, that nothing is to be adopted, and which dimensions moved far."""
     lines = [textwrap.fill(sentence.rstrip("."), WIDEST) for sentence in against_advice(content)]
     lines += [sentence for sentence in (unfit(content, words), excursions.in_short(content, words)) if sentence]
     if against := advice.against(content, words):
@@ -104,7 +104,7 @@ def page(study: Study, content: Verdict, path: Path, mark: str = "") -> None:
 
 
 def as_adopted(study: Study, verdict: Verdict) -> Array | None:
-    """What the simulator reads as it was adopted, with the zero of the reading at its best; None where none was so.
+    """The reading of the simulator as it was adopted, with its best zero; None where nothing was adopted.
 
     Shape (samples,), in the reading's unit.
     """

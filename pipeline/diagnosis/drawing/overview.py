@@ -1,4 +1,4 @@
-"""The panels over time: the recording with what can be told from it, what each simulator leaves, and the load."""
+"""The panels over time: the recording with the simulators that differ visibly, their residuals, and the load."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -90,7 +90,7 @@ def unseen_part(axes: Axes, drivers: Drivers, seen_s: list[float]) -> bool:
 
 
 def own_zeros(drivers: Drivers, measured: Array) -> tuple[Array, str]:
-    """What is taken off each run's readings, and what the axis says of it; nothing where the runs' zeros are near.
+    """What is subtracted from each run's readings, and the axis' remark; nothing where the zeros are near.
 
     Of shape (samples,), in the reading's unit, as `measured` is.
     """
@@ -106,7 +106,7 @@ def own_zeros(drivers: Drivers, measured: Array) -> tuple[Array, str]:
 
 
 def seen(measured: Array, simulations: dict[str, Array]) -> list[str]:
-    """The simulators that leave the recording by so much that a line shows it, and the last one in any case.
+    """The simulators that differ visibly from the recording, and the last one in any case.
 
     Each of shape (samples,), in the reading's unit.
     """
@@ -122,12 +122,12 @@ def seen(measured: Array, simulations: dict[str, Array]) -> list[str]:
 
 
 def _alike(values: Array, others: Array, least: float) -> bool:
-    """Whether nearly everywhere the line of some values would lie under that of others, both of shape (samples,)."""
+    """Whether the lines of two signals of shape (samples,) would cover each other nearly everywhere."""
     return bool(np.percentile(np.abs(values - others), NEARLY) <= least)
 
 
 def _residuals(axes: Axes, drivers: Drivers, residuals: dict[str, Array], unit: str) -> None:
-    """What each simulator leaves; of one that leaves far more than the others its size alone, in the legend."""
+    """The residual of each simulator; of one far larger than the others only its size, in the legend."""
     *_, other, _ = [rms(values) for values in residuals.values()]
     lines: dict[str, tuple[Array, dict[str, Any]]] = {}
     for name, values in residuals.items():

@@ -57,14 +57,14 @@ def ways(drivers: Drivers) -> tuple[str, str]:
 
 
 def briefly(explanation: ExplanationEntry) -> str:
-    """What stands beside an explanation's point: its probability, and why a probable one is none."""
+    """The remark beside an explanation's point: its probability, and why a probable one is no name."""
     share = explanation.get("probability")
     parts = [] if share is None else [percent(share) if share else "less than 1 %"]
     return ", ".join(parts + ["its effects cancel"] * bool(explanation.get("balanced")))
 
 
 def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> None:
-    """What explanations leave of the recording, in noise floors, coloured by how each fared; `noise` is the floor's."""
+    """The residuals of the explanations, in noise floors, coloured by standing; `noise` is the noise floor."""
     adopted = set(included(content))
     all_explanations = content["evidence"]["explanations"]
     listed = all_explanations
@@ -136,7 +136,7 @@ def ranking(axes: Axes, content: Verdict, ending: str, noise: str = "noise") -> 
 
 
 def _standing(explanation: ExplanationEntry, first: ExplanationEntry, unknown: bool) -> str:
-    """How an explanation fared, as its colour says it: where nothing is named only the `first` is the best there is."""
+    """How an explanation fared, as its colour says it. Where nothing is named, only the `first` is the best one."""
     of_others = unknown and explanation["standing"] == "not enough" and explanation is not first
     return "beaten" if of_others else str(explanation["standing"])
 

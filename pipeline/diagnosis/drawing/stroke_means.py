@@ -1,4 +1,4 @@
-"""Means over whole strokes: what is slow is seen in them, and no beat of strokes with bins of time."""
+"""Means over whole strokes: they show slow effects, without a beat between strokes and bins of time."""
 
 import numpy as np
 

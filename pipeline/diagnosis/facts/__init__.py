@@ -1,1 +1,1 @@
-"""What the verdict rests on, in numbers: sizes, places, loops, look-alikes, and what would have been seen."""
+"""The numbers that the verdict rests on: sizes, places, loops, look-alikes, and what would have been seen."""

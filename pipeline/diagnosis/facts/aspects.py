@@ -21,7 +21,7 @@ MARKS = ("with_", "without_")  # of a mechanism, whose id follows
 
 
 def aspect_of(sign: str) -> str:
-    """The aspect that a sign belongs to: one of `SIGNS`, `mark_<id>`, or, of what is no sign, its own name."""
+    """The aspect of a sign: one of `SIGNS` or `mark_<id>`; a name that is no sign is its own aspect."""
     for start in MARKS:
         if sign.startswith(start):
             return f"mark_{sign.removeprefix(start)}"
@@ -29,7 +29,7 @@ def aspect_of(sign: str) -> str:
 
 
 def by_aspect(judge: Judge, rival: Weighed, best: Weighed) -> dict[str, float]:
-    """What each aspect adds to the log of how much likelier `rival` is than `best`; the parts add up to all of it."""
+    """What each aspect adds to the log of the odds of `rival` against `best`; the parts add up to the whole."""
     lead_by_aspect: dict[str, float] = {}
     for sign, part in judge.because(rival, best).items():
         lead_by_aspect[aspect_of(sign)] = lead_by_aspect.get(aspect_of(sign), 0.0) + part
@@ -47,7 +47,7 @@ def chief(judge: Judge, rival: Weighed, best: Weighed) -> list[Cause]:
 
 
 def _lead(aspect: str, rival: Weighed) -> float:
-    """The sign that tells which way an aspect points; of what is no sign, the number of effects."""
+    """The sign that tells which way an aspect points; for an aspect without signs, the number of effects."""
     if aspect.startswith("mark_"):
         return float(aspect.removeprefix("mark_") in rival.ids)
     return rival.signs.get(SIGNS[aspect][0], 0.0) if aspect in SIGNS else float(len(rival.ids))

@@ -1,4 +1,4 @@
-"""What the held-out strokes went to that no stroke before them did: another load, or a higher motion."""
+"""Loads and motions of the held-out strokes that no stroke before them reached."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ FARTHER = 0.1  # of the largest that was seen: less is alike
 
 
 def beyond_seen(record: Record, until_s: float) -> dict[str, list[list[float]]]:
-    """The range of the strokes before `until_s` and that of those after it, by `load` and `motion`, where it is wider.
+    """Ranges before and after `until_s`, by `load` and `motion`, where the later one is wider.
 
     In the units of the record's load and motion; empty where the later strokes stay within what was seen.
     """

@@ -1,4 +1,4 @@
-"""What the words of a verdict stand on: explanations, sizes, dimensions and what was covered, as one document."""
+"""The facts that the words of a verdict rest on: explanations, sizes, dimensions and what was covered."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ def tolerances(study: Study) -> dict[str, float]:
 
 
 def misfits(study: Study, ending: str) -> dict[str, float]:
-    """What the simulator leaves of the recording as `run.yaml` has it, and with its dimensions calibrated, rms."""
+    """The rms residual of the recording, with the dimensions of `run.yaml` and with calibrated ones."""
     problem = study.problem
     return {
         f"{name}_{ending}": rms((problem.measured - problem.simulate(state))[: problem.rows])
@@ -40,7 +40,7 @@ def misfits(study: Study, ending: str) -> dict[str, float]:
 
 
 def gone_off(study: Study, ending: str) -> Evidence:
-    """`excursions`: when, for how long and by how much, in s and in the reading's unit `ending`; nothing if none is.
+    """`excursions`: when, how long and how far, in s and in the reading's unit `ending`; nothing if there are none.
 
     Beside it `between_…`: what calibration leaves of the time between them, rms.
     """
@@ -59,7 +59,7 @@ def gone_off(study: Study, ending: str) -> Evidence:
 
 
 def evidence(study: Study) -> Evidence:
-    """All of it, as `diagnosis.json` holds it; `floor` is that of the values that were compared, `step_s` apart."""
+    """All the facts, as `diagnosis.json` holds them; `floor` is that of the compared values, `step_s` apart."""
     system, drivers = study.problem.system, study.problem.drivers
     ending = system.channel.rpartition("_")[2]
     effects, alone = mechanism_entries.named_effects(study), misfits(study, ending)

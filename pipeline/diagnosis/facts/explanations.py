@@ -1,4 +1,4 @@
-"""Each explanation that was weighed: what it leaves, where it differs from the best one, what counts against it.
+"""Each explanation that was weighed: its residual, where it differs from the best one, and what counts against it.
 
 Nothing here decides: the verdict is already made.
 """
@@ -27,7 +27,7 @@ FOLLOWS = 0.5  # of a signal's energy: what a driver must carry for the signal t
 
 
 def listed(study: Study) -> list[Explanation]:
-    """What is shown: nothing, what ties, the likeliest others, the best of every size; in order of what they leave."""
+    """The explanations to show, by residual: none, the tied, the likeliest others, and the best of every size."""
     shown = {explanation.ids: explanation for explanation in (study.search.nothing, *study.sets)}
     likeliest = sorted(study.judged.likely, key=lambda ids: -study.judged.likely[ids])
     for ids in likeliest[: len(study.sets) + RULED_OUT]:
@@ -44,12 +44,11 @@ def listed(study: Study) -> list[Explanation]:
 
 
 def explanations(study: Study, ending: str, calibrated: float) -> list[ExplanationEntry]:
-    """Every explanation that is shown: its ids, its standing, what it leaves (rms), and how it falls short of the best.
+    """Every shown explanation: its ids, its standing, the rms that it leaves, and how it differs from the best.
 
-    `with_discrepancy_…`: what it leaves with a discrepancy of its formulas. `worse`: misfit over that of the first,
-    which is minus twice the logarithm of how much likelier the first makes the recording. `calibrated` is what
-    calibration alone leaves, rms: the simulator's own number; what the search took it for stands beside it as
-    `approximated_…`.
+    `with_discrepancy_…`: the rms that it leaves with a discrepancy of its formulas. `worse`: its misfit minus that of
+    the first, which is twice the logarithm of the ratio of their likelihoods. `calibrated` is the rms that calibration
+    alone leaves, by the simulator itself. The search's approximation of it is `approximated_…`.
     """
     search = study.search
     decided = study.verdict in ("explained", "ambiguous")
@@ -94,7 +93,7 @@ def probability(study: Study, ids: tuple[str, ...]) -> float | None:
 
 
 def left_out(study: Study) -> list[LeftOut]:
-    """The likely explanations that are no names: ids, probability, `because` of what, and `of` which effects."""
+    """The likely explanations that are no names: ids, probability, the reason `because`, and the effects `of`."""
     return [
         {"ids": [*out.ids], "because": out.because, "of": [*out.of], "probability": probability(study, out.ids)}
         for out in study.judged.left_out
@@ -109,7 +108,7 @@ def because(study: Study, ids: tuple[str, ...], best: tuple[str, ...]) -> list[C
 
 
 def fitted(search: Search, explanation: Explanation) -> Array:
-    """What an explanation predicts beside the linearised simulator, calibration included, one value a sample.
+    """The prediction of an explanation less that of the linearised simulator, calibration included, one value a sample.
 
     In the reading's unit.
     """

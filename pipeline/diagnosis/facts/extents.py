@@ -14,17 +14,17 @@ TOP = 0.02  # of the motion's range: what is nearer to its highest value is the 
 
 
 def spans(effects: dict[str, Array]) -> dict[str, float]:
-    """From the lowest to the highest value of each effect, a few samples aside, in the reading's unit.
+    """The difference of the highest and the lowest value of each effect, a few samples left out.
 
-    Each effect has the shape (samples,).
+    Each effect has the shape (samples,), in the reading's unit.
     """
     return {id_: float(np.subtract(*np.percentile(effect, [99.9, 0.1]))) for id_, effect in effects.items()}
 
 
 def trends(effects: dict[str, Array]) -> dict[str, float]:
-    """By how much each effect moves the reading from the first third to the last, on average, in the reading's unit.
+    """The mean of each effect in the last third of the recording less its mean in the first third.
 
-    Each effect has the shape (samples,).
+    Each effect has the shape (samples,), in the reading's unit.
     """
     thirds = {id_: max(len(effect) // 3, 1) for id_, effect in effects.items()}
     return {
@@ -33,10 +33,10 @@ def trends(effects: dict[str, Array]) -> dict[str, float]:
 
 
 def tops(effects: dict[str, Array], record: Record) -> dict[str, float]:
-    """By how much each slow effect moves the reading at the highest motion from the first stroke that goes there.
+    """By how much each slow effect changes at the highest motion, from the first stroke there to the last.
 
-    To the last one under the same load. Dimensions cannot do it: they are the same in every stroke. Each effect has the
-    shape (samples,), in the reading's unit.
+    Only strokes under the load of the first one count. Dimensions cannot make such a change, since they are the same in
+    every stroke. Each effect has the shape (samples,), in the reading's unit.
     """
     high = record.motion >= record.motion.max() - TOP * np.ptp(record.motion)
     strokes = [high & (record.stroke == stroke) for stroke in np.unique(record.stroke[high & (record.stroke > 0)])]

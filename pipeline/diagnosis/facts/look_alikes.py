@@ -1,4 +1,4 @@
-"""How much of each named effect moved dimensions cannot do, and which dimensions moved in its place."""
+"""The part of each named effect that moved dimensions cannot imitate, and which dimensions move in its place."""
 
 from ..choice.outcome import Study, rms
 from ..choice.recalibration import beyond
@@ -10,9 +10,9 @@ from ..numerics.noise import white
 
 
 def look_alikes(study: Study, ending: str) -> Evidence:
-    """What dimensions leave of each effect, rms, by id; and by how many tolerances each moved where nothing is named.
+    """The rms of each effect that dimensions cannot imitate, by id, and how far calibration alone moves each.
 
-    `ending` is that of the keys. Nothing where nothing is named.
+    Dimensions move in tolerances. `ending` is that of the keys. Nothing where nothing is named.
     """
     problem = study.problem
     ids = [act.id for act in study.state.acts if act not in problem.included and act.id not in study.random]

@@ -1,4 +1,4 @@
-"""What is named: each mechanism at work with its size, parameters and place, as `diagnosis.json` lists it."""
+"""The named mechanisms, each with its size, parameters and place, as `diagnosis.json` lists them."""
 
 import numpy as np
 
@@ -97,7 +97,7 @@ def listed(study: Study, fine: Problem, bands: Intervals, unit: str) -> list[Mec
 
 
 def named_effects(study: Study) -> dict[str, Array]:
-    """What each named mechanism does to the reading, by id; what is chance is left out.
+    """What each named mechanism does to the reading, by id; random effects are left out.
 
     Each of shape (samples,), in the reading's unit.
     """
@@ -107,7 +107,7 @@ def named_effects(study: Study) -> dict[str, Array]:
 
 
 def opened(problem: Problem, effects: dict[str, Array], reading: str, driver: str) -> dict[str, Loop]:
-    """Of each effect with a loop, by id: how far both ways part, as `reading`, and where, as `driver`.
+    """The loop of each effect that has one, by id: its width as `reading`, and where it is, as `driver`.
 
     `by_load`: where strokes were made under several loads, the lowest and the highest, with the width under each.
     Each effect has the shape (samples,), in the reading's unit.
@@ -122,7 +122,7 @@ def opened(problem: Problem, effects: dict[str, Array], reading: str, driver: st
 
 
 def recorded_about(drivers: Drivers, at_s: float) -> tuple[float, float]:
-    """Begin and end, in s, of the run that a time lies in: nothing is known to happen where nothing was recorded."""
+    """Begin and end, in s, of the run that holds a time: nothing is known of the time between runs."""
     run = int(np.searchsorted(drivers.elapsed_s[drivers.breaks], at_s, side="right"))
     ends = [0, *drivers.breaks, len(drivers.elapsed_s)]
     return float(drivers.elapsed_s[ends[run]]), float(drivers.elapsed_s[ends[run + 1] - 1])
@@ -158,5 +158,5 @@ def unit_of_nonlinear(name: str) -> str:
 
 
 def confidence(study: Study, id_: str) -> float:
-    """How likely the mechanism is at work: the judge's probability; 1 where its every move is chance and was seen."""
+    """How likely the mechanism is at work: the judge's probability; 1 for a random effect that was seen."""
     return 1.0 if id_ in study.random else float(np.clip(study.judged.confidence(id_), 0.0, 1.0))

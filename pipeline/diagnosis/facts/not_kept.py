@@ -1,4 +1,4 @@
-"""What speaks against each effect of the library that no kept explanation has, for the words.
+"""What speaks against each library effect that no kept explanation has, for the words.
 
 Nothing here decides: the verdict is already made.
 """
@@ -20,11 +20,12 @@ PART = 3  # of a stand: its last third is held against its first
 
 
 def not_kept(study: Study, ending: str) -> list[NotKept]:
-    """An entry each effect: `id`, how `likely` it is at work, and what the best explanation leaves with it, rms.
+    """For each effect: `id`, how `likely` it is at work, and the rms that the best explanation with it leaves.
 
-    `instead`: of as many effects as the best explanation; `beside`: added to it. `stands`: by how much what the
-    explanation `instead` leaves changes while the motor stands, on average, by `hold` and `rest`. None where nothing
-    says it. The best one's own entry comes first, with what is `tied`. Empty where nothing is named.
+    `instead`: an explanation of as many effects as the best one; `beside`: the best one with this effect added.
+    `stands`: the mean change of the residual of `instead` while the motor stands, by `hold` and `rest`. A value is None
+    where nothing tells it. The first entry is the best explanation's own, with the `tied` ones. Empty where nothing is
+    named.
     """
     if study.verdict not in ("explained", "ambiguous") or not study.sets or not study.sets[0].ids:
         return []
@@ -61,7 +62,7 @@ def _left(explanation: Explanation) -> float:
 
 
 def _stands(study: Study, explanation: Explanation) -> dict[str, Change]:
-    """Of holds and of rests: the mean `change` of what an explanation leaves, its standard `error`, and their `count`.
+    """The residual's mean `change` in holds and in rests, its standard `error`, and their `count`.
 
     Changes are in the reading's unit, from the first third of a stand to its last.
     """

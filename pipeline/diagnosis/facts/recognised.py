@@ -1,4 +1,4 @@
-"""What the recogniser takes a mismatch for that nothing explains: each single effect, and physics outside the library.
+"""How the recogniser classes a mismatch that nothing explains: each single effect, and physics outside the library.
 
 Nothing here decides: the verdict is already made.
 """
@@ -12,7 +12,7 @@ from ..numerics.recogniser import DOUBT, OF_ALL, OF_EXPLANATION
 
 
 def recognised(study: Study) -> Evidence:
-    """`looks_like`: shares of 1 by effect, and `outside`; nothing where something is named, or nothing recognised."""
+    """`looks_like`: shares of 1 by effect, and `outside`; nothing where an effect is named or no class was found."""
     weighed = study.judged.weighed
     if study.verdict != "unknown" or not weighed or OF_ALL not in weighed[0].signs:
         return {}
@@ -23,5 +23,5 @@ def recognised(study: Study) -> Evidence:
 
 
 def _share(sign: float) -> float:
-    """The share that a sign is the logarithm of."""
+    """The share whose logarithm a sign is."""
     return max(math.exp(sign) - DOUBT, 0.0)

@@ -1,4 +1,4 @@
-"""The loop that a recording itself shows: by how much winding and unwinding part in it, whatever explains that."""
+"""The loop of the recording itself: by how much winding and unwinding part in it, whatever the cause."""
 
 from dataclasses import replace
 
@@ -7,7 +7,7 @@ from .loops import OTHER_LOAD, widest
 
 
 def recorded_loop(problem: Problem, base: State, state: State | None = None) -> float:
-    """Its width in the unit of the reading, as recorded or, with a `state`, as its simulator has it in these strokes.
+    """The width of the recorded loop in the reading's unit; with a `state`, that of its simulator in these strokes.
 
     `base` is calibration alone, whose own effects are taken out.
 

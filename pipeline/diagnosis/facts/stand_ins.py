@@ -1,4 +1,4 @@
-"""Stand-ins that a simulator has beside what is named, and that no run.yaml gave it."""
+"""Stand-ins of a simulator beside the named effects; no run.yaml gave them."""
 
 from ..choice.outcome import Study, rms
 from ..document.effects_named import StandIn

@@ -1,7 +1,7 @@
-"""The noise floor that a diagnosis tells: no more than what the simulator left of the very same values.
+"""The noise floor that a diagnosis states: at most the rms that the simulator leaves on the same values.
 
-The estimate that decides is of noise and of all that generic shapes could have taken from it. Of noise with much slow
-wander these shapes take more than there is, and it lies above the whole residual; as a size of the noise that is wrong.
+The estimate that decides also counts the noise that generic shapes could have taken away. Of noise with much slow
+wander these shapes take more than there is. The estimate then exceeds the whole residual, and is no size of the noise.
 """
 
 import numpy as np
@@ -24,7 +24,7 @@ def told_floor(study: Study) -> float:
 def told_fine_floor(own: float, fine: Problem, study: Study) -> float:
     """The floor at the recording's own rate, estimated as `own`; both in the reading's unit.
 
-    What averaging took off comes on top of the floor of the averages.
+    The noise that averaging took off is added to the floor of the averages.
     """
     floor = told_floor(study)
     if floor == study.floor:

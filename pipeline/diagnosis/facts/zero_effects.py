@@ -1,4 +1,4 @@
-"""A diagnosis without the mechanisms that came out with no strength: what does nothing explains nothing."""
+"""A diagnosis without the mechanisms whose strength came out as 0: they explain nothing."""
 
 from typing import cast
 

@@ -1,1 +1,1 @@
-"""A recording with its simulator, with any mechanisms in it, and the fit of both, with intervals."""
+"""A recording with its simulator and any mechanisms in it, and the fit of these, with intervals."""

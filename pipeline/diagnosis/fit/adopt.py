@@ -1,4 +1,4 @@
-"""`simulation:` of run.yaml, and of a diagnosis, to what acts in the simulator, and back."""
+"""The entries `simulation:` of a run.yaml or a diagnosis → the acts in the simulator, and back."""
 
 import re
 import sys
@@ -24,7 +24,7 @@ NOTE = {
 
 
 def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Included]:
-    """One entry each time a mechanism acts: its id, nonlinear parameters and the coefficients that are not zero."""
+    """One entry for each time a mechanism acts: its id, nonlinear parameters, and coefficients other than zero."""
     included: list[Included] = []
     for act in acts:
         mechanism, at = mechanisms()[act.id], 0
@@ -42,13 +42,13 @@ def entries(acts: tuple[Act, ...], drivers: Drivers) -> list[Included]:
 
 
 def block(entries: Sequence[Included | Adoption], key: str = "simulation") -> str:
-    """The lines that say `simulation`, or another key, in a run.yaml, of its entries: ready to be pasted there."""
+    """Lines for a run.yaml that hold its entries under `simulation`, or another key, ready to be pasted."""
     head, _, rest = write_yaml({key: entries}).partition("\n")
     return f"{head}{NOTE.get(key, '')}\n{rest}"
 
 
 def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
-    """The dimensions of a diagnosis for a run, by name: as run.yaml had them, and as they fit with the effects.
+    """The dimensions of a diagnosis for a run, by name: the values of run.yaml, and those fitted with the effects.
 
     A run that was diagnosed together with others may have a zero of the motor of its own, which is added. The zero of
     the reading is that of one recording: it comes only with its own run.
@@ -75,7 +75,7 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
 
 
 def adoptions(content: Verdict, where: str, run: str = "", against: Sequence[str] = ()) -> list[Adoption]:
-    """What a run.yaml says under `adopted` with a diagnosis in it: what was adopted before it, then what it names.
+    """The key `adopted` of a run.yaml after a diagnosis: what was adopted before, then what it names.
 
     `run` is the run that adopts; `against` is what its verdict advises instead. A file that tells no verdict adds
     nothing. Raises BadInput for sets of mechanisms that are none.
@@ -132,7 +132,7 @@ def checked(entry: Any, field: str, where: str) -> tuple[str, dict[str, float]]:
 
 
 def acts_from(content: Any, drivers: Drivers, where: str = "run.yaml") -> tuple[Act, ...]:
-    """The acts that a list of entries describes; raises BadInput for whatever is not known in it."""
+    """The acts that a list of entries describes; raises BadInput for anything unknown in it."""
     acts = []
     if not isinstance(content, list):
         raise BadInput(where, "simulation", f"is {short(content)}, not a list", "paste the list of a diagnosis.json")

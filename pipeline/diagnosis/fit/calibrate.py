@@ -1,4 +1,4 @@
-"""Calibration: the joint bounded fit of dimensions, zero and whatever acts, iterated through the simulator itself.
+"""Calibration: the joint bounded fit of dimensions, zero and acts, iterated through the simulator itself.
 
 Source: Björck, Numerical Methods for Least Squares Problems, 1996 (Gauss-Newton between bounds).
 """
@@ -48,7 +48,7 @@ def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: 
 
 
 def _between(candidates: list[Nonlinear], nonlinear: Nonlinear, width: float, kinds: bool) -> list[Nonlinear]:
-    """Values near one set, by a share of the distance to its neighbours among the candidates, along each parameter.
+    """Values near one set, part of the way to its neighbouring candidates, along each parameter.
 
     With `kinds` a parameter of a few values takes each of them.
     """
@@ -69,7 +69,7 @@ def _between(candidates: list[Nonlinear], nonlinear: Nonlinear, width: float, ki
 
 
 def refine(problem: Problem, noise: Noise, state: State) -> State:
-    """Search between the grid's candidates for the nonlinear parameters of what acts, one mechanism after the other."""
+    """Refine the nonlinear parameters of the acts between the grid's candidates, one mechanism after the other."""
     kinds = problem.drivers.levered  # the loop of a drive would be bent to anything by mixing its kinds
     price = float(np.log(problem.rows))  # of a coefficient, as the search has it: a kind may need fewer
     for level in range(EVENT_REFINEMENTS):
@@ -110,7 +110,7 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
 
 
 def without_outliers(problem: Problem, state: State) -> tuple[Problem, int]:
-    """The problem with lonely wild readings moved to their neighbours' residual, and how many those were."""
+    """The problem with lonely wild readings moved to their neighbours' residual, and how many they were."""
     far, gap = wild(problem.measured - problem.simulate(state))
     if not 0 < far.sum() <= MOST_WILD * len(far):
         return problem, 0
@@ -118,7 +118,7 @@ def without_outliers(problem: Problem, state: State) -> tuple[Problem, int]:
 
 
 def base(problem: Problem) -> State:
-    """The simulator with nothing but its dimensions calibrated, all samples weighed alike."""
+    """The simulator with only its dimensions calibrated, all samples weighed alike."""
     nominal = problem.nominal()
     floor = float(np.std((problem.measured - problem.simulate(nominal))[: problem.rows]))
     first = calibrate(problem, white(max(floor, 1e-9)))

@@ -1,4 +1,4 @@
-"""Model discrepancy: how an effect may differ from what its formula says, for no formula is exactly right.
+"""Model discrepancy: how an effect may differ from its formula, since no formula is exactly right.
 
 Source: Kennedy and O'Hagan, "Bayesian calibration of computer models", Journal of the Royal Statistical Society B 63,
 2001.
@@ -16,13 +16,13 @@ MEMORIES = (0.02, 0.08, 0.25)  # half-widths of plays, of the range of motion: h
 
 
 def effect(problem: Problem, state: State, id_: str) -> Array:
-    """What the prediction owes to the acts of one mechanism. Shape (samples,), in the reading's unit."""
+    """The part of the prediction that comes from the acts of one mechanism. Shape (samples,), in the reading's unit."""
     rest = State(state.values, state.zeros, tuple(act for act in state.acts if act.id != id_))
     return problem.simulate(state) - problem.simulate(rest)
 
 
 def bumps(signal: Array, weight: Array, count: int) -> Array:
-    """Piecewise linear bumps over a signal, knots where the weight is: equal shares of it between two knots.
+    """Piecewise linear bumps over a signal; between two knots lie equal shares of the weight.
 
     Shape (bumps, samples), shares of 1.
     """
@@ -56,7 +56,7 @@ def factors(drivers: Drivers, acting: Array) -> Array:
 
 
 def columns(problem: Problem, states: list[State]) -> dict[str, Array]:
-    """By mechanism, what one sigma of each deviation from its formula adds to the reading; the first state counts.
+    """One sigma of each deviation from a mechanism's formula, as it adds to the reading; the first state counts.
 
     Where the reading has a true zero no deviation is a constant: that would be physics of its own.
     Shape (columns, samples), in the reading's unit.

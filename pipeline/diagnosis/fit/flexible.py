@@ -20,7 +20,7 @@ SEED = 0  # of the boosted trees
 
 @dataclass(frozen=True)
 class Foretold:
-    """What the regression adds to a simulator, at the recording's own rate, and where and following what."""
+    """What the regression adds to a simulator at the recording's own rate, where that lies, and what it follows."""
 
     added: Array  # one value a sample of the recording, in the reading's unit
     location: Location  # as `locate.box` says it, over the strokes that were held out
@@ -28,10 +28,10 @@ class Foretold:
 
 
 def inputs(drivers: Drivers, span: float) -> dict[str, Array]:
-    """What the regression may be told, by name: motion, its rates, its memory, load, and every other input.
+    """The signals that the regression may use, by name: motion, its rates, its memory, load, and every other input.
 
-    Time is none of them: of strokes to come it would tell nothing. `span` is the range of the motion that memory is
-    measured in, in the motion's unit. Each of shape (samples,), in its own unit.
+    Time is left out: it would tell nothing of strokes to come. `span` is the range of the motion, in the motion's unit;
+    memory is measured in shares of it. Each of shape (samples,), in its own unit.
     """
     by_name = {"motion": drivers.motion, "rate": drivers.rate, "acceleration": drivers.slope(drivers.rate)}
     by_name |= {f"way over {share:g} of the range": drivers.directed(share * span) for share in MEMORIES}
@@ -41,16 +41,16 @@ def inputs(drivers: Drivers, span: float) -> dict[str, Array]:
 
 
 def signals(drivers: Drivers) -> Array:
-    """What the regression is told of a recording, shape (samples, columns), each in its own unit.
+    """The columns that the regression uses from a recording, shape (samples, columns), each in its own unit.
 
-    A load that hardly moves is none of it.
+    A load that hardly changes is left out.
     """
     by_name = inputs(drivers, drivers.span)
     return np.column_stack([column for name, column in by_name.items() if name != "load" or drivers.loaded])
 
 
 def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.bool_]) -> Foretold:
-    """What boosted trees learn of what a state leaves of the rows that a fit saw, told of all rows.
+    """Boosted trees, fitted to the residual of a state in the rows that a fit saw, and asked about all rows.
 
     `fine` is the recording at its own rate, `unseen` the rows of `problem` that no fit saw.
     `unseen` has the shape (samples,); a mask has no unit.
@@ -68,7 +68,7 @@ def foretold(problem: Problem, fine: Problem, state: State, unseen: NDArray[np.b
 
 
 def follows(drivers: Drivers, signal: Array) -> str:
-    """The driver whose own columns come nearest to a signal; not of the last strokes alone, which show little.
+    """The driver whose own columns fit a signal best; all strokes count, as the last ones alone show little.
 
     Shape (samples,), in any unit.
     """

@@ -17,7 +17,7 @@ ROUNDING = 1e-9  # of a misfit
 
 
 def misfit_of(problem: Problem, noise: Noise, state: State) -> float:
-    """What a state leaves of the rows that a fit sees, whitened, with the price of the moved dimensions; inf for NaN.
+    """The whitened misfit of a state in the rows that a fit sees, plus the cost of moved dimensions; inf for NaN.
 
     It is what `Linear` minimises, but of the simulator itself, not of a straight line beside it. A zero has no price:
     where the reading begins to count is arbitrary.
@@ -39,7 +39,7 @@ class Steps:
         self.reach = 1.0  # of the ways that calibration may go, and that a coefficient would; 1 is a whole step
 
     def take(self, linear: Linear, keys: tuple[Key, ...]) -> bool:
-        """Go to where a linearised fit points, or less far; False where no step lowers the misfit: then none is taken.
+        """Go to the target of a linearised fit, or part of the way; False and no step where none lowers the misfit.
 
         While no step fails, each is the whole one.
         """

@@ -1,4 +1,4 @@
-"""A dictionary without physics: smooth functions of every driver, which bound from below what any model could leave.
+"""A dictionary without physics: smooth functions of every driver. They bound from below what any model could leave.
 
 Source: de Boor, A Practical Guide to Splines, 1978 (piecewise linear bumps).
 """
@@ -19,7 +19,7 @@ def hats(signal: Array, count: int) -> Array:
 
 
 def around(drivers: Drivers) -> Array:
-    """Sines and cosines of the motor's turn and of its harmonics; none where nothing turns so far.
+    """Sines and cosines of the motor's turn and its harmonics; none where the motor turns too little.
 
     Shape (columns, samples), without a unit.
     """

@@ -48,7 +48,7 @@ def _discrepancy_scale(gram: Array, moment: Array) -> float:
 
 
 def continuous(problem: Problem, act: Act) -> list[tuple[int, str]]:
-    """Nonlinear parameters of an act that were fitted, not chosen from a few: which time it acts, and the name."""
+    """The nonlinear parameters of an act that were fitted continuously: by the index of the act's set, and the name."""
     candidates = mechanisms()[act.id].candidates(problem.drivers)
     return [
         (number, name)
@@ -86,7 +86,7 @@ class Intervals:
     covariance: Array  # (numbers, numbers)
 
     def at_least(self, spreads: dict[str, float]) -> "Intervals":
-        """These intervals, those of parameters at least `Z90` standard deviations wide to either side.
+        """These intervals, with those of parameters at least `Z90` standard deviations wide to either side.
 
         `spreads` has the standard deviations, by parameter, each in its own unit.
         """

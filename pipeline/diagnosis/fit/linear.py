@@ -111,7 +111,7 @@ class Linear(Products):
         return Fit(columns, solution, self.square + misfit, np.nan, active)
 
     def scan(self, keys: tuple[Key, ...], id_: str) -> tuple[Array, NDArray[np.intp]]:
-        """Whitened misfits, and numbers of active columns, of some candidates with each of one mechanism in turn.
+        """Whitened misfits, and numbers of active columns, with each candidate of one mechanism added in turn.
 
         Both of shape (candidates,), misfits without a unit, for they are whitened, and numbers of columns as counts.
         """
@@ -129,7 +129,7 @@ class Linear(Products):
         return float(square - 2.0 * moment @ solution + solution @ gram @ solution) / self.rows
 
     def plain(self, columns: np.ndarray) -> Fit:
-        """Joint fit that weighs all samples alike: what is left after it is what a person sees in the plot.
+        """Joint fit with all samples weighed alike: its residual is what a person sees in the plot.
 
         Shape (columns,), places in the table, which are indices.
         """
@@ -140,7 +140,7 @@ class Linear(Products):
         return Fit(columns, solution, np.nan, self.raw_energy(columns, solution), 0)
 
     def gap(self, truth: Fit, rival: np.ndarray) -> float:
-        """Misfit that a rival would leave of a noise-free recording made by a fit: the Cox-type expected gap.
+        """The misfit that a rival would leave on a noise-free recording made by a fit: the Cox-type expected gap.
 
         Shape (columns,), places in the table; whitened.
         """
@@ -159,7 +159,7 @@ class Linear(Products):
         return max(square - 2.0 * float(moment @ solution) + float(solution @ gram @ solution), 0.0)
 
     def state_of(self, fit: Fit, keys: tuple[Key, ...]) -> State:
-        """The simulator that a fit stands for."""
+        """The state that a linearised fit describes."""
         problem = self.problem
         values = np.array([parameter.nominal for parameter in problem.parameters])
         for place, index in enumerate(problem.movable):

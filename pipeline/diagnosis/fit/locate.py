@@ -15,7 +15,7 @@ TURN_BINS, STROKE_BINS = 48, 60  # of the motion and of the strokes, in which th
 
 @njit(cache=True)
 def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int, int, int, int]:
-    """Rectangle of an (strokes, turns) table with at least `needed` energy in the fewest samples."""
+    """The rectangle of a (strokes, turns) table that holds at least `needed` energy in the fewest samples."""
     best, place = 1e300, (0, energy.shape[0] - 1, 0, energy.shape[1] - 1)
     for a in range(energy.shape[0]):
         energy_by_turn, size = np.zeros(energy.shape[1]), np.zeros(energy.shape[1])
@@ -38,7 +38,7 @@ def _smallest(energy: Array, samples: Array, needed: float) -> tuple[float, int,
 
 
 def box(mismatch: Array, problem: Problem, share: float = SHARE) -> Location:
-    """Location of a mismatch without its noise: motion, strokes, phase, and the share of its energy that they hold.
+    """The place of a mismatch, noise taken off: motion, strokes, phase, and the share of the energy within it.
 
     The box is the smallest that holds `share` of the energy: the whole recording with a share of 0 where there is no
     mismatch. The mismatch has the shape (samples,), in the reading's unit.

@@ -17,7 +17,7 @@ REMEMBERED, REMEMBERED_NUMBERS = 64, 6_400_000  # terms that are kept, of what a
 
 @dataclass(frozen=True)
 class Act:
-    """A mechanism at work: its `nonlinear` parameters, a set each time it acts, and the terms' coefficients."""
+    """A mechanism at work: its sets of `nonlinear` parameters, one for each time it acts, and its coefficients."""
 
     id: str
     nonlinear: tuple[Nonlinear, ...]
@@ -26,7 +26,7 @@ class Act:
 
 @dataclass(frozen=True)
 class State:
-    """A simulator: values of the parameters, the zero of each run in the channel's unit, and what acts in it."""
+    """A simulator: values of the parameters, the zero of each run in the channel's unit, and the acts in it."""
 
     values: Array  # (parameters,), each in its parameter's unit
     zeros: Array  # (runs,), in the channel's unit
@@ -34,7 +34,7 @@ class State:
 
 
 def placed(system: System, terms: list[Term]) -> bool:
-    """Whether a system has a port for each of some terms."""
+    """Whether a system has a port for each of the given terms."""
     return {term.port for term in terms} <= set(system.ports)
 
 
@@ -57,7 +57,7 @@ class Problem:
     _terms: dict[tuple[str, tuple[tuple[str, float], ...]], list[Term]] = field(default_factory=dict)
 
     def until(self, rows: int) -> "Problem":
-        """The same problem of which a fit sees only the first rows."""
+        """The same problem, with a fit that sees only the first rows."""
         return replace(self, rows=rows)
 
     @property
@@ -67,7 +67,7 @@ class Problem:
 
     @property
     def adopted(self) -> tuple[Act, ...]:
-        """What the simulator has from run.yaml."""
+        """The acts that the simulator has from run.yaml."""
         return tuple(act for act in self.included if act not in self.beside)
 
     @property
@@ -109,7 +109,7 @@ class Problem:
         return list(zip(terms, act.coefficients, strict=True))
 
     def ports(self, acts: tuple[Act, ...]) -> tuple[dict[str, Array], list[tuple[Term, float]]]:
-        """What acts add at each port, shape (samples,) in its unit, and operators on the reading with coefficients."""
+        """The acts' sums at each port, shape (samples,) in its unit, and the operators on the reading."""
         added: dict[str, Array] = {}
         operators = []
         for act in acts:
@@ -126,7 +126,7 @@ class Problem:
         return added, operators
 
     def simulated(self, values: Array, added: dict[str, Array]) -> Array:
-        """The system's channel; values beyond the system's own say where later runs home their motors.
+        """The system's channel; values after the system's own ones are the motor's zeros of later runs.
 
         `values` in the parameters' units, `added` in the ports' units; shape (samples,) in the channel's unit.
         """
@@ -147,12 +147,12 @@ class Problem:
         )
 
     def reading(self, values: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
-        """Reading without zero, of a simulator. Shape (samples,), in the channel's unit."""
+        """The reading of a simulator without its zero. Shape (samples,), in the channel's unit."""
         return self.read(self.simulated(values, added), added, operators)
 
     @staticmethod
     def read(clean: Array, added: dict[str, Array], operators: list[tuple[Term, float]]) -> Array:
-        """The simulated channel with what operators and the sensor port add to it: the reading without zero.
+        """The simulated channel after operators and the sensor port: the reading without zero.
 
         Shape (samples,), in the channel's unit.
         """

@@ -1,4 +1,4 @@
-"""How the reading of a simulator moves with its dimensions and with what acts in it: one linearisation at a state."""
+"""How the reading of a simulator moves with its dimensions and with its acts: one linearisation at a state."""
 
 from dataclasses import dataclass, replace
 
@@ -27,7 +27,7 @@ class Linearised:
 
 
 def linearised(problem: Problem, state: State, unclipped: bool = False) -> Linearised:
-    """A simulator at a state, and how its reading moves with whatever may move it; what it costs is paid once.
+    """A simulator at a state, with the slopes of its reading; the slopes are computed once.
 
     `unclipped`: as if no stop acted. Behind a stop nothing moves the reading, so its rivals would seem to do nothing.
     """
@@ -56,12 +56,12 @@ def linearised(problem: Problem, state: State, unclipped: bool = False) -> Linea
 
 
 def clips(problem: Problem, act: Act) -> bool:
-    """Whether an act cuts the reading, and is no part of the simulator."""
+    """Whether an act clips the reading and is not included in the simulator."""
     return mechanisms()[act.id].clips and act not in problem.included
 
 
 def untouched(problem: Problem, at: Linearised) -> Linearised:
-    """The same with the channel as it is without what acts in the state: what a rival of these acts would work on.
+    """The same linearisation with the channel as if the acts of the state were absent, for rivals of these acts.
 
     A stop clips the reading of a string without a jam, not one that a jam has kept below the stop.
     """
@@ -84,7 +84,7 @@ def column(problem: Problem, term: Term, at: Linearised) -> Array:
 
 
 def pushed(problem: Problem, port: str, signal: Array, at: Linearised) -> Array:
-    """How the simulated channel moves, at once and later, with a small share of a signal at a port.
+    """How the simulated channel moves, at once and later, if a small share of a signal is added at a port.
 
     Shape (samples,), in the channel's unit per unit at the port.
     """

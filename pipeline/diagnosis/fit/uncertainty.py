@@ -1,4 +1,4 @@
-"""How far the numbers of a fitted simulator may be off, all together: what a prediction along another motion needs.
+"""The joint uncertainty of all fitted numbers: a prediction along another motion needs it.
 
 Source: the Laplace approximation of a posterior, MacKay, Neural Computation 4, 1992.
 """
@@ -15,7 +15,7 @@ DIGITS = 5
 
 
 def factor(covariance: Array) -> Array:
-    """The lower triangle whose product with itself is a covariance, also where rounding made that a little negative.
+    """The lower triangle L with L·Lᵀ equal to a covariance; rounding may have made that a little negative.
 
     Both of shape (numbers, numbers), in the numbers' own units.
     """
@@ -26,7 +26,7 @@ def factor(covariance: Array) -> Array:
 
 
 def doubts(problem: Problem, state: State, covariance: Array, ending: str) -> list[Doubt]:
-    """The doubts of all numbers that were fitted: zeros, dimensions, coefficients and nonlinear parameters.
+    """The joint uncertainty of all fitted numbers: zeros, dimensions, coefficients and nonlinear parameters.
 
     `covariance` is that of `intervals`, of shape (numbers, numbers) in its units and order; `ending` that of the
     channel. Nothing where it is no number.

@@ -17,7 +17,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
-    """Where a residual jumps. It has the shape (samples,), in the reading's unit."""
+    """Times at which a residual jumps. It has the shape (samples,), in the reading's unit."""
     return slips_seen(drivers, residual) if drivers.levered else []
 
 

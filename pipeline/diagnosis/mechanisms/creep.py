@@ -15,7 +15,7 @@ TIMES_S = (
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """Freshly loaded at the first sample, or loaded for long before it; the times that the recording can show.
+    """Freshly loaded at the first sample, or loaded long before it; times that the recording can show.
 
     A later run goes on from the one before, begins as the first one did, or was loaded for long before it, too.
     """
@@ -42,7 +42,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 
 
 def _tensions(drivers: Drivers, part: slice, nonlinear: Nonlinear) -> dict[str, tuple[Array, float]]:
-    """What strains the string in some samples, by its name, and its value before them."""
+    """The tensions that strain the string in some samples, by name, each with its value before them."""
     load, before = drivers.load[part], drivers.load0_of(part)
     tensions = {"load": (load, before)}
     if nonlinear["loaded"] and drivers.levered:
@@ -55,7 +55,7 @@ def _tensions(drivers: Drivers, part: slice, nonlinear: Nonlinear) -> dict[str, 
 
 
 def _strain(time_s: Array, tension: Array, before: float, tau_s: float, fresh: bool) -> Array:
-    """What one branch strains from the first sample on; `fresh` or long under the tension `before`."""
+    """The strain of one branch from the first sample on; it starts `fresh`, or long under the tension `before`."""
     start = 0.0 if fresh else before
     return lowpass(tension, time_s, tau_s, start) - start
 

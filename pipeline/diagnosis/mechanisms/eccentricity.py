@@ -55,7 +55,7 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
 
 
 def lines(place: Array, ways: Array, signal: Array, finest: float) -> tuple[Array, Array]:
-    """Wave numbers (periods in the range) up to the finest, and a signal's power over its background at each of them.
+    """Wave numbers (periods in the range) up to the finest, and a signal's power at each, over its background.
 
     What changes slowly along the range is taken off, of each way by itself. All given have the shape (samples,): the
     place as a share of the range, the ways as 1 or -1. Both answers have the shape (bins,).

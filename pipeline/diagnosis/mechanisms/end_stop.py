@@ -28,7 +28,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
-    """Stops just below the highest reading: one that holds a thousandth of the range lies between those of a grid.
+    """Stops just below the highest reading; the grid is too coarse for a stop that clips a thousandth of the range.
 
     Residual and prediction have the shape (samples,), in the reading's unit.
     """
@@ -43,7 +43,7 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
-    """The part of the reading that lies beyond the stop is missing."""
+    """The part of the reading beyond the stop, which is taken off."""
 
     def clipped(reading: Array) -> Array:
         stop = reading[0] + nonlinear["stop_mm"]
@@ -55,7 +55,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 
 
 def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
-    """How much less than predicted the reading moves where it is highest: 6 where it stands still.
+    """How much less than predicted the reading moves near its highest value: 6 where it stands still.
 
     Residual and prediction have the shape (samples,), in the reading's unit.
     """

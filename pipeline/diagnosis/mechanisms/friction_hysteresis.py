@@ -24,7 +24,7 @@ TOTALS = {
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """Stretch, by stops of every width, or of two where nothing is twisted; or a play of twist as wide as the load.
+    """Stretch, by stops of every width, or of two widths without twist; or a play of twist that grows with load.
 
     Where nothing is twisted it may also be dry alone: open at once, closed at rest. `loaded`: whether the recording
     can tell a loop that follows the load from one that does not.
@@ -60,7 +60,7 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
 
 
 def _dry(drivers: Drivers) -> list[Nonlinear]:
-    """Shares of the highest rate below which dry friction closes its loop, as rates."""
+    """Rates at which dry friction closes its loop, from shares of the highest rate."""
     fastest = float(np.percentile(np.abs(drivers.rate), 99))
     return [{"slow_turns_per_s": float(f"{share * fastest:.6g}")} for share in DRY]
 
@@ -104,7 +104,7 @@ def half_loop(values: Nonlinear) -> float:
 
 
 def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
-    """How high a loop may be, by name: the same everywhere, or growing with load, and with load and twist.
+    """The height of a loop, by name: the same everywhere, or growing with load, or with load and twist.
 
     Each of shape (samples,), a factor without a unit.
     """
@@ -123,7 +123,7 @@ def envelopes(drivers: Drivers, loaded: bool) -> dict[str, Array]:
 
 
 def along(drivers: Drivers, nonlinear: Nonlinear) -> dict[str, Array]:
-    """How much higher a loop may be at the beginning, in the middle and at the end of the travel, by name.
+    """Weights of a loop's height at the beginning, in the middle and at the end of the travel, by name.
 
     Cables wrap further around what guides them at one place than at another. Each of shape (samples,), a factor
     without a unit: Bernstein polynomials of the share of the travel, so that the loop is nowhere less than nothing.

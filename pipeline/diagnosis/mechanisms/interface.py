@@ -108,32 +108,32 @@ class Mechanism:
 
     @property
     def acts_at_rest(self) -> bool:
-        """Whether it goes on while the rig stands."""
+        """Whether the effect goes on while the rig stands."""
         return self.driver in AT_REST
 
     @property
     def swings(self) -> bool:
-        """Whether it moves the reading to and fro within a stroke."""
+        """Whether the effect moves the reading to and fro within a stroke."""
         return self.driver in SWINGS
 
     @property
     def drifts(self) -> bool:
-        """Whether it goes on whatever the rig does."""
+        """Whether the effect goes on whatever the rig does."""
         return self.driver == DRIFT
 
     @property
     def paced(self) -> bool:
-        """Whether it does otherwise in the same motion at another speed: it follows a rate, heat, or time in use."""
+        """Whether the effect differs in the same motion at another speed: it follows a rate, heat, or time in use."""
         return not self.drifts and any(word in PACE for word in re.findall(r"[a-z]+", self.driver))
 
     @property
     def stays(self) -> bool:
-        """Whether the string after a recording is another one than before it."""
+        """Whether the effect changes the string for good, so that it differs after a recording."""
         return self.slow or self.driver in FOR_GOOD
 
     @property
     def slow(self) -> bool:
-        """Whether it goes on over a whole recording."""
+        """Whether the effect goes on over a whole recording."""
         return self.driver in SLOW
 
 

@@ -59,7 +59,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 
 @njit(cache=True)
 def relay(turns: Array, born: float, memory: float) -> Array:
-    """1 while there is a coil: from its twist until `memory` below it.
+    """1 while there is a coil: it forms at its twist, and melts `memory` below it.
 
     Shape (samples,); all in turns but the answer.
     """

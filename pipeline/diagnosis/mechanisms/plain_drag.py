@@ -1,4 +1,4 @@
-"""What plain drag leaves of a residual, on a rig whose reading follows derivatives: there it hides whatever else acts.
+"""Removes plain drag from a residual, on a rig whose reading follows derivatives: drag hides other effects there.
 
 Source: Janot, Gautier and Brunot, "Data set and reference models of EMPS", Workshop on Nonlinear System Identification
 Benchmarks, 2019 (friction, losses and inertia by one linear regression).
@@ -14,7 +14,7 @@ SLOW = (0.01, 0.1)  # of the highest rate: below it plain friction closes its lo
 
 
 def drag(drivers: Drivers) -> list[Array]:
-    """Plain columns of what drags, and of a wrong inertia: friction of two widths, losses by the rate, acceleration.
+    """Columns of plain drag and of a wrong inertia: friction of two widths, losses by the rate, acceleration.
 
     Each of shape (samples,), at most about 1, without a unit.
     """
@@ -35,7 +35,7 @@ def drag_along(drivers: Drivers) -> list[Array]:
 
 
 def leaves(residual: Array, columns: list[Array]) -> float:
-    """Mean square of what a linear regression leaves of a residual, outliers pulled in, in its unit squared.
+    """Mean square of a residual after a linear regression, outliers pulled in, in its unit squared.
 
     The residual has the shape (samples,); each column the shape (all samples,), in any unit.
     """

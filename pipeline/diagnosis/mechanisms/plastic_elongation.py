@@ -33,9 +33,10 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def tension(drivers: Drivers, name: str, steepest: float) -> Array:
-    """The load, and by a share of it more the steeper the helix: at the `steepest` by all of that.
+    """The load, plus a share of it that grows with the helix's steepness, up to `STEEPER` at the `steepest`.
 
-    Shape (samples,), in 10 N. A strand at an angle pulls harder than the load, and is bent over its neighbours besides.
+    Shape (samples,), in units of 10 N. A strand at an angle pulls harder than the load, and is bent over its
+    neighbours.
     """
     return np.asarray(np.abs(drivers.load) * (1.0 + STEEPER[name] * np.square(drivers.tangent / steepest)))
 

@@ -25,7 +25,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
-    """A true zero that the reading leaves as the recording begins, where that is clearly more likely than an offset.
+    """A drift from a true zero at the beginning of the recording, where it is clearly more likely than an offset.
 
     The residual has the shape (samples,), in the reading's unit.
     """

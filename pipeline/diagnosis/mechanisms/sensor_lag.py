@@ -21,7 +21,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
-    """One where the reading follows derivatives, and what friction and a wrong mass leave follows the jerk.
+    """One candidate where the reading follows derivatives and the residual without drag follows the jerk.
 
     The residual has the shape (samples,), in the reading's unit.
     """
@@ -34,7 +34,7 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
 
 
 def _jerk(drivers: Drivers) -> Array:
-    """Slope of the acceleration between both neighbours: it leaves the noise of an acceleration alone."""
+    """Slope of the acceleration between both neighbours, which keeps out the noise of the sample itself."""
     return np.gradient(drivers.acceleration, drivers.time_s)
 
 

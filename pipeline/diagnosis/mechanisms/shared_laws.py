@@ -8,7 +8,7 @@ from ..recording.drivers import Drivers
 from .interface import Nonlinear
 
 BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
-WITHIN_S = 0.4  # in which a slip that is not sudden is over, but for a third
+WITHIN_S = 0.4  # time constant of a slip that is not sudden: after it about a third of the slip is still to come
 GROWTHS = (0.03, 0.1, 0.3, 1.0)  # of the whole: after how much of it a saturating growth has done 63 %
 
 LATER_RUNS = "later_runs"  # the parameter that says in which way a later run begins
@@ -30,7 +30,7 @@ def growths(amount: Array, whole: float) -> dict[str, Array]:
 
 
 def half_waves(share: Array, nonlinear: Nonlinear, first: int) -> dict[int, Array]:
-    """Cosines of `first` to `half_waves` half waves over a recording, of whose length `share` has passed, by number.
+    """Cosines with `first` to `half_waves` half waves over a recording, by number; `share` is the part that has passed.
 
     None where the shape has no `half_waves`. Each of shape (samples,), without a unit; `share` in shares of 1.
     """
@@ -45,13 +45,13 @@ def pulled_in(residual: Array, spreads: float) -> Array:
 
 
 def travelled(drivers: Drivers) -> Nonlinear:
-    """Where the motion begins and how far it goes, for what differs from place to place."""
+    """Where the motion begins and how far it goes: a scale for laws that change along the travel."""
     begin = float(np.percentile(drivers.motion, 0.1))
     return {"from_turns": float(f"{begin:.6g}"), "span_turns": float(f"{drivers.span:.6g}")}
 
 
 def share_of_travel(drivers: Drivers, nonlinear: Nonlinear) -> Array:
-    """Place of the motion in the travel, 0 to 1. Shape (samples,), without a unit."""
+    """How far the motion is along the travel, 0 to 1. Shape (samples,), without a unit."""
     return np.asarray(np.clip((drivers.motion - nonlinear["from_turns"]) / nonlinear["span_turns"], 0.0, 1.0))
 
 
@@ -61,19 +61,19 @@ def hinge(signal: Array, onset: float, softness: float) -> Array:
 
 
 def time_constants(drivers: Drivers, candidates: tuple[float, ...]) -> list[float]:
-    """Those candidates (s) that a recording of this length and rate can show; the nearest one when there is none."""
+    """The candidates (s) that a recording of this length and rate can show; if there is none, the nearest one."""
     whole_s = float(drivers.elapsed_s[-1])
     fitting = [tau for tau in candidates if 2.0 * drivers.step_s <= tau <= 2.0 * whole_s]
     return fitting or [min(candidates, key=lambda tau: abs(np.log(tau / whole_s)))]
 
 
 def within(candidates: tuple[float, ...], nonlinear: Nonlinear) -> list[float]:
-    """Those candidates (s) that nonlinear parameters say their recording could show."""
+    """The candidates (s) that the nonlinear parameters name as visible in their recording."""
     return [tau for tau in candidates if nonlinear["fastest_s"] <= tau <= nonlinear["slowest_s"]]
 
 
 def begun(drivers: Drivers, candidates: list[Nonlinear], ways: tuple[float, ...]) -> list[Nonlinear]:
-    """Each candidate with each of the `ways` in which a later run begins; of one run the candidates stay as they are.
+    """Each candidate with each of the `ways` in which a later run begins; those of a single run stay unchanged.
 
     Nobody says what a string did between two runs: it went on from the run before, it rested, or it stood loaded.
     """
@@ -83,13 +83,13 @@ def begun(drivers: Drivers, candidates: list[Nonlinear], ways: tuple[float, ...]
 
 
 def through(drivers: Drivers, nonlinear: Nonlinear) -> list[slice]:
-    """The samples through which a memory lasts: of all runs together, or of each run where that does not go on."""
+    """The samples through which a memory lasts: those of all runs, or of each run where the memory ends with it."""
     goes_on = nonlinear.get(LATER_RUNS, GOES_ON) == GOES_ON
     return [slice(None)] if goes_on else drivers.run_parts()
 
 
 def remembered(signal: Array, drivers: Drivers, tau_s: float, nonlinear: Nonlinear) -> Array:
-    """A signal behind a first-order low-pass that starts at 0, and again in each run where a memory does not go on.
+    """A signal after a first-order low-pass that starts at 0; it starts anew in each run where a memory ends with it.
 
     In the signal's unit, both of shape (samples,); the time constant in s.
     """
@@ -103,13 +103,13 @@ def grid(name: str, low: float, high: float, count: int) -> list[Nonlinear]:
 
 
 def slips(drivers: Drivers) -> list[Nonlinear]:
-    """Candidate times of a slip that is over at once, and fewer of one that takes `within_s`; none in a break."""
+    """Candidate times of a slip that is over at once, and fewer of a slip that takes `within_s`; none in a break."""
     at_once, slowly = ([time for time in times(drivers, count) if happens_within(drivers, time)] for count in (60, 30))
     return [time | {"within_s": 0.0} for time in at_once] + [time | {"within_s": WITHIN_S} for time in slowly]
 
 
 def happens_within(drivers: Drivers, nonlinear: Nonlinear) -> bool:
-    """Whether a slip lies within a run, with samples of it on both sides: what changed in a break a person may change.
+    """Whether a slip lies within a run, with samples of that run on both sides: in a break a person may change things.
 
     A slip at every stroke does.
     """
@@ -141,7 +141,7 @@ def jump_mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
 
 
 def slips_seen(drivers: Drivers, residual: Array) -> list[Nonlinear]:
-    """Times at which a residual jumps most, to the sample: at once, and within a while that began then or before.
+    """Times at which a residual jumps most, to the sample: at once, or within a while that began then or before.
 
     The residual has the shape (samples,), in the channel's unit; times in s.
     """
@@ -159,7 +159,7 @@ def slips_seen(drivers: Drivers, residual: Array) -> list[Nonlinear]:
 
 
 def slipped(drivers: Drivers, nonlinear: Nonlinear) -> Array:
-    """0 before a slip, 1 after it; a sample that holds a sudden one is a mean, and so between.
+    """0 before a slip, 1 after it; the sample that holds a sudden slip is a mean, and so lies between.
 
     Shape (samples,), without a unit; times of the shape in s.
     """
@@ -176,7 +176,7 @@ def times(drivers: Drivers, count: int, name: str = "at_s") -> list[Nonlinear]:
 
 
 def varied(options: list[Nonlinear]) -> int:
-    """How many nonlinear parameters were chosen among several values, in the candidate that has most."""
+    """How many nonlinear parameters were chosen among several values, in the candidate that has most of them."""
     values: dict[str, set[float]] = {}
     for nonlinear in options:
         for name, value in nonlinear.items():

@@ -14,7 +14,7 @@ SAGGING = (0.3, 0.6, 1.0, 1.6)  # of the sag: where parts of the length of a sag
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """Twist that is taken up, in turns: lost (a toe), as a length that a stop holds, or as the sag of the string.
+    """Twist to take up, in turns: lost (a toe), as a length that a stop holds, or as the sag of the string.
 
     None without a string.
     """

@@ -1,4 +1,4 @@
-"""Slow motion goes in jerks: what sticks is drawn along until it slips."""
+"""Slow motion goes in jerks: a part sticks, is drawn along, and then slips."""
 
 import numpy as np
 from scipy.ndimage import median_filter
@@ -32,7 +32,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
-    """The gap to what sticks: at every speed, and at low speed only."""
+    """The gap between the motion and the sticking part: at every speed, or at low speed only."""
     gap = drivers.contraction - sticking(
         drivers.contraction, nonlinear["reach_mm"], nonlinear["back_share"] * nonlinear["reach_mm"]
     )

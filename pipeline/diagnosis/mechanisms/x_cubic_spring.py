@@ -1,4 +1,4 @@
-"""A spring that is no straight line: its force grows with the cube of the way from its rest, or falls short by it."""
+"""A spring that is not linear: its force grows or falls with the cube of the way from its rest."""
 
 import numpy as np
 

@@ -30,7 +30,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 @njit(cache=True)
 def missing(level: Array, rim: float, time_s: Array, forgets_s: float) -> Array:
-    """What is missing of a level that a vessel of that rim would have without one, and that it forgets with time.
+    """The level that an overflow took away, which is forgotten with time.
 
     Shape (samples,), in the level's unit; time in s.
     """

@@ -11,7 +11,7 @@ STANDS, CREEPS = 0.004, 0.3  # of the highest rate, below which it stands; of th
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """The rate in which the friction falls; none above what three tenths of the recording creep below.
+    """Rates over which the friction falls; none below which less than three tenths of the recording creep.
 
     A swing that only passes through low rates cannot tell it from what friction and a loss do there. Where something is
     twisted there are none: its loop hides it.
@@ -27,7 +27,7 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
-    """What friction is more than when it slides, against the motion."""
+    """The friction beyond that of sliding, against the motion."""
     share = drivers.rate / nonlinear["falls_turns_per_s"]
     return [Term("more_mm", "resistance", np.tanh(share / DRY) * np.exp(-np.square(share)))]
 

@@ -19,12 +19,12 @@ def candidates(drivers: Drivers) -> list[Nonlinear]:
 
 
 def geared(drivers: Drivers) -> bool:
-    """Whether a motor drives through a gear, and what it moves is read."""
+    """Whether a motor drives through a gear and the reading is of what it moves."""
     return not drivers.levered and drivers.velocity is None and drivers.turn is not None and drivers.free_zero
 
 
 def beside(drivers: Drivers) -> list[Nonlinear]:
-    """The whole travel of a geared drive: as far as an error by place goes, which named effects leave."""
+    """The whole travel of a geared drive: named effects may leave an error by place anywhere in it."""
     return [travelled(drivers)] if geared(drivers) else []
 
 
@@ -53,7 +53,7 @@ def plain(drivers: Drivers) -> list[Array]:
 
 
 def curve(drivers: Drivers, nonlinear: Nonlinear) -> list[Array]:
-    """Piecewise linear bumps inside the travel, each less a straight line, which is the gear's and the zero's own.
+    """Piecewise linear bumps inside the travel, each less a straight line, which gear and zero can take up.
 
     Each of shape (samples,), without a unit.
     """

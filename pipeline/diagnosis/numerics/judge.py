@@ -80,13 +80,13 @@ class Judge:
 
     @property
     def columns(self) -> list[str]:
-        """What each column of `basis` is of: the size, a sign above a knot, a name; and each of these by size."""
+        """What each column of `basis` stands for: the size, a sign above a knot, a name; and each of these by size."""
         ramps = [f"{sign} above {low}" for sign, knots in self.knots.items() for low in knots[:-1]]
         every = ["size", *ramps, *(f"name {name}" for name in self.names)]
         return [*every, *(f"{column}, of {size}" for size in SIZES for column in every)]
 
     def because(self, candidate: Weighed, other: Weighed) -> dict[str, float]:
-        """What each sign, the `names` and the `size` add to the log of how much likelier `candidate` is than `other`.
+        """What each sign, the `names` and the `size` add to the log of the odds of `candidate` against `other`.
 
         The parts add up to all of it. A sign counts by the mean of its weights in explanations of either size; what
         is due to the sizes alone counts under `size`.
@@ -108,7 +108,7 @@ class Judge:
         return lead_by_sign | {"names": float(parts[at:].sum())}
 
     def probabilities(self, weighed: list[Weighed]) -> Array:
-        """Of each explanation, and, last, of none of them. Shape (explanations + 1,), shares of 1."""
+        """The probability of each explanation and, last, of none of them. Shape (explanations + 1,), shares of 1."""
         scores = np.append(self.basis(weighed) @ self.weights, none_of(weighed) @ self.of_none)
         scores = scores + signature_table(weighed) @ self.of_signature
         odds = np.exp(scores - scores.max())
@@ -116,7 +116,7 @@ class Judge:
 
 
 def none_of(weighed: list[Weighed]) -> Array:
-    """What tells that none is one: what the best leaves, and the best single, and how large the mismatch is.
+    """The signs of "none of them": the residual of the best, the best single one, and the size of the mismatch.
 
     Shape (weights,), each without a unit.
     """
@@ -127,7 +127,7 @@ def none_of(weighed: list[Weighed]) -> Array:
 
 
 def signature_table(weighed: list[Weighed]) -> Array:
-    """What the signature says of each explanation, and, last, of none of them; zeros where nothing recognised it.
+    """The signs from the signature for each explanation and, last, for none; zeros where nothing was recognised.
 
     Shape (explanations + 1, 5), each without a unit: logarithms of shares, and ones.
     """
@@ -152,7 +152,7 @@ def read(content: JudgeJson) -> Judge:
 
 @cache
 def judge(path: Path = HERE / "judge.json") -> Judge:
-    """The judge that is part of the library, or another one's file; raises BadInput for a file that is none."""
+    """The judge of the library, or one from another file; raises BadInput for a file that holds no judge."""
     try:
         return read(json.loads(path.read_text(encoding="utf-8")))
     except (OSError, ValueError, KeyError, TypeError) as error:

@@ -1,4 +1,4 @@
-"""Noise floor and colour: what a saturated model leaves, mended for what that model swallows of the noise itself.
+"""Noise floor and colour: the residual of a saturated model, corrected for the noise that the model itself swallows.
 
 Source: Walker, "On periodicity in series of related terms", Proceedings of the Royal Society A 131, 1931 (colour);
 Gouriéroux, Monfort and Renault, "Indirect inference", Journal of Applied Econometrics 8, 1993 (mending by drawn noise).
@@ -82,7 +82,7 @@ def trimmed(signal: Array, lags: int, trim: float) -> Array:
 
 
 def from_covariance(covariance: Array) -> Noise:
-    """Yule-Walker; what no noise can have, after mending, is faded with the lag until it is one's.
+    """Yule-Walker; an autocovariance that no noise can have is faded with the lag until it is possible.
 
     It has the shape (lags + 1,), in the noise's unit squared.
     """
@@ -105,7 +105,7 @@ def robust(residual: Array) -> Array:
 def estimate(
     target: Array, columns: Array, first: np.ndarray, step_s: float, trim: float = 0.0, seed: int = 0
 ) -> Noise:
-    """Noise of a target that columns (shape (columns, samples)) explain but for noise.
+    """The noise of a target after a fit of columns, shape (columns, samples).
 
     The columns swallow part of coloured noise; how much is found by feeding noise of the estimated colour through the
     same fit, and added back. In the reading's unit, time in s.
@@ -149,7 +149,7 @@ def estimate(
 
 
 def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
-    """The noise of the quieter blocks, brought to the mean loudness of all: what is new in every sample tells it.
+    """The noise of the quieter blocks, scaled to the mean loudness of all by the changes from sample to sample.
 
     Noise that grows loud for a while does so in its innovations; something that happened does not.
     Both of shape (samples,), in the reading's unit; `first` counts samples since the start of each run.
@@ -161,7 +161,7 @@ def louder(noise: Noise, own: Array, first: np.ndarray) -> Noise:
 
 
 def flatter(blocks: list[Array], spreads: Array) -> float:
-    """Standard deviation of noise over its robust spread: 1 of a normal one, 0.78 where all values are equally likely.
+    """Standard deviation of noise over its robust spread: 1 for normal noise, 0.78 for a uniform one.
 
     A reading that hops among the steps of a coarse sensor is like that. It is that of the middle block, and 1 where it
     may be a normal one's. Blocks of shape (samples,), spreads of shape (blocks,), both in the reading's unit.

@@ -17,7 +17,7 @@ TOGETHER = 64  # columns that are laid side by side for a product
 
 @njit(cache=True)
 def mirrored(lower: Array, scale: float) -> Array:
-    """The symmetric matrix whose one half a lower triangle holds, divided by a scale; shape (n, n).
+    """The symmetric matrix from its lower triangle, divided by a scale; shape (n, n).
 
     In the unit squared of what it holds.
     """
@@ -105,7 +105,7 @@ class Products:
         return self._raw[np.ix_(place, place)], self._raw[place, target], float(self._raw[target, target])
 
     def let_go(self) -> None:
-        """Free the columns and their products: nothing is fitted any more."""
+        """Free the columns and their products; no fit is possible afterwards."""
         self.table, self._raw = self.table[:0].copy(), np.zeros((0, 0))
         self._kept.clear()
         self.__dict__.pop("whitened", None)

@@ -43,7 +43,7 @@ class Recogniser:
     output: Array  # (classes, units + 1), without a unit; the last column is the bias
 
     def likenesses(self, signature: dict[str, float]) -> dict[str, float]:
-        """How likely the signature is of each class, shares of 1 by the class's name; a missing number counts as 0."""
+        """The probability of each class for the signature, shares of 1 by name; a missing number counts as 0."""
         values = np.array([signature.get(name, 0.0) for name in self.numbers])
         units = np.maximum(self.hidden @ np.append((values - self.centre) / self.spread, 1.0), 0.0)
         scores = self.output @ np.append(units, 1.0)
@@ -52,7 +52,7 @@ class Recogniser:
 
 
 def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str, float]:
-    """What a signature says of an explanation by one effect, as logarithms of shares; of larger ones it says nothing.
+    """The signs that a signature gives an explanation by one effect: logarithms of shares; none for larger ones.
 
     `alike`: that effect; `alike_else`: the likeliest other one; `alike_outside`: none of the library, of all
     explanations alike. No signs where nothing was recognised.
@@ -69,7 +69,7 @@ def signs(likeness_by_class: dict[str, float], ids: tuple[str, ...]) -> dict[str
 
 
 def read(content: Content) -> Recogniser:
-    """A recogniser from the content of a judge's file; raises KeyError, TypeError or ValueError where it is none."""
+    """A recogniser from the content of a judge's file; raises KeyError, TypeError or ValueError for a wrong one."""
     centre, spread = np.array(content["centre"], float), np.array(content["spread"], float)
     hidden, output = np.array(content["hidden"], float), np.array(content["output"], float)
     return Recogniser(content["numbers"], content["classes"], centre, spread, hidden, output)

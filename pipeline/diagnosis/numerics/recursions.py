@@ -15,7 +15,7 @@ CACHED = 2048  # samples that a filter works on together: what the processor hol
 
 @njit(cache=True)
 def play(motion: Array, half_width: Array) -> Array:
-    """Play operator: what follows a motion with a dead band of ± half_width (one value a sample); starts centred.
+    """Play operator: the output follows a motion with a dead band of ± half_width (one value a sample); starts centred.
 
     Motion, half-width and answer in one unit, each of shape (samples,).
     """
@@ -71,7 +71,7 @@ def resonator(drive: Array, time_s: Array, frequency_hz: Array, damping: float) 
 
 @njit(cache=True)
 def sticking(motion: Array, reach: float, back: float) -> Array:
-    """What sticks until a motion is `reach` ahead, then jumps to `back` behind it; moves in steps, both ways.
+    """A sticking part: it stays until a motion is `reach` ahead, then jumps to `back` behind it; both ways, in steps.
 
     All in the motion's unit; shape (samples,).
     """
@@ -99,7 +99,7 @@ def whiten(columns: Array, ar: Array, first: NDArray[np.intp]) -> Array:
 
 @njit(cache=True)
 def whiten_from(columns: Array, ar: Array, first: NDArray[np.intp], start: int, out: Array) -> None:
-    """Write into `out`, shape (columns, stretch), what `whiten` gives for a stretch of samples from `start` on.
+    """Write into `out`, shape (columns, stretch), the result of `whiten` for a stretch of samples from `start` on.
 
     In the columns' unit.
     """
@@ -133,7 +133,7 @@ def whiten_from(columns: Array, ar: Array, first: NDArray[np.intp], start: int, 
 
 @njit(cache=True)
 def coloured(draws: Array, ar: Array, innovation: float) -> Array:
-    """Noise under an AR model from white draws, shape (draws, samples), each from rest: what `whiten` undoes.
+    """Noise under an AR model from white draws, shape (draws, samples), each from rest: the inverse of `whiten`.
 
     `innovation` in the noise's unit; `ar` of shape (order,).
     """

@@ -1,4 +1,4 @@
-"""The band in which a residual is stated: what is faster is taken off it."""
+"""The frequency band in which a residual is stated: faster changes are filtered out."""
 
 import numpy as np
 from numpy.typing import NDArray

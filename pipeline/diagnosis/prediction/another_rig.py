@@ -15,7 +15,7 @@ ROUNDED = 1e-6  # of a dimension: nothing but its digits
 
 
 def other_dimensions(content: Simulated, run: Run) -> dict[str, tuple[float, float]]:
-    """The dimensions that run.yaml gives otherwise than the diagnosis had them, beyond a tolerance: there, and here."""
+    """The dimensions that differ between run.yaml and the diagnosis by more than a tolerance: there, and here."""
     differing = {}
     for parameter in run.system.parameters(run):
         entry = content["parameters"].get(parameter.name)
@@ -29,7 +29,7 @@ def other_dimensions(content: Simulated, run: Run) -> dict[str, tuple[float, flo
 
 
 def of_same_string(content: Simulated, run: Run, folder: Path) -> list[Path]:
-    """The folders of a diagnosis' runs that lie beside `folder`, if all are of the string that the run there names."""
+    """The folders of a diagnosis' runs beside `folder`, if the runs in them all name the string of the run there."""
     runs, own = content.get("run"), run.string.id if run.string else None
     names = runs if isinstance(runs, list) else [runs]
     places = places_beside(folder, names) if own and run.run not in names else []
@@ -41,7 +41,7 @@ def of_same_string(content: Simulated, run: Run, folder: Path) -> list[Path]:
 
 
 def other_names(content: Simulated, run: Run, folder: Path) -> tuple[str, str] | None:
-    """The string's name in the runs of a diagnosis that lie beside `folder`, and in the run there; None where alike."""
+    """The string's name in a diagnosis' runs beside `folder`, and in the run there; None where they agree."""
     runs, own = content.get("run"), run.string.id if run.string else None
     for place in places_beside(folder, runs if isinstance(runs, list) else [runs]) if own else []:
         try:

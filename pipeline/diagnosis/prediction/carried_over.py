@@ -1,4 +1,4 @@
-"""What of a diagnosis holds in a recording that it was not made of: tried on the first stroke of that recording.
+"""Which part of a diagnosis holds in a recording that it was not made of: tried on that recording's first stroke.
 
 An effect may belong to one recording alone, such as a string that was still stretching. Dimensions that calibration
 moved may hold what the library lacks. So a diagnosis of one recording can foretell another one worse than the
@@ -19,7 +19,7 @@ CLEARLY = 0.8  # of what all of a diagnosis leaves of the first stroke: a part o
 
 @dataclass(frozen=True)
 class CarriedOver:
-    """What is taken of a diagnosis for another recording: all of it, a part, or the motor's zero alone.
+    """The part of a diagnosis that is used for another recording: all, some of it, or the motor's zero alone.
 
     `content` is the simulator, its motor homed; `home` is None for a rig without a zero of the motor. `effects`,
     `dimensions`: whether those of the diagnosis are in it. `left` is what each part that was tried leaves of the first
@@ -41,7 +41,7 @@ class CarriedOver:
 def carried_over(
     problem: Problem, content: Simulated, path: Path, run: str, coarse: Problem | None = None
 ) -> CarriedOver:
-    """What of a diagnosis simulates another run, homed on its first stroke: all, or the part that is clearly better.
+    """The part of a diagnosis that simulates another run, homed on its first stroke: all, or a clearly better one.
 
     `coarse` is the same recording in averages. Nothing after that stroke is read for the choice. Raises BadInput for a
     run that the diagnosis was made of, and where the simulator gives no number.

@@ -1,4 +1,4 @@
-"""What an error against a recording is to be set beside: the noise, and what a diagnosis missed unseen strokes by."""
+"""The numbers to compare an error on a recording with: the noise, and the diagnosis' error on unseen strokes."""
 
 import math
 from dataclasses import dataclass
@@ -10,10 +10,10 @@ from ..fit.adopt import is_number
 
 @dataclass(frozen=True)
 class ToCompare:
-    """What a diagnosis says of errors, rms, in the reading's unit; None where its file does not.
+    """The errors that a diagnosis states, rms, in the reading's unit; None where its file lacks one.
 
-    `noise` is that of the readings as `simulate` compares them, `unseen` what strokes that no fit had seen were missed
-    by. `runs` are those that it was made of.
+    `noise` is that of the readings as `simulate` compares them, `unseen` the error on strokes that no fit had seen.
+    `runs` are the runs of the diagnosis.
     """
 
     noise: float | None
@@ -22,7 +22,7 @@ class ToCompare:
 
     @classmethod
     def of(cls, content: Verdict, ending: str) -> "ToCompare":
-        """What a diagnosis says; `ending` is that of its keys."""
+        """The errors of a diagnosis; `ending` is that of its keys."""
         fit, evidence = _part(content, "fit"), _part(content, "evidence")
         floor, single = (
             _size(where, name) for where, name in ((fit, f"noise_floor_{ending}"), (evidence, f"single_floor_{ending}"))
@@ -35,7 +35,7 @@ class ToCompare:
 
     @property
     def expected(self) -> float | None:
-        """What to expect of another recording of the same rig: the error on unseen strokes, or the noise if more."""
+        """The error to expect on another recording of the rig: that on unseen strokes, or the noise if larger."""
         sizes = [size for size in (self.noise, self.unseen) if size is not None]
         return None if self.unseen is None else max(sizes)
 

@@ -1,4 +1,4 @@
-"""Where a planned motion is accelerated harder than anything that was recorded, on a rig whose reading follows that."""
+"""Where a planned motion accelerates harder than any recorded one, on a rig whose reading follows acceleration."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,7 +16,7 @@ from ..recording.working_samples import averaged, derivatives
 
 
 def accelerated(system: System, samples: pd.DataFrame) -> Array:
-    """How hard a motion is accelerated, averaged over a working period: what is shorter is noise.
+    """The acceleration of a motion, averaged over a working period: shorter peaks are noise.
 
     Shape (samples,), in the motion's unit per second squared, of both signs alike.
     """
@@ -26,7 +26,7 @@ def accelerated(system: System, samples: pd.DataFrame) -> Array:
 
 
 def with_harder(beyond: Outside, system: System, plan: pd.DataFrame, recorded: Sequence[pd.DataFrame]) -> Outside:
-    """What a plan leaves of what was recorded, with the rows that are accelerated harder than any recorded one."""
+    """A plan's rows outside the recorded range, and those that accelerate harder than any recorded row."""
     if not system.differentiates:
         return beyond
     planned, hardest = accelerated(system, plan), max(float(accelerated(system, table).max()) for table in recorded)

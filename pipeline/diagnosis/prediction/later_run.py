@@ -1,4 +1,4 @@
-"""A later run of a joint diagnosis: it is simulated after the runs before it, for what goes on does not begin anew."""
+"""A later run of a joint diagnosis is simulated after the runs before it, since lasting effects do not begin anew."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -39,7 +39,7 @@ def simulated_before(content: Simulated, run: str, folder: Path) -> list[Recorde
 
 
 def before_of(content: Simulated, run: str, beside: Sequence[RecordedRun]) -> list[RecordedRun]:
-    """As `simulated_before`, of the recordings of its joint diagnosis that were read `beside` it."""
+    """As `simulated_before`, with the recordings of the joint diagnosis that were read `beside` it."""
     recorded_by_run = {each.run.run: each for each in beside}
     names = names_before(content, run)
     return [recorded_by_run[name] for name in names] if all(name in recorded_by_run for name in names) else []
@@ -48,7 +48,7 @@ def before_of(content: Simulated, run: str, beside: Sequence[RecordedRun]) -> li
 def predicted_after(
     before: Sequence[RecordedRun], recorded: RecordedRun, problem: Problem, content: Simulated, source: Path
 ) -> Array:
-    """What a diagnosis simulates for a run after those before it; `problem` is the run's own, at its own rate.
+    """The simulation of a run after the runs before it; `problem` is the run's own, at its own rate.
 
     Shape (samples,) of the run, in the channel's unit; raises BadInput as `tared` does.
     """
@@ -57,7 +57,7 @@ def predicted_after(
 
 
 def said_of(content: Simulated, run: str, before: Sequence[RecordedRun], source: Path) -> list[str]:
-    """What a person must know of the runs before one in its joint diagnosis; nothing where there are none."""
+    """The remark on the runs before one in its joint diagnosis; nothing where there are none."""
     names = [key_name(name) for name in names_before(content, run)]
     if not names:
         return []

@@ -40,7 +40,7 @@ class Home:
 def homed(
     problem: Problem, content: Simulated, path: Path, run: str, coarse: Problem | None = None
 ) -> tuple[Simulated, Home]:
-    """The simulator with the motor's zero that leaves least of the first stroke of a run, and that zero.
+    """The simulator with the motor's zero that fits the first stroke of a run best, and that zero.
 
     `coarse`: the same recording in averages, on which the places that are tried first are told apart.
 
@@ -75,7 +75,7 @@ def homed(
 
 
 def left_of_first(problem: Problem, content: Simulated, path: Path, run: str) -> float:
-    """What a simulator leaves of the first stroke of a run, about its mean where the reading's zero is free.
+    """The rms residual of a simulator on a run's first stroke, about its mean where the reading's zero is free.
 
     Rms, in the reading's unit. Raises BadInput where the simulator gives no number.
     """
@@ -90,7 +90,7 @@ def _first_stroke(problem: Problem) -> NDArray[np.bool_]:
 
 
 def _rest(problem: Problem, residual: Array, first: NDArray[np.bool_]) -> float:
-    """Error after the first stroke, or of all where there is no more, rms, about the zero of the first second."""
+    """The rms error after the first stroke, or of all where nothing follows, about the zero of the first second."""
     time_s = problem.record.time_s
     rows = ~first if not first.all() else first
     return float(np.sqrt(np.mean(np.square(residual[rows] - np.median(residual[time_s - time_s[0] <= TARE_S])))))

@@ -1,4 +1,4 @@
-"""A motion that nobody recorded, and what a simulator says of it: alone, or after the recorded motion of its run."""
+"""A motion that nobody recorded, and its simulation: alone, or after the recorded motion of its run."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -53,7 +53,7 @@ class Plan:
 
     @cached_property
     def outside(self) -> Outside | None:
-        """Where it leaves what was recorded; None where nothing was."""
+        """The part of the plan that leaves the recorded range; None where nothing was recorded."""
         if self.recorded is None:
             return None
         library, acting = mechanisms(), [entry["id"] for entry in self.content["simulation"]]
@@ -68,7 +68,7 @@ class Plan:
 
     @cached_property
     def problem(self) -> Problem:
-        """What is simulated: the plan's samples, which are the last ones."""
+        """The problem to simulate: the plan's samples are its last ones."""
         samples = self.samples
         if self.after and self.recorded is not None:
             samples = continued(self.run.system, samples, self.recorded.samples, self.drawn)
@@ -78,22 +78,22 @@ class Plan:
         return problem
 
     def own(self, values: Array) -> Array:
-        """The plan's rows of what was simulated: shape (samples,), in the channel's unit."""
+        """The plan's rows of a simulated signal: shape (samples,), in the channel's unit."""
         return values[-len(self.samples) :]
 
     @cached_property
     def begun(self) -> Problem | None:
-        """What sets the zero: the beginning of the recording. None where the zero is known, or nothing sets it."""
+        """The beginning of the recording, which sets the zero. None where the zero is known, or nothing sets it."""
         zero_known = self.zero or not self.run.system.free_zero
         return None if zero_known else beginning(self.recorded)
 
     @property
     def zero(self) -> str:
-        """The name of the zero of the run's reading in what simulates; empty where it holds none."""
+        """The name of the zero of the run's reading in the simulator; empty where it has none."""
         return own_zero(self.content, self.run.system, self.run.run)
 
     def zeroed(self, content: Simulated, path: Path) -> Array:
-        """What a simulator says of the plan's rows, its zero found as that of `content` is; raises BadInput.
+        """The simulated reading in the plan's rows, with the zero found as for `content`; raises BadInput.
 
         The zero is the recording's, where that is known or its first second sets it. Else the plan begins at 0. Shape
         (samples,), in the channel's unit.
@@ -125,11 +125,11 @@ class Plan:
         return self.predicted - self.own(whole) + self.own(alone)
 
     def band(self, diagnosis: Verdict, path: Path) -> Foretold | None:
-        """How well the plan is foretold by what `diagnosis` leaves open; None where it does not say."""
+        """The error band of the plan by `diagnosis`; None where that does not hold one."""
         return band(self.problem, diagnosis, path, self.run.run, lambda content: self.zeroed(content, path))
 
     def curves(self, diagnosis: Verdict, path: Path) -> dict[str, Array]:
-        """What each explanation that ties says, by its mechanisms: of shape (samples,), in the channel's unit."""
+        """The reading by each tied explanation, keyed by its mechanisms: of shape (samples,), in the channel's unit."""
         return curves(self.problem, diagnosis, path, self.run.run, lambda content: self.zeroed(content, path))
 
     @property
@@ -155,7 +155,7 @@ class Plan:
         return np.ones(len(self.samples), bool) if self.outside is None else ~self.outside.rows
 
     def changed_by_recording(self, expected: float | None) -> Array | None:
-        """What the reading would be more after the recorded motion, of shape (samples,) in the channel's unit.
+        """By how much the reading differs after the recorded motion, of shape (samples,) in the channel's unit.
 
         None where that is not more than the error that is `expected`, or where nothing was recorded or acts.
         """
@@ -175,7 +175,7 @@ def expected_error(width: Foretold | None, rows: Mask) -> float | None:
 
 
 def tied_with(run: Run, content: Simulated, adopted: bool) -> list[list[str]]:
-    """The explanations that tie with what is simulated: those of a diagnosis, or of what a run has `adopted` last."""
+    """The explanations that tie with the simulator: those of a diagnosis, or those a run `adopted` last."""
     tied: Any = run.adopted[-1].tied if adopted and run.adopted else cast(Verdict, content).get("alternatives", [])
     return (
         [[id_ for id_ in ids if isinstance(id_, str)] for ids in tied if isinstance(ids, list)]
@@ -185,7 +185,7 @@ def tied_with(run: Run, content: Simulated, adopted: bool) -> list[list[str]]:
 
 
 def recorded_beside(folder: Path, run: Run, content: Simulated, adopted: bool) -> list[RecordedRun]:
-    """The other recordings that a diagnosis was made of together with that of `folder`, as far as they lie beside it.
+    """The other recordings of the diagnosis beside `folder`, as far as they are there.
 
     `adopted`: those of what the run has adopted last. Raises BadInput for a recording that cannot be read.
     """

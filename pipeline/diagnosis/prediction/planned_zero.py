@@ -1,4 +1,4 @@
-"""The zero of a reading that nobody took: a plan has no first second that could set it, as a recording has."""
+"""The zero of a planned reading: a plan has no measured first second that could set it, as a recording has."""
 
 import re
 from pathlib import Path
@@ -17,7 +17,7 @@ COVERED = 0.5  # of the range of a recorded motion
 
 
 def own_zero(content: Simulated, system: System, run: str) -> str:
-    """The name of the zero of a run's own reading in what simulates; empty where it holds none.
+    """The name of the zero of a run's reading in the simulator; empty where it holds none.
 
     Of several runs each has its own. A run that adopted the diagnosis of several holds its own one alone.
     """
@@ -31,9 +31,9 @@ def own_zero(content: Simulated, system: System, run: str) -> str:
 
 
 def beginning(recorded: RecordedRun | None) -> Problem | None:
-    """The beginning of a recording, whose first second sets a zero that nothing else tells; None without one.
+    """The beginning of a recording: its first second sets a zero that is otherwise unknown; None without a recording.
 
-    It goes on until the motion has covered `COVERED` of its range: what nothing moves cannot be simulated.
+    It goes on until the motion has covered `COVERED` of its range: a motion that stands cannot be simulated.
     """
     if recorded is None:
         return None
@@ -46,7 +46,7 @@ def beginning(recorded: RecordedRun | None) -> Problem | None:
 
 
 def set_by(begun: Problem, content: Simulated, path: Path, run: str) -> float:
-    """What a simulator's reading lacks to that of a recording's first second, in the channel's unit.
+    """The offset from a simulator's reading to a recording's first second, in the channel's unit.
 
     Raises BadInput as `simulated` does.
     """

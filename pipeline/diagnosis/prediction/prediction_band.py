@@ -1,4 +1,4 @@
-"""How well a motion that nobody recorded is foretold: a band of the reading, and what each rival explanation says.
+"""How well a motion that nobody recorded is foretold: an error band, and the reading by each rival explanation.
 
 The band holds nine of ten readings if what acts is named rightly: it covers how well the numbers of the fit are known,
 and what the simulator missed unseen strokes by, or the noise where that is more. It covers no wrong explanation, no
@@ -52,7 +52,7 @@ class _Fit(Form):
 
 
 class _Read(Form):
-    """What is read of a diagnosis here; a file may lack any of it."""
+    """The parts of a diagnosis that this module reads; a file may lack any of them."""
 
     fit: _Fit | None = None
     uncertainty: list[_Doubt] = Field(default_factory=list)
@@ -62,7 +62,7 @@ class _Read(Form):
 
 @dataclass(frozen=True)
 class Foretold:
-    """One sigma of each sample, in the channel's unit, of what the fit's numbers leave open; and of what was missed.
+    """One sigma of each sample, in the channel's unit, from the fit's uncertain numbers; and the error so far.
 
     `missed`: rms, in the channel's unit, of unseen strokes where `held_out`, else of the noise; by the diagnosis
     `content`, if one is known.
@@ -83,7 +83,7 @@ class Foretold:
         return float(np.hypot(rms(self.sigma[rows]), self.missed))
 
     def within(self, rows: NDArray[np.bool_], gaps: Sequence[Array]) -> float:
-        """How near to the best curve nine of ten readings of some rows are expected, whichever explanation is right.
+        """How close to the best curve nine of ten readings of some rows lie, whichever explanation is right.
 
         `rows` is a mask. `gaps` say by how much the curve of each explanation that ties is more. Both of shape
         (samples,); gaps and answer in the channel's unit.
@@ -95,7 +95,7 @@ class Foretold:
 
 
 def _nine_of_ten(sigma: Array, gap: Array) -> float:
-    """The distance that nine of ten normal numbers keep, `gap` their means; all of shape (numbers,), in one unit."""
+    """The distance that nine of ten normal numbers keep to 0; `gap` are their means. Shape (numbers,), in one unit."""
 
     def lacking(distance: float) -> float:
         return float(np.mean(ndtr((distance - gap) / sigma) - ndtr((-distance - gap) / sigma))) - HELD
@@ -104,7 +104,7 @@ def _nine_of_ten(sigma: Array, gap: Array) -> float:
 
 
 def band(problem: Problem, content: Verdict, path: Path, run: str, zeroed: Zeroed | None = None) -> Foretold | None:
-    """How well a diagnosis foretells the motion of a problem; None where it does not hold what that takes.
+    """The error band of a diagnosis on the motion of a problem; None where its file lacks what the band needs.
 
     `zeroed` gives the reading of a simulator, where its zero is not that of `tared`. Raises BadInput for doubts that
     are none.
@@ -136,7 +136,7 @@ def _size(value: Any) -> float | None:
 
 
 def _moved(content: Verdict, direction: int) -> Simulated:
-    """The simulator of a diagnosis a short step along one direction of doubt."""
+    """The simulator of a diagnosis, moved a short step along one direction of uncertainty."""
     parameters: dict[str, Any] = copy.deepcopy(content["parameters"])
     simulation: list[Any] = copy.deepcopy(list(content["simulation"]))
     for doubt in content["uncertainty"]:
@@ -155,7 +155,7 @@ def _moved(content: Verdict, direction: int) -> Simulated:
 
 
 def curves(problem: Problem, content: Verdict, path: Path, run: str, zeroed: Zeroed | None = None) -> dict[str, Array]:
-    """What each explanation that ties says of a motion, by its mechanisms: shape (samples,), in the channel's unit.
+    """The reading by each tied explanation, keyed by its mechanisms: shape (samples,), in the channel's unit.
 
     `zeroed` is as in `band`. Raises BadInput for rivals that are none.
     """
@@ -173,7 +173,7 @@ def curves(problem: Problem, content: Verdict, path: Path, run: str, zeroed: Zer
 
 
 def adopted_diagnosis(run: Run) -> tuple[Path, Verdict | None]:
-    """The diagnosis.json that a run adopted last, and its content; None where it is gone, or says another simulator.
+    """The diagnosis.json that a run adopted last, with its content; None where it is gone or has changed.
 
     Raises BadInput for a file that is no diagnosis.
     """

@@ -1,7 +1,7 @@
-"""A black box of what a simulator leaves of recorded strokes, for who wants the prediction alone: it is no physics.
+"""A black box fitted to a simulator's residual, for a reader who wants the prediction alone: it is no physics.
 
-Boosted trees over the drivers of the recording, the same that say how far physics still has to go (`flexible.py`). They
-answer where the recording was: beyond, they add 0.
+Boosted trees over the drivers of the recording, as in `flexible.py`. They answer only inside the recorded range.
+Outside it they add 0.
 
 Source: Friedman, "Greedy function approximation: a gradient boosting machine", Annals of Statistics 29, 2001.
 """
@@ -32,7 +32,7 @@ NINE_OF_TEN = 0.9
 
 @dataclass(frozen=True)
 class Lesson:
-    """A recording at its working rate, and what a simulator leaves of it: `left`, of shape (samples,), in its unit."""
+    """A recording at its working rate, and the simulator's residual `left`, of shape (samples,), in its unit."""
 
     problem: Problem
     left: Array
@@ -40,7 +40,7 @@ class Lesson:
 
 @dataclass(frozen=True)
 class BlackBox:
-    """Trees that were fitted to what is left, and the drivers that they were fitted over, by name."""
+    """Trees fitted to a residual, and the drivers that they were fitted over, by name."""
 
     recorded: dict[str, Array]  # each of shape (rows,), in its own unit
     told: tuple[str, ...]  # those that the trees listen to
@@ -50,7 +50,7 @@ class BlackBox:
 
     @classmethod
     def fitted(cls, lessons: Sequence[Lesson], seen: Sequence[Mask], names: Sequence[str]) -> "BlackBox":
-        """Fitted to the rows of some lessons that may be seen, over the drivers of these names.
+        """A black box fitted to the visible rows of some lessons, over the drivers of these names.
 
         `seen` are masks, each of shape (samples,) of its lesson.
         """
@@ -71,9 +71,9 @@ class BlackBox:
         return cls(recorded, listened_to, span, predict, near)
 
     def added(self, drivers: Drivers) -> tuple[Array, Mask]:
-        """What it adds to a simulator, in the reading's unit, and the rows that lie where the recording was.
+        """What the trees add to a simulator, in the reading's unit, and the rows inside the recorded range.
 
-        In others it adds 0. Both of shape (samples,).
+        In other rows they add 0. Both of shape (samples,).
         """
         columns = told_of(drivers, self.span)
         inside = np.ones(len(drivers.motion), bool)
@@ -88,10 +88,10 @@ class BlackBox:
 
 
 def told_of(drivers: Drivers, span: float) -> dict[str, Array]:
-    """The drivers that it may listen to, by name; corners of a drawn motion are rounded as a recorded one's are.
+    """The drivers that the trees may use, by name; corners of a drawn motion are rounded like recorded ones.
 
-    A temperature is none: it drifts as time goes, so that each stroke would have one that no other has. `span` in the
-    motion's unit; each of shape (samples,), in its own unit.
+    Temperature is left out: it drifts with time, so that it would mark each stroke. `span` is in the motion's unit.
+    Each driver has the shape (samples,), in its own unit.
     """
     return inputs(replace(drivers, drawn=False, temperature_c=None), span)
 
@@ -108,7 +108,7 @@ def _in_ranges(columns: dict[str, Array], recorded: dict[str, Array], names: Seq
 
 @dataclass(frozen=True)
 class Residual:
-    """What a black box adds to a simulator's motion, its interval, and what it was worth on strokes unseen by both.
+    """What a black box adds to a simulator's motion, its interval, and its error on unseen strokes.
 
     Sizes and errors (rms) are in the reading's unit; `runs` are those that it was fitted to.
     """
@@ -121,7 +121,7 @@ class Residual:
     runs: tuple[str, ...]
 
     def within(self, rows: Mask) -> "Residual":
-        """That of the last rows, with 0 in those that a mask leaves out; `rows` has the shape (last samples,)."""
+        """The last rows, with 0 where a mask is False; `rows` has the shape (last samples,)."""
         inside = self.inside[-len(rows) :] & rows
         return replace(self, inside=inside, added=np.where(inside, self.added[-len(rows) :], 0.0))
 
@@ -137,7 +137,7 @@ class Residual:
 
 
 def residual(problem: Problem, content: Verdict, path: Path, recorded: list[RecordedRun], mend: str) -> Residual:
-    """What a black box adds to the motion of `problem`, fitted to what a diagnosis leaves of the runs it was made on.
+    """What a black box adds to the motion of `problem`, fitted to a diagnosis' residual on its own runs.
 
     Its error and its interval are those of a black box that, like its simulator, had not seen the last strokes. Raises
     BadInput for a diagnosis that does not hold that simulator, with `mend`.
@@ -160,7 +160,7 @@ def residual(problem: Problem, content: Verdict, path: Path, recorded: list[Reco
 
 
 def _lesson(problem: Problem, recorded: RecordedRun, simulator: Simulated, path: Path) -> Lesson:
-    """What a simulator leaves of a run at its working rate, about its zero where only the first second told that."""
+    """The residual of a simulator on a run at its working rate, about its median where the zero was unknown."""
     run = recorded.run.run
     residual_of_run = problem.measured - tared(problem, simulator, path, run)
     unknown = problem.system.free_zero and not has_zero(simulator, problem.system, run)
@@ -170,7 +170,7 @@ def _lesson(problem: Problem, recorded: RecordedRun, simulator: Simulated, path:
 def _left_of_unseen(
     recorded: RecordedRun, box: BlackBox, simulator: Simulated, path: Path, seen_s: float
 ) -> tuple[Array, Array]:
-    """What a simulator, alone and with a black box, leaves of strokes that neither saw, as `held_out` scores it.
+    """The residual on unseen strokes, of the simulator alone and with a black box, scored as in `held_out`.
 
     Each of shape (unseen samples,), in the reading's unit, lonely wild readings left out.
     """

@@ -64,7 +64,7 @@ def read_diagnosis(path: Path) -> Verdict:
 
 
 def of_run(run: Run) -> Simulated:
-    """What a run's own `run.yaml` simulates, as a diagnosis would say it: what it has adopted, effects and dimensions.
+    """What a run's own `run.yaml` simulates, in the form of a diagnosis: the adopted effects and dimensions.
 
     Dimensions are those of run.yaml where none were adopted, or where one has been measured again since.
     """
@@ -102,12 +102,12 @@ def _adopted(run: Run) -> dict[str, Fitted]:
 
 
 def has_zero(content: Simulated, system: System, run: str, runs: int = 1) -> bool:
-    """Whether a diagnosis, or what a run has adopted, holds the zero of this run's reading, as `zero_name` says it."""
+    """Whether a diagnosis, or what a run has adopted, holds the zero of this run's reading."""
     return zero_name(content, system, run, runs) in content["parameters"]
 
 
 def zero_name(content: Simulated, system: System, run: str, runs: int = 1) -> str:
-    """The name of the zero of a run's reading, of which `runs` are simulated up to it; empty where none is known.
+    """The name of the zero of a run's reading; `runs` are simulated up to it. Empty where no zero is known.
 
     That of a later run of several is known beside what those before it left behind, so with all of these alone.
     """
@@ -119,7 +119,7 @@ def zero_name(content: Simulated, system: System, run: str, runs: int = 1) -> st
 
 
 def simulated(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
-    """What a diagnosis simulates for a run; raises BadInput where that is not a number at every sample.
+    """The simulation of a run by a diagnosis; raises BadInput where a sample of it is not a number.
 
     Shape (samples,), in the channel's unit.
     """
@@ -147,7 +147,7 @@ def tare(predicted: Array, measured: Array, time_s: Array) -> float:
 
 
 def tared(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
-    """What a diagnosis simulates for a run, with the zero of its reading; raises BadInput as `simulated` does.
+    """The simulation of a run by a diagnosis, with the zero of its reading; raises BadInput as `simulated` does.
 
     Of several runs the zero is that of the last, which is the run's. Shape (samples,), in the channel's unit.
     """
@@ -162,7 +162,7 @@ def tared(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
 
 
 def at_its_best_zero(problem: Problem, content: Simulated, path: Path, run: str) -> Array:
-    """What a diagnosis simulates for a run, with the zero that fits its reading best; raises BadInput as `simulated`.
+    """The simulation of a run by a diagnosis, with the zero that fits its reading best; raises BadInput as `simulated`.
 
     Shape (samples,), in the channel's unit.
     """
@@ -171,7 +171,7 @@ def at_its_best_zero(problem: Problem, content: Simulated, path: Path, run: str)
 
 
 def off(measured: Array, predicted: Array) -> tuple[float, float]:
-    """How far a prediction is off the recording, rms, lonely wild readings left out: as it is, and about its median.
+    """The rms error of a prediction, lonely wild readings left out: as it is, and about its median.
 
     The median is the zero that a verdict gives the nominal simulator. Both given have the
     shape (samples,); they and both numbers that it gives are in the channel's unit.
@@ -182,7 +182,7 @@ def off(measured: Array, predicted: Array) -> tuple[float, float]:
 
 
 def compared(run: Run, problem: Problem, predicted: Array) -> tuple[Array, Array]:
-    """Measured and predicted as a diagnosis compares them: where derivatives are followed, in means at a working rate.
+    """Measured and predicted in the form in which a diagnosis compares them: means, where derivatives are followed.
 
     What is predicted is predicted at the recording's own rate: between means, a jump of a force would be a ramp. Both
     of shape (working samples,), in the channel's unit.

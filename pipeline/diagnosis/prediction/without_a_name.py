@@ -1,4 +1,4 @@
-"""What is simulated though no verdict names it, or though its verdict advised against it, and that it is so."""
+"""Simulators that no verdict names, or that a verdict advised against; and the remark that says so."""
 
 from typing import cast
 
@@ -10,7 +10,7 @@ AGAINST = "beware: run.yaml adopted this against the advice of its verdict, whic
 
 
 def to_simulate(content: Simulated, run: str) -> Simulated:
-    """A diagnosis whose `simulation` and `parameters` are what predicts one of its runs: of `unknown` its `closest`.
+    """A diagnosis whose `simulation` and `parameters` predict one of its runs; for `unknown`, those of its `closest`.
 
     Another run keeps the dimensions alone: what no verdict names was seen to go wrong elsewhere.
     """
@@ -22,7 +22,7 @@ def to_simulate(content: Simulated, run: str) -> Simulated:
 
 
 def said_of_no_name(content: Simulated, ending: str) -> list[str]:
-    """That what is simulated, `content`, is no name, or was adopted against advice; else nothing.
+    """The remark that the simulator `content` is no name, or was adopted against advice; else nothing.
 
     `ending` is that of the keys of errors in `content`, as `mm`.
     """

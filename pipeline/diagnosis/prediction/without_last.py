@@ -1,4 +1,4 @@
-"""The simulator that had not seen the last strokes, as `diagnosis.json` holds it: who learns from it can be tested."""
+"""The simulator that had not seen the last strokes, as `diagnosis.json` holds it; it tests what is learnt from it."""
 
 from pathlib import Path
 from typing import Any
@@ -32,7 +32,7 @@ def written(problem: Problem, errors: Errors) -> Unseen:
 
 
 def read(content: Verdict, runs: list[str], path: Path, mend: str) -> tuple[Simulated, dict[str, float]]:
-    """The simulator that a diagnosis found without the last strokes; and what it saw of each run, in s.
+    """The simulator that a diagnosis found without the last strokes, and how much of each run it saw, in s.
 
     Raises BadInput where the diagnosis has none, with `mend`, or where it is none.
     """

@@ -1,4 +1,4 @@
-"""A mismatch over the course of a recording: what comes with time, from stroke to stroke, and during rests."""
+"""A mismatch over the course of a recording: its change with time, from stroke to stroke, and during rests."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ END = 5  # the parts of a rest, of which the first is compared with the last
 
 
 def time(mismatch: Mismatch) -> dict[str, float]:
-    """How far the remainder moves with the time and with its logarithm, at the bottom, in the middle and at the top."""
+    """How far the remainder moves with time and with its logarithm, at the bottom, in the middle and at the top."""
     remainder, late = mismatch.remainder, np.log(mismatch.course + EARLY)
     parts = {name: mismatch.within(part) for name, part in (("low", LOW), ("middle", MIDDLE), ("top", TOP))}
     return {

@@ -1,4 +1,4 @@
-"""A mismatch under different loads and at different speeds: how far it moves with them, and how far its loops do."""
+"""A mismatch under different loads and at different speeds: how far it moves with them, and how its loops change."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,7 +43,7 @@ def _loop(mismatch: Mismatch, where: NDArray[np.bool_]) -> float | None:
 
 
 def load_steps(mismatch: Mismatch) -> dict[str, float]:
-    """How far the mismatch moves at once when the load changes by its mean, and how far it goes on: medians."""
+    """How far the mismatch moves at a change of the load, and how far it goes on afterwards: medians."""
     changing = np.flatnonzero(np.abs(np.diff(gaussian_filter1d(mismatch.heavier, 1.0))) > STEP)
     at_once, later = [], []
     for group in np.split(changing, np.flatnonzero(np.diff(changing) > LATER // 2) + 1) if len(changing) else []:

@@ -1,4 +1,4 @@
-"""A mismatch over the place in the stroke: its profile, by how much both ways differ, and what follows a reversal."""
+"""A mismatch over the place in the stroke: its profile, the difference of both ways, its course after reversals."""
 
 import numpy as np
 
@@ -35,7 +35,7 @@ def _mean_at(mismatch: Mismatch, where: Array, way: int) -> float | None:
 
 
 def reversals(mismatch: Mismatch) -> dict[str, float]:
-    """How far the mismatch has moved at some way from each reversal, at the top and at the bottom: medians."""
+    """How far the mismatch has moved at given distances after a reversal, at the top and at the bottom: medians."""
     return {
         f"after_{end}_{share:g}": value
         for end, way in (("top", -1), ("bottom", 1))

@@ -1,4 +1,4 @@
-"""What calibration leaves, in units of its own size, beside where in the stroke and when it was left."""
+"""The residual after calibration, in units of its own size, with the place and the time of each sample."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ FEWEST = 20  # samples of which a slope is taken
 
 @dataclass(frozen=True)
 class Mismatch:
-    """A mismatch and its circumstances, each of shape (samples,); all are shares, but the times, turns and numbers."""
+    """A mismatch and its circumstances, each of shape (samples,); all are shares except times, turns and numbers."""
 
     raw: Array  # in units of its rms beyond the noise
     smooth: Array  # the same without what is quick
@@ -35,19 +35,22 @@ class Mismatch:
 
     @property
     def bins(self) -> NDArray[np.intp]:
-        """The place of each sample, as places between EDGES. Shape (samples,)."""
+        """The bin between EDGES of each sample's place, as places. Shape (samples,)."""
         return np.searchsorted(EDGES, self.place, side="right")
 
     @property
     def remainder(self) -> Array:
-        """What is left once its mean at each place and on each way is taken off. Shape (samples,), in its own unit."""
+        """The mismatch less its mean at each place and on each way. Shape (samples,), in its own unit."""
         groups = 3 * self.bins + self.way + 1
         number = np.maximum(np.bincount(groups, minlength=groups.max() + 1), 1)
         mean = np.bincount(groups, self.smooth, minlength=groups.max() + 1) / number
         return np.asarray(self.smooth - mean[groups])
 
     def quicker_than(self, times: float) -> Array:
-        """What is quicker than some times the width of what is quick. Shape (samples,), in its own unit."""
+        """The part of the mismatch that changes within `times` the width of a quick change.
+
+        Shape (samples,), in its own unit.
+        """
         return np.asarray(self.raw - without_quick(self.raw, times))
 
     def within(self, part: tuple[float, float]) -> NDArray[np.bool_]:
@@ -56,7 +59,7 @@ class Mismatch:
 
 
 def mismatch(problem: Problem, base: State) -> Mismatch:
-    """What a calibrated simulator leaves of a recording, with its circumstances: of long ones each second sample."""
+    """The residual of a calibrated simulator with its circumstances; of long recordings only every nth sample."""
     drivers, residual = problem.drivers, problem.measured - problem.simulate(base)
     looked_at = slice(None, problem.rows, max(1, problem.rows // SAMPLES))
     return seen(
@@ -87,7 +90,7 @@ def seen(residual: Array, motion: Array, rate: Array, load: Array, time_s: Array
 
 
 def without_quick(values: Array, times: float = 1.0) -> Array:
-    """Values without what is quicker than some times the width of what is quick.
+    """Values without the part that changes within `times` the width of a quick change.
 
     Shape (samples,), in their own unit.
     """
@@ -95,7 +98,7 @@ def without_quick(values: Array, times: float = 1.0) -> Array:
 
 
 def mean(values: Array, least: int = 4) -> float:
-    """Their mean, of shape (values,) and in their unit; 0 where they are too few to have one."""
+    """The mean of values of shape (values,), in their unit; 0 where they are too few."""
     return float(np.mean(values)) if len(values) >= least else 0.0
 
 

@@ -1,4 +1,4 @@
-"""What of a mismatch is quick: how rough it is on each way and at rest, what comes once a turn, what starts shake."""
+"""The quick part of a mismatch: its roughness on each way and at rest, ripples per turn, and shaking after starts."""
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
@@ -6,12 +6,12 @@ from scipy.ndimage import gaussian_filter1d
 from .mismatch import Mismatch, follows, mean
 
 FEW = 10  # samples of a phase, at least
-SHAKE, RIPPLE = 8, 12  # times the width of what is quick: what a start shakes, and a ripple, are quicker
+SHAKE, RIPPLE = 8, 12  # times the width of a quick change: changes within it count as shakes of a start, and as ripples
 MOST = 3.0  # times the size of the mismatch: the largest step between two samples counts as no more
 
 
 def roughness(mismatch: Mismatch) -> dict[str, float]:
-    """By how much the differences of neighbours exceed those of the noise: winding, unwinding, resting; the largest."""
+    """By how much neighbouring samples differ beyond the noise: while winding, unwinding and resting; and at most."""
     steps = np.diff(mismatch.raw)
     sign_by_name = {}
     for name, way in (("winding", 1), ("unwinding", -1), ("resting", 0)):
@@ -22,7 +22,7 @@ def roughness(mismatch: Mismatch) -> dict[str, float]:
 
 
 def ripples(mismatch: Mismatch) -> dict[str, float]:
-    """The size of what comes half a time, once and twice a turn of the motor while it moves."""
+    """The size of ripples that repeat half a time, once and twice per turn of the motor while it moves."""
     moving = mismatch.way != 0
     quick = mismatch.quicker_than(RIPPLE)[moving]
     turned = mismatch.motion[moving]
@@ -34,7 +34,7 @@ def ripples(mismatch: Mismatch) -> dict[str, float]:
 
 
 def shakes(mismatch: Mismatch) -> dict[str, float]:
-    """How far what is quick moves with the acceleration of the motor."""
+    """How far the quick part moves with the acceleration of the motor."""
     quick = mismatch.quicker_than(SHAKE)
     acceleration = np.gradient(gaussian_filter1d(mismatch.speed * mismatch.way, 1.0))
     return {"shaken": follows(quick, acceleration, np.ones(len(quick), bool))}

@@ -23,5 +23,5 @@ def signature(of: Mismatch) -> dict[str, float]:
 
 
 def signature_of(problem: Problem, base: State) -> dict[str, float]:
-    """The signature of what a calibrated simulator leaves of a recording."""
+    """The signature of the residual of a calibrated simulator on a recording."""
     return signature(mismatch(problem, base))

@@ -1,6 +1,7 @@
-"""What named effects leave and a stand-in foretells: in the simulator from then on, like a dimension, and no name.
+"""Stand-ins for what named effects leave: each acts in the simulator from then on, like a dimension, and is no name.
 
-A drive's transmission errs by the place. Where nothing takes that, effects are named that only bend into its shape.
+A drive's transmission errs by the place. Where no stand-in takes up that error, effects are named that only imitate
+its shape.
 """
 
 from dataclasses import replace
@@ -15,11 +16,11 @@ from ..fit.problem import Act, Problem, State
 from ..mechanisms.interface import Mechanism, Nonlinear
 
 NAMED = ("explained", "ambiguous")  # verdicts after which something can be left of what is named
-FORETOLD = 0.9  # of the error of named effects on left-out stretches: a curve that leaves more of it is as well chance
+FORETOLD = 0.9  # of the named effects' error on left-out stretches: a curve that leaves more may be chance
 
 
 def with_stand_ins(study: Study) -> Problem | None:
-    """The problem whose simulator has what stand-ins take of what named effects leave; None where none foretells it."""
+    """The problem with stand-ins in its simulator for what named effects leave; None where no stand-in foretells it."""
     problem, acting = study.problem, {act.id for act in study.best.acts}
     taken: list[Act] = []
     for mechanism in problem.library.values() if study.verdict in NAMED else ():
@@ -33,13 +34,13 @@ def with_stand_ins(study: Study) -> Problem | None:
 
 
 def columns(problem: Problem, mechanism: Mechanism, nonlinear: Nonlinear) -> Array:
-    """What a stand-in can add to the reading, of the rows that a fit sees, shape (columns, rows), in any unit."""
+    """What a stand-in can add to the reading, in the rows that a fit sees. Shape (columns, rows), in any unit."""
     signals = [term.signal for term in problem.terms(mechanism, nonlinear) if not callable(term.signal)]
     return np.array(signals)[:, : problem.rows]
 
 
 def left_by(problem: Problem, state: State, table: Array) -> float:
-    """The error of columns on stretches that they were not fitted to, over that of a state alone, both rms.
+    """The rms error with added columns on left-out stretches, divided by the error of the state alone.
 
     `table` has the shape (columns, rows), in any unit.
     """
@@ -65,7 +66,7 @@ def fitted(study: Study, mechanism: Mechanism, nonlinear: Nonlinear) -> Act:
 
 
 def clearer(again: Study, first: Study) -> bool:
-    """Whether a study with stand-ins still names something, in no more explanations, and no more effects in the best.
+    """Whether a study with stand-ins still names something, in no more explanations and no more effects in the best.
 
     A stand-in takes the place of effects that only bend into its shape. It is no reason to name further ones.
     """

@@ -75,7 +75,7 @@ def make_problem(
 
 
 def unplaced(system: System, drivers: Drivers) -> frozenset[str]:
-    """Mechanisms all of whose candidates act where a system has no port."""
+    """Mechanisms whose candidates all act at ports that the system lacks."""
     if set(system.ports) == set(PORTS):
         return frozenset()
     library = [(id_, mechanism, mechanism.candidates(drivers)) for id_, mechanism in mechanisms().items()]
@@ -87,7 +87,7 @@ def unplaced(system: System, drivers: Drivers) -> frozenset[str]:
 
 
 def fine_floor(fine: Problem, studied: Study) -> float:
-    """Noise floor at the recording's own rate: the working floor and what averaging took off it."""
+    """Noise floor at the recording's own rate: the working floor plus the noise that averaging took off."""
     if len(fine.record) == len(studied.problem.record):
         return studied.noise.floor
     own = robust(fine.measured - fine.simulate(studied.best))
@@ -96,7 +96,7 @@ def fine_floor(fine: Problem, studied: Study) -> float:
 
 
 def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, trim: float = 0.0) -> Noise:
-    """Noise of what a state leaves, beside everything that calibration, its acts and the generic dictionary can do.
+    """The noise of a state's residual, beside all that calibration, its acts and the generic dictionary can do.
 
     `smooth` is the dictionary, shape (columns, samples), in any unit, if it is made already: one made here is let go.
     """
@@ -111,7 +111,7 @@ def noise_of(problem: Problem, state: State, smooth: np.ndarray | None = None, t
 
 
 def study(problem: Problem, say: Progress = lambda _: None) -> Study:
-    """The whole procedure on the rows that the problem lets it see; again where a stand-in takes what is left by names.
+    """The whole procedure on the rows that the problem shows; again if stand-ins take up what named effects leave.
 
     What is named then counts if it is clearer.
     """
@@ -174,7 +174,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
 
 
 def too_loud(noise: Noise, chosen: Explanation) -> bool:
-    """Whether a noise is larger than what an explanation leaves: it was told beside a state that fits worse."""
+    """Whether a noise is larger than the residual of the explanation: it was estimated with a state that fits worse."""
     return noise.floor > TOO_LOUD * float(np.sqrt(chosen.energy))
 
 

@@ -47,7 +47,7 @@ FITTED: tuple[Literal["calibrated", "explained"], ...] = ("calibrated", "explain
 
 
 def worse_than_nominal(errors: Errors) -> list[str]:
-    """Which of the calibrated and the explained simulator are worse than the nominal one on strokes that none saw."""
+    """The simulators, calibrated or explained, that are worse than the nominal one on unseen strokes."""
     return [name for name in FITTED if errors[name] > WORSE * errors["nominal"]]
 
 
@@ -63,7 +63,7 @@ def first_held_out(problem: Problem) -> int | None:
 
 
 def quick(fine: Problem, state: State, rows: NDArray[np.bool_]) -> float:
-    """Noise from one sample to the next, rms: no structure that is slower than that is counted as noise.
+    """Noise from one sample to the next, rms: slower structure does not count as noise.
 
     In the reading's unit; `rows` is a mask of shape (samples,).
     """

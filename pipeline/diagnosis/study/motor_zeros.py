@@ -43,7 +43,7 @@ def held(problem: Problem) -> Problem:
 
 
 def moved(problem: Problem, study: Study) -> bool:
-    """Whether a zero may have moved that a study held: beside what explains one does, or a twist is said to slip."""
+    """Whether a held zero may have moved: a free zero moves beside the explanation, or a slip of the twist is named."""
     acts = tuple(act for act in study.best.acts if act not in problem.included)
     named = {act.id for act in acts} | {id_ for explanation in study.sets for id_ in explanation.ids}
     if any(mechanisms()[id_].driver == FOR_GOOD[1] for id_ in named):

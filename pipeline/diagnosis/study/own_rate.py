@@ -1,4 +1,4 @@
-"""A recording at its own rate: what is simulated, what an error is scored on, what an explanation is refitted to."""
+"""A recording at its own rate: for simulation, for scoring errors, and for refitting explanations."""
 
 from ..fit.problem import Problem
 from ..recording.recorded_run import RecordedRun
@@ -17,16 +17,16 @@ def at_own_rate(recorded: list[RecordedRun], thin: bool = True, to_fit: bool = T
 
 
 def to_score(recorded: list[RecordedRun]) -> Problem:
-    """What an error is scored on: the recording's own samples, of a very long one each second, third, … sample.
+    """The problem that an error is scored on: the recording's own samples, of a very long one every nth.
 
-    Where a system follows derivatives the samples are averaged to its working rate anyway, and none is passed over.
+    Where a system follows derivatives, the samples are averaged to its working rate, and none is left out.
     """
     step = 1 if recorded[0].run.system.differentiates else -(-samples_of(recorded) // SCORED_SAMPLES)
     return at_own_rate(recorded if step < 2 else [each.each(step) for each in recorded])
 
 
 def to_polish(recorded: list[RecordedRun], fine: Problem) -> Problem:
-    """What an explanation is refitted to: `fine`, at the recording's own rate, or averages where it is long."""
+    """The problem that an explanation is refitted to: `fine`, at the recording's own rate; averages if it is long."""
     return fine if len(fine.record) <= POLISHED_SAMPLES else make_problem(recorded, most=POLISHED_SAMPLES)
 
 

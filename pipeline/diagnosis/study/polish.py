@@ -1,4 +1,4 @@
-"""A study whose simulator is fitted again to the recording at its own rate, and trusted only as far as it may be."""
+"""A study whose simulator is fitted again to the recording at its own rate, and trusts it only as far as it should."""
 
 from dataclasses import replace
 
@@ -10,14 +10,14 @@ from .tempered import tempered
 
 
 def polished(studied: Study, fine: Problem) -> Study:
-    """The study with its simulator refitted to what `to_polish` gives, and trusted as far as it may be."""
+    """The study with its simulator refitted to the problem from `to_polish`, and tempered."""
     own = studied.problem  # a zero of the motor that the study held stays, and so does a stand-in
     fine = replace(fine, parameters=own.parameters, included=own.included, beside=own.beside)
     return tempered(_refitted(studied, fine), fine)
 
 
 def _refitted(studied: Study, fine: Problem) -> Study:
-    """The study with its explanation refitted to what `to_polish` gives: averaging flattens ripples."""
+    """The study with its explanation refitted to the problem from `to_polish`, since averaging flattens ripples."""
     acts = tuple(act for act in studied.best.acts if act not in fine.included and act.id not in studied.random)
     if not acts or len(fine.record) == len(studied.problem.record):
         return studied

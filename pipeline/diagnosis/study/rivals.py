@@ -1,4 +1,4 @@
-"""What ties with the best explanation, as simulators of their own: a motion that nobody recorded tells them apart."""
+"""The explanations that tie with the best one, as simulators: on a new motion they may predict different readings."""
 
 from ...run.description import Included
 from ..choice.outcome import Study
@@ -30,13 +30,13 @@ def rivals(study: Study, ending: str) -> list[Rival]:
 
 
 def named_simulator(problem: Problem, state: State, ids: list[str], ending: str) -> Rival:
-    """A state as a simulator, with the ids of what acts in it beside what run.yaml has; `ending`: of the channel."""
+    """A state as a simulator, with the ids of its acts that are not from run.yaml; `ending`: of the channel."""
     parameters, simulation = as_simulator(problem, state, ending)
     return Rival(ids=ids, parameters=parameters, simulation=simulation)
 
 
 def as_simulator(problem: Problem, state: State, ending: str) -> tuple[dict[str, Dimension], list[Included]]:
-    """A state as a diagnosis writes a simulator: dimensions with the zero of each run, and what acts."""
+    """A state in the form of a simulator in a diagnosis: dimensions, the zero of each run, and the acts."""
     values = {problem.parameters[index].name: float(state.values[index]) for index in problem.movable}
     if problem.system.free_zero:
         several = problem.runs > 1

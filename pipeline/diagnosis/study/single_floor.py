@@ -1,4 +1,4 @@
-"""The noise of single samples where a rig is scored in averages and `simulate` and `adopt` count single samples."""
+"""The noise of single samples, where a rig is scored in averages but `simulate` and `adopt` count single samples."""
 
 import math
 
@@ -10,11 +10,11 @@ from .own_rate import SCORED_SAMPLES, at_own_rate, samples_of
 
 
 def single_floor(study: Study, fine: Problem, recorded: list[RecordedRun], floor: float) -> dict[str, float]:
-    """`scored_step_s`, over which `fine` averages, and `single_floor_…`, both for the `evidence`.
+    """`scored_step_s`, the time over which `fine` averages, and `single_floor_…`, both for the `evidence`.
 
-    `floor` is the noise of `fine`, in the reading's unit. Nothing where `fine` holds the single samples. Without the
-    noise where these are more than is simulated at once, and where a system follows derivatives: there averages are
-    counted everywhere, and what a noisy motion does to a single prediction is no noise of the reading.
+    `floor` is the noise of `fine`, in the reading's unit. Empty where `fine` holds the single samples.
+    `single_floor_…` is left out where the samples are too many to simulate at once. It is also left out where a system
+    follows derivatives: averages count everywhere there, as a noisy motion spoils single predictions.
     """
     count, ending = samples_of(recorded), study.problem.system.channel.rpartition("_")[2]
     if study.problem.system.working_hz is None or len(fine.record) == count:

@@ -1,9 +1,9 @@
-"""A simulator fitted again, that trusts a recording only as far as what the fit leaves of it is noise.
+"""A simulator fitted again that trusts a recording only as far as the residual of the fit is noise.
 
-What a fit leaves and is no noise lasts for many samples. These samples together say little more than one. A fit that
-counts each of them moves dimensions far, to take off what no dimension can explain. On another motion such a simulator
-errs more than one with the dimensions as measured. Here samples count only as far as they are independent. So a
-dimension that the recording does not show stays near its measured value.
+A residual that is no noise lasts for many samples. These samples together say little more than one. A fit that counts
+each of them moves dimensions far, to remove what no dimension can explain. On another motion such a simulator errs more
+than one with the measured dimensions. Here samples count only as far as they are independent. So a dimension that the
+recording does not show stays near its measured value.
 
 Source: Geyer, "Practical Markov chain Monte Carlo", Statistical Science 7, 1992 (how much correlated samples say);
 Müller, "Risk of Bayesian inference in misspecified models", Econometrica 81, 2013 (how far to trust a wrong model).
@@ -26,7 +26,7 @@ ROUNDS = 3  # fits, each of which trusts as much as what the one before left
 
 
 def long_run_variance(signal: Array) -> float:
-    """Variance by which a mean of samples errs, times their number: of white noise its own variance.
+    """Variance of a mean of samples, times their number: for white noise this is its own variance.
 
     Of shape (samples,), in any unit. Autocovariances are added in pairs while these are positive.
     """
@@ -39,7 +39,7 @@ def long_run_variance(signal: Array) -> float:
 
 
 def too_sure(problem: Problem, noise: Noise, state: State) -> float:
-    """How many times farther, squared, what a state leaves moves a fit than the noise alone would."""
+    """How many times farther, squared, the residual of a state moves a fit than noise alone would."""
     residual = (problem.measured - problem.simulate(state))[: problem.rows]
     return long_run_variance(
         whiten(residual[None], noise.ar, problem.drivers.first[: problem.rows])[0] / noise.innovation
@@ -47,9 +47,10 @@ def too_sure(problem: Problem, noise: Noise, state: State) -> float:
 
 
 def tempered(studied: Study, fine: Problem) -> Study:
-    """The study, its simulator fitted again to `fine` where what it leaves is mostly no noise; verdicts stay.
+    """The study with its simulator fitted again to `fine` where its residual is mostly no noise; verdicts stay.
 
-    All samples weigh alike in that fit, and each says as little as what is left allows. Nonlinear parameters are kept.
+    All samples weigh alike in that fit, and each weighs only as much as the residual allows. Nonlinear parameters are
+    kept.
     """
     if studied.closest:
         alone = tempered(replace(studied, state=studied.closest, closest=None), fine)

@@ -37,7 +37,7 @@ order.
 
 @dataclass(frozen=True)
 class Number:
-    """A constant at the top of a module, or several of one line: names, values as written, and the comment beside."""
+    """A constant at the top of a module, or several on one line: names, values as written, and the comment."""
 
     names: str
     value: str
@@ -58,13 +58,13 @@ def numbers(text: str) -> Iterator[Number]:
 
 
 def _written(value: ast.expr) -> str:
-    """A value as the module has it; several that stand side by side without brackets."""
+    """A value as the module has it; several values side by side without brackets."""
     text = ast.unparse(value)
     return text[1:-1] if isinstance(value, ast.Tuple) else text
 
 
 def _is_number(value: ast.expr) -> bool:
-    """Whether a value is a number, or is made of numbers alone."""
+    """Whether a value is a number, or consists only of numbers."""
     if isinstance(value, ast.Constant):
         return isinstance(value.value, int | float) and not isinstance(value.value, bool)
     if isinstance(value, ast.Tuple):

@@ -41,7 +41,7 @@ def folder_to_write(path: Path, field: str = "--out") -> Path:
 
 
 def _same(path: Path, other: Path) -> bool:
-    """Whether two paths lead to one file; those of which one leads nowhere do not."""
+    """Whether two paths lead to one file; False where one of them leads nowhere."""
     try:
         return os.path.samefile(path, other)
     except (OSError, ValueError):

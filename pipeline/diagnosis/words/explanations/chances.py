@@ -22,7 +22,7 @@ OTHERS, NONE = "other explanations of the library", "physics that the library la
 
 
 def lines(content: Verdict) -> list[str]:
-    """The table of the page; nothing where nothing is named or no probability is known.
+    """The table of explanations on the page; nothing where nothing is named or no probability is known.
 
     Nor where one explanation alone is kept, since the first line has its probability.
     """
@@ -67,7 +67,7 @@ def bare(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def stands_on(content: Verdict, words: Vocabulary) -> list[str]:
-    """The tolerances that the names stand on: of the dimensions that calibration moved by more than one of them."""
+    """The tolerances that the names depend on: those of dimensions that calibration moved by more than one."""
     sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items()}
     moved = {name: sigma for name, sigma in sigmas.items() if sigma > 1.0 and not of_later_run(name)}
     tolerance_by_name = {

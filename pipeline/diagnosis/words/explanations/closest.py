@@ -1,4 +1,4 @@
-"""What comes closest where nothing explains a recording, what each takes away and leaves, and why it does not do."""
+"""The explanations that come closest where none is good enough: what each takes away and leaves, and why it fails."""
 
 import re
 
@@ -27,7 +27,7 @@ ENOUGH = "To be named, an explanation must take away {} of what is missing (of i
 
 
 def insufficient(content: Verdict, words: Vocabulary) -> list[str]:
-    """A table of what comes closest where nothing explains, with the share of the mismatch's energy that each takes."""
+    """A table of the closest explanations where none is good enough, with the share of the mismatch's energy."""
     ending, floor = words.ending, amount(content["evidence"], f"floor_{words.ending}")
     nothing = next(iter(entries(content, "nothing")), None)
     if nothing is None:
@@ -60,20 +60,20 @@ def stand_ins(sets: list[list[str]]) -> list[str]:
 
 
 def not_told(text: str) -> list[str]:
-    """The same of each stand-in that a text names and does not say what it does."""
+    """What each stand-in does that a text names without saying what it does."""
     words = " ".join(text.split())
     named = [id_ for id_ in mechanisms() if re.search(rf"\b{id_}\b", words) and plainly(id_)]
     return stand_ins([[id_ for id_ in named if plainly(id_) not in words]])
 
 
 def plainly(id_: str) -> str:
-    """What a stand-in does, in words without its id; empty of any other effect."""
+    """What a stand-in does, in words without its id; empty for any other effect."""
     is_stand_in = is_outside(id_) and id_ in MEANING and id_ in mechanisms()
     return MEANING[id_].partition(";")[0].rstrip(".") if is_stand_in else ""
 
 
 def _rule(content: Verdict) -> str:
-    """From when on an explanation is a name, and from when on none is."""
+    """The rule by which an explanation becomes a name, and by which nothing is named."""
     none = content["evidence"].get("probability_of_none")
     rule = ENOUGH.format(percent(EXPLAINED))
     if none is None or not probability.known(content):
@@ -85,7 +85,7 @@ def _rule(content: Verdict) -> str:
 
 
 def _why_not(explanation: ExplanationEntry, taken: float) -> str:
-    """Why an explanation does not do, in a few words."""
+    """Why an explanation is not good enough, in a few words."""
     if not physics(tuple(explanation["ids"])):
         return STAND_IN
     if taken < EXPLAINED:

@@ -1,4 +1,4 @@
-"""What a verdict without a name is worth, in words: the sizes from which effects would have been seen."""
+"""What a verdict without a name is worth, in words: the size from which each effect would have been seen."""
 
 from ...document.content import Verdict
 from ...document.made_keys import by_name
@@ -14,7 +14,7 @@ ABREAST = 3  # effects in a row
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """The smallest effect of each kind that would have been seen; none smaller than what is left unexplained."""
+    """The smallest size of each effect that would have been seen; none smaller than the unexplained rest."""
     detectable = by_name(content["fit"], f"detectable_{words.ending}")
     adopted_ids = [id_ for id_ in holdout.included(content) if id_ in detectable]
     if content["verdict"] not in UNNAMED or not detectable:

@@ -10,7 +10,7 @@ MOST = 4  # that are named by when they begin
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """One line on all of them; nothing where there is none."""
+    """One line on all excursions; nothing where there are none."""
     entries = _entries(content)
     if not entries:
         return []
@@ -27,13 +27,13 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def in_short(content: Verdict, words: Vocabulary) -> str:
-    """That it does so, as a sentence without a full stop; nothing where it does not."""
+    """Says that the reading goes off, as a sentence without a full stop; nothing where it does not."""
     entries = _entries(content)
     return f"the {words.reading} goes off {_often(entries)} and comes back" if entries else ""
 
 
 def step(content: Verdict, words: Vocabulary) -> list[list[str]]:
-    """What to do about them; nothing where there is none."""
+    """The step to take because of excursions; nothing where there are none."""
     entries = _entries(content)
     if not entries:
         return []

@@ -1,4 +1,4 @@
-"""The explanations that were weighed, a numbered row each, the best one first; what no row can say follows."""
+"""The table of the weighed explanations, a numbered row each, the best one first; then remarks that no row can hold."""
 
 from ...document.content import Verdict
 from ...document.explanations import ExplanationEntry, share_of
@@ -43,7 +43,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _though(rows: less_likely.Numbered) -> str:
-    """Why parts of the best explanation are kept though they leave more; nothing where none are."""
+    """Why effects of the best explanation are kept though they leave more; nothing where none do."""
     parts = [number for number, each in rows.items() if each["standing"] == "tied" and _within(each, rows[1])]
     if not parts:
         return ""
@@ -65,13 +65,13 @@ def numbered(content: Verdict) -> less_likely.Numbered:
 
 
 def others_shown(content: Verdict) -> list[ExplanationEntry]:
-    """The explanations that are shown though they are not kept, the likeliest first, in the table and in the figure."""
+    """The explanations that are shown without being kept, the likeliest first, in table and figure."""
     others = probability.likeliest([*rivals.entries(content, "beaten"), *rivals.entries(content, "not needed")])
     return others[:SHOWN]
 
 
 def _rows(content: Verdict, rows: less_likely.Numbered, words: Vocabulary) -> list[list[str]]:
-    """The table's cells, the heads first; with probabilities the last rows are of all that no other row has."""
+    """The table's cells, the heads first; with probabilities, the last rows are for all explanations without a row."""
     has_probabilities, floor = probability.known(content), amount(content["evidence"], f"floor_{words.ending}")
     cells = [[_name("no.", "explanation"), "probability", "leaves (× noise)", "rms apart from no. 1"]]
     out = [entry["ids"] for entry in not_named.entries(content)]

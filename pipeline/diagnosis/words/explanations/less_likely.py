@@ -54,7 +54,7 @@ def numbers(of: list[int]) -> str:
 
 
 def _grouped(rows: Numbered, phrase: Callable[[ExplanationEntry], str]) -> list[str]:
-    """Each phrase that is said of a row, with the numbers of all of which it is; rows of which none is are left out."""
+    """Each phrase with the numbers of the rows that it is said of; a row with an empty phrase is left out."""
     of: dict[str, list[int]] = {}
     for number, each in rows.items():
         if words := phrase(each):
@@ -89,7 +89,7 @@ def _where(rows: Numbered, content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _nearly_as_good(rows: Numbered, words: Vocabulary) -> list[str]:
-    """Of what leaves hardly more than the best one: by what it is worse all the same, or why it does not count."""
+    """Explanations that leave hardly more than the best one: how much worse each is, or why it does not count."""
     left_key = f"left_{words.ending}"
     nearer, balanced, unweighed = list[str](), list[int](), list[int]()
     weighed = any(each.get("probability") is not None for each in rows.values())
@@ -164,7 +164,7 @@ def _allowed(content: Verdict, kept: Numbered, rows: Numbered, words: Vocabulary
 
 
 def only_if_wrong(content: Verdict, rows: Numbered, words: Vocabulary) -> list[int]:
-    """The rows that leave the noise only if formulas err by 10 % and are left out; of a rig without probabilities."""
+    """Rows left out that would leave only noise if formulas err by 10 %; on rigs without probabilities."""
     if probability.known(content) or rivals.all_below_noise(content, words.ending):
         return []
     floor = amount(content["evidence"], f"floor_{words.ending}")
@@ -177,7 +177,7 @@ def only_if_wrong(content: Verdict, rows: Numbered, words: Vocabulary) -> list[i
 
 
 def _no_common(content: Verdict) -> list[str]:
-    """That no effect is in all that tie, which the first line does not say."""
+    """The sentence that no effect is in all tied explanations, where the first line does not say so."""
     sets = [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
     every = dict.fromkeys(id_ for ids in sets for id_ in ids)
     most = max(every, key=lambda id_: sum(id_ in ids for ids in sets), default="")

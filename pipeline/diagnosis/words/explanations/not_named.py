@@ -1,4 +1,4 @@
-"""Explanations that are likely enough to be kept and are no names, in words: which, how likely, and by which rule."""
+"""Explanations that are likely enough to be kept but are no names, in words: which, how likely, and by which rule."""
 
 from ...choice.recalibration import DIMENSIONS, IDLE, OUTSIDE
 from ...document.content import Verdict
@@ -16,18 +16,18 @@ BECAUSE = {
 
 
 def entries(content: Verdict) -> list[LeftOut]:
-    """What is left out and worth a word, the likeliest first."""
+    """The explanations that are left out and worth a mention, the likeliest first."""
     out = [entry for entry in content["evidence"].get("left_out", []) if share_of(entry) >= WORTH]
     return sorted(out, key=lambda entry: -share_of(entry))
 
 
 def together(content: Verdict) -> float:
-    """The probability of all that is left out."""
+    """The joint probability of the explanations that are left out."""
     return float(sum(share_of(entry) for entry in content["evidence"].get("left_out", [])))
 
 
 def likelier(content: Verdict, share: float | None) -> bool:
-    """Whether something that is left out is more probable than `share`, that of the best one."""
+    """Whether an explanation that is left out is more probable than the best one's `share`."""
     return share is not None and any(share_of(entry) > share for entry in entries(content))
 
 

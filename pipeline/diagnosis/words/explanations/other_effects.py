@@ -1,4 +1,4 @@
-"""Why each effect of the library is none of the likely explanations', a row each: why is it not friction?"""
+"""For each library effect that no likely explanation has, a row that says why: for instance, why it is not friction."""
 
 import math
 
@@ -29,7 +29,7 @@ SAME = "{}: hardly more than the best one leaves, but less likely by other signs
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """What was tried, a row an effect, the nearest first, and what no row can say; nothing where a file has none."""
+    """A table of the effects that were tried, the nearest first, with remarks; nothing for a file without them."""
     entries = content["evidence"].get("not_kept") or []
     others = [entry for entry in entries[1:] if words.twisted or not mechanisms()[entry["id"] or ""].twisted]
     if not others:
@@ -65,7 +65,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _row(entry: NotKept, first: NotKept, stands: list[str], content: Verdict, words: Vocabulary) -> list[str]:
-    """In whose place an effect was tried, what is left with it, where that is wrong, and what it adds."""
+    """The cells of an effect: what it replaces, the residual with it, where that is wrong, and what it adds."""
     floor, left_rms = amount(content["evidence"], f"floor_{words.ending}"), amount(entry, f"left_{words.ending}")
     best, instead = [each["id"] for each in content["mechanisms"]], entry["instead"] or []
     replaced = [id_ for id_ in best if id_ not in instead]
@@ -85,7 +85,7 @@ def _row(entry: NotKept, first: NotKept, stands: list[str], content: Verdict, wo
 
 
 def _helps_nothing(entry: NotKept, content: Verdict, words: Vocabulary) -> bool:
-    """Whether what is left with an effect is no less than without it: by calibration alone, or by the others alone."""
+    """Whether an effect leaves no less than the same explanation without it."""
     rest, left_rms = set(entry["instead"] or []) - {entry["id"]}, amount(entry, f"left_{words.ending}")
     alone = amount_or_none(content["evidence"], f"calibrated_{words.ending}")
     if not rest:
@@ -107,7 +107,7 @@ def _not_shown(ids: list[str], words: Vocabulary) -> list[str]:
 
 
 def wrong_by(entry: NotKept, first: NotKept, floor: float, words: Vocabulary) -> dict[str, str]:
-    """By how much an effect is wrong while the motor stands, by `hold` and `rest`; nothing where it is not.
+    """By how much an effect's residual changes while the motor stands, by `hold` and `rest`, if it is wrong there.
 
     `first` is the entry of the best explanation.
     """
@@ -119,7 +119,7 @@ def wrong_by(entry: NotKept, first: NotKept, floor: float, words: Vocabulary) ->
 
 
 def _contradicts(phase: str, stands: dict[str, Change] | None, first: NotKept, floor: float) -> bool:
-    """Whether what an effect leaves changes while the motor stands, beyond chance and more than the best one's does."""
+    """Whether an effect's residual changes while the motor stands, beyond chance and more than the best one's."""
     own_change, best = (stands or {}).get(phase), (first["stands"] or {}).get(phase)
     if own_change is None:
         return False

@@ -66,12 +66,12 @@ def likeliest(explanations: list[ExplanationEntry]) -> list[ExplanationEntry]:
 
 
 def stand_ins(kept: list[list[str]]) -> str:
-    """That some explanations are no physics of the library: their share is part of that of none of it."""
+    """A remark that the shares of some explanations are no physics of the library, and count for none of it."""
     return ", stand-ins included" if any(ids and not physics(tuple(ids)) for ids in kept) else ""
 
 
 def _left_out(content: Verdict) -> str:
-    """How much of what was reached together is left out; nothing where nothing is."""
+    """How much of the kept probability is left out; nothing where none is."""
     out = content["evidence"].get("left_out", [])
     which = "One likely explanation is" if len(out) == 1 else f"{len(out)} likely explanations are"
     share = not_named.together(content)
@@ -79,7 +79,7 @@ def _left_out(content: Verdict) -> str:
 
 
 def not_weighed(ids: list[str]) -> str:
-    """Why an explanation has no probability beside others that have one; calibration alone never has."""
+    """Why an explanation has no probability while others do; empty for calibration alone, which never has one."""
     library = mechanisms()
     marked = any(library[id_].least_mark for id_ in ids if id_ in library)
     return "" if not ids else NO_MARK if marked else ENOUGH_OTHERS

@@ -36,7 +36,7 @@ LEAST = 1.05  # times less likely: less is alike
 
 
 def less_often(explanation: ExplanationEntry, best: ExplanationEntry | None) -> str:
-    """How many times less likely an explanation is than the best one: 37; nothing where unknown, or hardly less."""
+    """How many times less likely than the best one an explanation is: 37; empty where unknown or hardly less."""
     mine, first = explanation.get("probability"), best.get("probability") if best else None
     if not mine or not first or first < LEAST * mine:
         return ""
@@ -45,7 +45,7 @@ def less_often(explanation: ExplanationEntry, best: ExplanationEntry | None) -> 
 
 
 def chiefly(explanation: ExplanationEntry) -> str:
-    """What counts most against an explanation, as a part of a sentence; nothing where no reason is known."""
+    """The strongest point against an explanation, as part of a sentence; empty where no reason is known."""
     causes = explanation.get("because") or []
     because = [cause for cause in causes if abs(cause.get("log_odds", 1.0)) >= NEARLY_0] or causes
     seen = [cause for cause in because if cause["aspect"] not in NOT_OF_THIS and not speaks_for(cause)]
@@ -57,7 +57,7 @@ def chiefly(explanation: ExplanationEntry) -> str:
 
 
 def speaks_for(cause: Cause) -> bool:
-    """Whether a reader would take what counts against an explanation for a merit of it."""
+    """Whether the point against an explanation would read like a merit of it."""
     return SPEAKS_FOR.get(cause["aspect"]) == (cause["more"] > 0.0)
 
 

@@ -1,4 +1,4 @@
-"""The explanations that were weighed, in words: what ties, and why the others were beaten."""
+"""The explanations that were weighed, in words: which ones tie, and why the others were beaten."""
 
 from ...document.content import Verdict, left_with_discrepancy
 from ...document.explanations import ExplanationEntry
@@ -31,7 +31,7 @@ def entries(content: Verdict, *standings: str) -> list[ExplanationEntry]:
 
 
 def left_of(explanation: ExplanationEntry, content: Verdict, ending: str) -> float:
-    """What an explanation leaves, rms; of calibration alone not what the search's approximation says, but the fit's.
+    """The rms that an explanation leaves; for calibration alone, the fit's number, not the search's approximation.
 
     Of effects that were fitted worse than some of them alone it is what these leave: the others could do nothing.
     """
@@ -44,7 +44,7 @@ def left_of(explanation: ExplanationEntry, content: Verdict, ending: str) -> flo
 
 
 def left(explanation: ExplanationEntry, content: Verdict, words: Vocabulary) -> str:
-    """What an explanation leaves, and in noise floors."""
+    """The rms that an explanation leaves, also in noise floors."""
     rms, floor = left_of(explanation, content, words.ending), amount(content["evidence"], f"floor_{words.ending}")
     return f"{size(rms, words.unit)} rms ({times(rms / floor)} times the noise)"
 
@@ -56,7 +56,7 @@ def no_less(explanation: ExplanationEntry, content: Verdict, words: Vocabulary) 
 
 
 def all_below_noise(content: Verdict, ending: str) -> bool:
-    """Whether every explanation comes below the noise if its formulas may be a little wrong: that decides nothing."""
+    """Whether every explanation comes below the noise if its formulas may be a little wrong: none decides then."""
     floor = amount(content["evidence"], f"floor_{ending}")
     with_discrepancy = [
         left_with_discrepancy(explanation, ending)
@@ -67,7 +67,7 @@ def all_below_noise(content: Verdict, ending: str) -> bool:
 
 
 def with_discrepancy(explanation: ExplanationEntry, content: Verdict, words: Vocabulary) -> float | None:
-    """What is left, in noise floors, if the true effects may differ a little from the formulas; None where no less."""
+    """The residual in noise floors if true effects differ a little from the formulas; None where no less."""
     mine, with_discrepancy = (
         amount(explanation, f"left_{words.ending}"),
         left_with_discrepancy(explanation, words.ending),

@@ -1,4 +1,4 @@
-"""What a simulator has beside what is named, in words."""
+"""The stand-ins that a simulator has beside the named effects, in words."""
 
 from ...document.content import Verdict
 
@@ -6,5 +6,5 @@ BESIDE = "Also in the simulator, as a stand-in and no name, is {}. {}"
 
 
 def lines(content: Verdict) -> list[str]:
-    """A line of each stand-in; nothing where there is none."""
+    """A line for each stand-in; nothing where there is none."""
     return [BESIDE.format(entry["id"], entry["sentence"]) for entry in content.get("beside", [])]

@@ -1,4 +1,4 @@
-"""What comes closest and fits, and is no name all the same: what it would be on this rig, and why it is none."""
+"""The closest explanation fits but is no name: what it would do on this rig, and why it is no name."""
 
 import re
 
@@ -34,7 +34,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def would_be(content: Verdict, words: Vocabulary) -> list[str]:
-    """What each effect that comes closest does, with what its fit says of it and what would show it, a line each.
+    """What each effect of the closest explanation does, its fitted numbers, and what would show it, a line each.
 
     Nothing where none does.
     """
@@ -52,7 +52,7 @@ def constants(content: Verdict) -> list[str]:
 
 
 def _does(act: Included, words: Vocabulary) -> str:
-    """What an effect does, without a full stop; the first detail of it whose numbers were all fitted stands behind."""
+    """What an effect does, without a full stop, with the first detail whose numbers were all fitted."""
     does = on_rig(meaning(act["id"]), words).rstrip(".")
     fitted = {name: value for name, value in act["parameters"].items() if value}
     for template in mechanisms()[act["id"]].details:

@@ -1,4 +1,4 @@
-"""What is left without a name, in words: how large the pattern is, where it lies and what it follows."""
+"""The unexplained residual, in words: how large its pattern is, where it lies and what it follows."""
 
 from ....ground.outside_library import is_outside
 from ...document.content import Verdict, mismatch_of
@@ -16,7 +16,7 @@ LESS = 0.98  # times what calibration alone leaves: who leaves more is not worth
 
 
 def pattern(content: Verdict, words: Vocabulary) -> list[str]:
-    """How large a pattern is left without a name, where, and what it follows; nothing where none is left."""
+    """How large the unnamed pattern is, where it lies, and what it follows; nothing where there is none."""
     rms, evidence = amount(mismatch_of(content), f"rms_{words.ending}"), content["evidence"]
     if not rms:
         return []
@@ -47,7 +47,7 @@ def pattern(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[str]:
-    """Where the pattern lies that the best explanation leaves, and what it follows; nothing where it leaves noise.
+    """Where the best explanation's residual lies and what it follows; nothing where that residual is noise.
 
     `least`: noise floors from which on it leaves more.
     """
@@ -71,7 +71,7 @@ def remains(content: Verdict, words: Vocabulary, least: float = NOISY) -> list[s
 
 
 def nearest(content: Verdict, words: Vocabulary) -> list[str]:
-    """The one effect that would leave least, where it would leave a little less; it is not named."""
+    """The one effect that would reduce the residual most, if only a little; it is not named."""
     shown = [explanation for explanation in content["evidence"]["explanations"] if explanation["ids"]]
     best = min(shown, key=lambda explanation: amount(explanation, f"left_{words.ending}"), default=None)
     alone = amount_or_none(content["evidence"], f"calibrated_{words.ending}")

@@ -9,7 +9,7 @@ def warning(
     run: str, runs: list[str], dimensions: dict[str, tuple[float, float]], names: tuple[str, str] | None,
     words: Vocabulary,
 ) -> str:  # fmt: skip
-    """That `run` is of another rig than `runs`, by its dimensions and names; nothing where it is of the same one."""
+    """The warning that `run` is of another rig than `runs`, by dimensions and names; nothing where it is not."""
     of, what = listing(runs), "string" if words.twisted else "rig"
     signs = [f"it names the string {names[1]}, and {of} {names[0]}"] if names else []
     if dimensions:

@@ -1,4 +1,4 @@
-"""The range in which a planned motion is answered with an error band, as a verdict's page says it before any plan."""
+"""The range in which a planned motion gets an error band, as a verdict's page states it before any plan."""
 
 from ....run.planned_motion.motion_course import ALIKE
 from ....run.planned_motion.planned_limits import (
@@ -50,7 +50,7 @@ def within(content: Verdict, words: Vocabulary) -> str:
 
 
 def _speeds(covered: Covered, other: bool, words: Vocabulary) -> str:
-    """How slow and how fast a planned stroke may be, as a plan is told it; nothing where an older file lacks that."""
+    """How slow and how fast a planned stroke may be, in a plan's own terms; nothing where an older file lacks it."""
     if "strokes_per_s" not in covered:
         return ""
     (slow, fast), unit = covered["strokes_per_s"], f"{words.motion_unit}/s"

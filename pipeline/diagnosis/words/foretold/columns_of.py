@@ -1,4 +1,4 @@
-"""Which explanations the table of foretold numbers has: what they are called in it, and which likely ones it lacks."""
+"""The columns of the table of foretold numbers: its explanations, their heads, and the likely ones that it lacks."""
 
 from ...document.content import Verdict
 from ...document.explanations import share_of
@@ -15,7 +15,7 @@ def kept(content: Verdict) -> list[set[str]]:
 
 
 def not_in(content: Verdict) -> list[str]:
-    """Which likely rival is not in the table, and why; nothing where none is."""
+    """The likely rivals that the table lacks, and why; nothing where it lacks none."""
     first, *others = compared(content)
     foretold = [set(each["ids"]) for each in (first, *others)]
     more = [ids for ids in content["alternatives"] if set(ids) not in foretold]
@@ -40,7 +40,7 @@ def not_in(content: Verdict) -> list[str]:
 
 
 def head(content: Verdict, ids: list[str], shared: set[str]) -> str:
-    """An explanation with its probability; without what all explanations share, where something is left then."""
+    """An explanation with its probability, without the effects that all explanations share, if others are left."""
     apart = [id_ for id_ in ids if id_ not in shared]
     own = f"{'with ' * (0 < len(apart) < len(ids))}{rivals.called(apart or ids)}"
     return f"{own}{_share(content, ids)}"

@@ -12,7 +12,7 @@ INSIDE = "inside"
 
 
 def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
-    """The answer where a drawn plan turns or stops, a line each; of many such corners only how many they are.
+    """The answer at each turn or stop of a drawn plan, a line each; for many corners only their number.
 
     `driver` and `channel` are the columns of motion and reading; those of the band and the others go by their names,
     and may lack.
@@ -46,7 +46,7 @@ def corners(table: pd.DataFrame, driver: str, channel: str) -> list[str]:
 
 
 def _leaves(table: pd.DataFrame) -> list[str]:
-    """When a plan first leaves what was recorded; nothing where it never does."""
+    """The time when a plan first leaves the recorded range; nothing where it never does."""
     if OUTSIDE not in table or not table[OUTSIDE].any():
         return []
     first = int(table[OUTSIDE].to_numpy().argmax())
@@ -54,6 +54,6 @@ def _leaves(table: pd.DataFrame) -> list[str]:
 
 
 def _way(out: np.ndarray) -> str:
-    """How much of a way is outside; `out`, of shape (samples,), holds for its rows from corner to corner."""
+    """How much of a way is outside; `out`, of shape (samples,), is a mask over its rows from corner to corner."""
     share = float(out[1:-1].mean()) if len(out) > 2 else float(out.mean())
     return OUTSIDE if share == 1.0 else f"{percent(share)} {OUTSIDE}" if share else INSIDE

@@ -1,4 +1,4 @@
-"""What each explanation foretells of strokes that nobody made, as a table: at the rig a person sees which is right."""
+"""What each explanation foretells of strokes not made yet, as a table: a person at the rig sees which one is right."""
 
 import re
 
@@ -26,7 +26,7 @@ INDENT = 5  # of the table on the page
 
 
 def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) -> list[str]:
-    """The table, a line each row, then how to read it; nothing where nobody would see a number of it.
+    """The table, a line each row, and how to read it; nothing where no difference would be visible.
 
     `shown`: the keys of the numbers that the recording to make will show; None: of all that are foretold.
 
@@ -142,7 +142,7 @@ def _spread(keys: list[str]) -> str:
 
 
 def _untelling(alone: bool, left_out: list[str], known_spread: bool, error: str) -> list[str]:
-    """What tells nothing: the rows that were left out, all other explanations, or differences in an older file."""
+    """What tells nothing apart: rows that were left out, all other explanations, or differences in an older file."""
     older = [] if known_spread else [f"Differences of less than {error} tell nothing: the simulator errs by as much."]
     if alone:
         return [*older, NO_NUMBER]
@@ -155,7 +155,7 @@ def _is_loop(key: str) -> bool:
 
 
 def _rows(content: Verdict, expected: Expected, words: Vocabulary) -> dict[str, str]:
-    """What each number is of, by its key."""
+    """What each number means, by its key."""
     low, high = extent(content["evidence"], words.driver)
     top, bottom = (at(end, words.motion_unit, high - low) for end in (high, low))
     hung = words.load is not None and expected["load"]

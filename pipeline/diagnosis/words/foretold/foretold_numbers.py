@@ -24,7 +24,7 @@ class Number:
 
 
 def tells(row: list[Number | None]) -> float | None:
-    """By how many times both intervals together two explanations differ at most; None where fewer than two have it."""
+    """The largest difference of two explanations in units of both intervals; None if fewer than two have it."""
     values = [cell for cell in row if cell is not None]
     ratios = [
         abs(cell.value - other.value) / max(math.hypot(cell.half_width, other.half_width), 1e-300)
@@ -34,7 +34,7 @@ def tells(row: list[Number | None]) -> float | None:
 
 
 def of_explanation(explanation: ExpectedExplanation, key: str, content: Verdict, words: Vocabulary) -> Number | None:
-    """A number of an explanation, by its key without the unit; None where it foretells no such number.
+    """A number of an explanation, by its key without the unit; None where it has no such number.
 
     Of an older file the error on unseen strokes stands for its interval.
     """
@@ -47,7 +47,7 @@ def of_explanation(explanation: ExpectedExplanation, key: str, content: Verdict,
 
 
 def error(content: Verdict, words: Vocabulary) -> float:
-    """What the explained simulator errs by on strokes that no fit has seen, or the noise."""
+    """The error of the explained simulator on strokes that no fit has seen, or the noise."""
     noise, unseen_errors = amount(content["fit"], f"noise_floor_{words.ending}"), unseen.errors(content, words)
     return float(max(unseen_errors[2], noise) if unseen_errors else noise)
 
@@ -80,7 +80,7 @@ def probability(content: Verdict, ids: list[str]) -> float | None:
 
 
 def apart(first: ExpectedExplanation, other: ExpectedExplanation) -> tuple[str, str]:
-    """The names of two explanations without what both have, or in full where nothing is left of one of them then."""
+    """The names of two explanations without what both share, or in full where one would have no name left."""
     both = set(first["ids"]) & set(other["ids"])
     cut = set() if both in (set(first["ids"]), set(other["ids"])) else both
     names = [rivals.called([id_ for id_ in each["ids"] if id_ not in cut]) for each in (first, other)]

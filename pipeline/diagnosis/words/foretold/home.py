@@ -1,4 +1,4 @@
-"""What a person is told of a motor's zero that was homed anew, and of what else another run takes of a diagnosis."""
+"""The remarks on a motor's zero that was homed anew, and on the part of a diagnosis that another run uses."""
 
 from ...prediction.carried_over import CLEARLY, CarriedOver
 from ..language.quantity import number, percent, size
@@ -27,9 +27,9 @@ def of_home(carried: CarriedOver, unit: str) -> list[str]:
 
 
 def of_carried_over(carried: CarriedOver, run: str, unit: str) -> list[str]:
-    """What each part of the diagnosis leaves of the first stroke, which is taken, and why; `unit`: of the reading.
+    """The residual of each part of the diagnosis on the first stroke, which part is taken, and why.
 
-    Nothing where one part alone could be tried.
+    `unit` is the reading's. Nothing where only one part could be tried.
     """
     if len(carried.left) < 2:
         return []

@@ -1,4 +1,4 @@
-"""The answer of a planned motion in the middle of the way of its strokes, where a loop shows, and where each begins."""
+"""The answer of a planned motion halfway through each stroke, where a loop shows, and at the start of each stroke."""
 
 from dataclasses import dataclass
 
@@ -37,7 +37,7 @@ class _Stroke:
     bare: Array  # by how much the way up is more than the way down without any effect, in the reading's unit
 
     def like(self, other: "_Stroke", least: float) -> bool:
-        """Whether both show the same at the same places; `least` is the least difference, in the reading's unit."""
+        """Whether both strokes agree at the same places; `least` is the least difference, in the reading's unit."""
         same = np.allclose(self.motion, other.motion, rtol=AT, atol=0.0) and self.out == other.out
         gaps = np.abs(np.concatenate([self.up - other.up, self.down - other.down]))
         return bool(same and (gaps < least).all())
@@ -77,7 +77,7 @@ def _both_ways(motion: Array, way: Array, reading: Array, start: int, top: int, 
 
 
 def printed(table: pd.DataFrame, words: Vocabulary, channel: str, acting: str | None) -> list[str]:
-    """What is printed of the strokes of a plan: both ways, then why the first one begins otherwise.
+    """The printed words on a plan's strokes: both ways, then why the first one begins differently.
 
     `acting` names the effects where the string is taken as it was before its first stroke, though one was recorded.
     """
@@ -86,7 +86,7 @@ def printed(table: pd.DataFrame, words: Vocabulary, channel: str, acting: str | 
 
 
 def lines(table: pd.DataFrame, words: Vocabulary, channel: str) -> list[str]:
-    """Both ways of each stroke that differs from those before, and their difference; nothing of a plan without strokes.
+    """Both ways of each stroke that differs from those before, and their difference; nothing without strokes.
 
     `channel` is the column of the reading.
     """
@@ -125,7 +125,7 @@ def _outside(out: Mask) -> str:
 
 
 def _decimals(strokes: list[_Stroke], unit: str) -> int:
-    """The decimals of all readings in a table: the fewest that a band, or the digits of a reading, lets one have.
+    """The decimals of all readings in a table: as few as a band, or the digits of a reading, allow.
 
     As many as the differences beside them have, though no more than `FINEST`, or nobody could check these.
     """
@@ -147,12 +147,12 @@ def _gap(gap: float, half: float, unit: str) -> str:
 
 
 def _called(numbers: list[str]) -> str:
-    """The strokes of one kind, by their numbers; of many the first and how many more."""
+    """The strokes of one kind, by their numbers; of many strokes the first, and how many more."""
     return listing(numbers) if len(numbers) < 4 else f"{numbers[0]} and {len(numbers) - 1} more"
 
 
 def of_starts(table: pd.DataFrame, words: Vocabulary, channel: str, acting: str) -> list[str]:
-    """Why a plan's first stroke begins at another reading than the second, if it does at the same motion.
+    """Why a plan's first stroke begins at another reading than the second, though at the same motion.
 
     `acting` names the effects; the string is taken as it was before its first stroke. `channel` is the reading's.
     """

@@ -1,4 +1,4 @@
-"""The stroke that makes sure of a name on a rig without a string, and the loop to see in it, in words."""
+"""The stroke that confirms a name on a rig without a string, and the loop to see in it, in words."""
 
 from ...document.content import Verdict
 from ..explanations.rivals import called
@@ -11,9 +11,9 @@ DETAILS = "details.txt"
 
 
 def step(content: Verdict, words: Vocabulary, numbers: list[str], short: bool) -> list[list[str]]:
-    """What to record, and which loop to see then; nothing where none is foretold. `numbers` are the table of loops.
+    """The stroke to record, and the loop to see in it; nothing where none is foretold. `numbers`: the table of loops.
 
-    `short`: the loop of the best explanation alone, in place of the table.
+    `short`: only the loop of the best explanation, in place of the table.
     """
     if not numbers:
         return []
@@ -25,7 +25,7 @@ def step(content: Verdict, words: Vocabulary, numbers: list[str], short: bool) -
 
 
 def _stroke(content: Verdict, words: Vocabulary) -> str:
-    """The stroke to record, and what of it to compare."""
+    """The stroke to record, and what to compare in it."""
     expected = content["evidence"]["expected"]
     slow = quantity(0.5 * expected["speed_per_s"], f"{words.motion_unit}/s")
     hung = words.load is not None and expected.get("load")
@@ -36,7 +36,7 @@ def _stroke(content: Verdict, words: Vocabulary) -> str:
 
 
 def _loop(content: Verdict, words: Vocabulary) -> str:
-    """The loop that the best explanation foretells for that stroke, and that of one that is clearly apart."""
+    """The loop that the best explanation foretells for that stroke, and that of a clearly different one."""
     best = compared(content)[0]
     cell = of_explanation(best, SLOW, content, words)
     if cell is None or not cell.known:

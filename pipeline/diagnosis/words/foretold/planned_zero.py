@@ -1,4 +1,4 @@
-"""Where the zero of a planned motion is, and how the string is taken to be as it begins, in words."""
+"""Where the zero of a planned motion is, and what state the string is assumed to begin in, in words."""
 
 from ....ground.input.complaint import key_name
 from ...prediction.planned_motion import Plan

@@ -1,4 +1,4 @@
-"""What a person is told of a motion that nobody recorded: by how much the simulator may err there, and why."""
+"""The remarks on a predicted motion that nobody recorded: by how much the simulator may err there, and why."""
 
 import numpy as np
 
@@ -28,7 +28,7 @@ COVERS = (
 
 
 def of_band(foretold: Foretold, inside: Mask, low: str, high: str, words: Vocabulary) -> list[str]:
-    """Which rows have no error, what the columns `low` and `high` hold, and the error to set beside an rms one.
+    """Which rows have no error, what the columns `low` and `high` hold, and the error to compare an rms one with.
 
     `inside` are the rows within what was recorded, of shape (samples,): of others nothing is
     expected.
@@ -55,14 +55,14 @@ def of_band(foretold: Foretold, inside: Mask, low: str, high: str, words: Vocabu
 
 
 def _readings(foretold: Foretold) -> str:
-    """What the band holds: single readings, or where a rig is compared in averages alone, these."""
+    """What the band holds: single readings, or averages where a rig is compared only in averages."""
     evidence: Evidence = (foretold.content.get("evidence") if foretold.content else None) or {}
     averaged = evidence.get("scored_step_s") and not any(name.startswith("single_floor_") for name in evidence)
     return f"readings, averaged over {number(evidence['scored_step_s'])} s," if averaged else "single readings"
 
 
 def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int, channel: str, unit: str) -> list[str]:
-    """The one error of a whole plan that can be reported; nothing where all of it is outside.
+    """The one error of a whole plan that can be reported; nothing where the whole plan is outside.
 
     `gaps` say by how much the curve of each explanation that ties is more, `tied` how many tie: an older file lacks
     their curves. `inside` and each gap have the shape (samples,); gaps are in the reading's unit, which is `unit`.
@@ -80,7 +80,7 @@ def in_one_number(foretold: Foretold, inside: Mask, gaps: list[Array], tied: int
 
 
 def stretches(rows: Mask, time_s: Array) -> str:
-    """When some rows are, as `from 14.4 to 27.4 s`; of many stretches the first. Of shape (samples,), time in s."""
+    """The times of some rows, as `from 14.4 to 27.4 s`; of many stretches the first. Shape (samples,), time in s."""
     ends_s = [(f"{time_s[first]:.4g}", f"{time_s[last - 1]:.4g}") for first, last in spans.of_mask(rows)]
     times_s = [f"at {first} s" if first == last else f"{first} to {last} s" for first, last in ends_s]
     not_listed = len(times_s) - STRETCHES
@@ -90,7 +90,7 @@ def stretches(rows: Mask, time_s: Array) -> str:
 
 
 def of_state(gap: Array, expected: float | None, words: Vocabulary, again: str) -> str:
-    """What the reading would be after the recorded motion, which the plan's answer leaves out.
+    """How the reading would differ after the recorded motion, which the plan's answer leaves out.
 
     `gap`: by how much it would be more, of shape (samples,); with the error that is `expected`, in the reading's unit.
     `again`: the command that asks for it.
@@ -112,7 +112,7 @@ def one_sided(gap: Array) -> bool:
 
 
 def of_half_speed(content: Verdict, too_slow_below: float, ending: str, motion_unit: str, unit: str) -> list[str]:
-    """What the verdict foretells at half the speed, where a plan so slow is outside: its table and this must agree.
+    """The verdict's forecast at half the speed, where such a slow plan is outside: table and remark must agree.
 
     `too_slow_below`: the speed below which a plan's rows are outside, in `motion_unit` per second, 0 without such. The
     reading's channel has the `ending`; `unit` is the reading's.
@@ -150,7 +150,7 @@ def no_band(source: str, run_dir: str, of_run_yaml: bool) -> str:
 
 
 def of_rivals(predicted: Array, curves: dict[str, Array], inside: Mask, channel: str, unit: str) -> list[str]:
-    """By how much at most the curve of each explanation that ties leaves that of the best one, a line each.
+    """The largest difference of each tied explanation's curve from the best one's, a line each.
 
     Curves by their explanation, each of shape (samples,), in the channel's unit; `inside` the rows within what was
     recorded.
@@ -172,7 +172,7 @@ def of_rivals(predicted: Array, curves: dict[str, Array], inside: Mask, channel:
 
 
 def of_ties(acting: str, tied: int, columns: list[str]) -> list[str]:
-    """That others are likely beside what acts, where not each has its column; `tied` is how many they are."""
+    """The warning that tied explanations are likely too, if some have no column; `tied` is their number."""
     if tied <= sum(name.startswith("if_") for name in columns):
         return []
     single = f"{acting} is one" if " " not in acting else f"the explanation by {acting} is one"

@@ -1,4 +1,4 @@
-"""The error against a recording whose motion was simulated, in words: the number, and what to set beside it."""
+"""The error on a recording whose motion was simulated, in words: the number, and what to compare it with."""
 
 from collections.abc import Sequence
 
@@ -18,9 +18,10 @@ AS_EXPECTED = 1.5  # times what was expected: no more is worth a mend
 
 
 def computed_of(system: System, samples: pd.DataFrame, zero: bool, carried: bool) -> str:
-    """Which columns the reading is computed of, and for what the recorded one is read.
+    """From which columns the reading is computed, and for what the recorded reading is used.
 
-    `zero`: for that of the reading; `carried`: for what of a diagnosis holds there, and for the motor's zero.
+    `zero`: it sets the zero of the reading. `carried`: it chooses the part of a diagnosis that holds, and the motor's
+    zero.
     """
     load = [system.load] if system.load and system.load in samples and samples[system.load].any() else []
     chosen = "the motor's zero" if system.homed else "the choice on the first stroke"
@@ -33,7 +34,7 @@ def computed_of(system: System, samples: pd.DataFrame, zero: bool, carried: bool
 def beside(
     at_best_zero: float | None, bare: float | None, acting: str, errors: ToCompare | None, unit: str
 ) -> list[str]:
-    """The numbers to set beside an error, a row each, all rms in the reading's `unit`; nothing where none is known.
+    """The numbers to compare an error with, a row each, all rms in the reading's `unit`; nothing where none is known.
 
     `at_best_zero` is the error where the whole recording sets the zero, None where the zero is no choice; `bare` that
     without the effects that are `acting`, None where none is.
@@ -56,7 +57,7 @@ def means(
     error: float, run: str, errors: ToCompare | None, content: Verdict | None, hint: str, unit: str, taken: bool = True,
     whole: bool = False, together: Sequence[str] = (),
 ) -> list[str]:  # fmt: skip
-    """What the error says of a diagnosis: nothing of one that was fitted to the recording; else how far it holds.
+    """What the error says of a diagnosis: nothing if that was fitted to the recording; else how well it holds.
 
     `error`: rms, in the reading's `unit`, the zero at its best. `hint`: what may help first, a sentence. `taken`:
     whether anything of the diagnosis is simulated. `whole`: whether the whole recording set the zero. `together`: the
@@ -82,7 +83,7 @@ def means(
 
 
 def _with_mend(fault: str, run: str, errors: ToCompare, together: Sequence[str], hint: str) -> list[str]:
-    """That a diagnosis holds poorly in another run, and what to do; `together` holds the commands for both, if any."""
+    """Says that a diagnosis holds poorly in another run, and what to do; `together` are the commands for both."""
     first_try, then = (f"{hint} ", "Else") if hint else ("", "Mend:")
     if not together:
         return [f"{fault}. {first_try}{then} diagnose {run} itself"]

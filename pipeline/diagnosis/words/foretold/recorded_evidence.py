@@ -1,4 +1,4 @@
-"""Which explanations the loop that was recorded already excludes: nobody need wait for the next stroke for that."""
+"""The explanations that the recorded loop already excludes, so that nobody needs to wait for the next stroke."""
 
 from ...document.content import Verdict
 from ...document.expected import ExpectedExplanation
@@ -10,7 +10,7 @@ LOOP = "loop_as_before"
 
 
 def excluded(content: Verdict, words: Vocabulary) -> list[ExpectedExplanation]:
-    """The rivals whose loop differs from the recorded one by more than both intervals together, and the best's less."""
+    """The rivals whose loop differs from the recorded one beyond both intervals, while the best one's does not."""
     shown, explanations = recorded(content, words), compared(content)
     if shown is None or not explanations:
         return []
@@ -47,7 +47,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _loop(explanation: ExpectedExplanation, content: Verdict, words: Vocabulary) -> Number | None:
-    """The loop that an explanation has in the recorded strokes, as exact as that of the next one."""
+    """The loop of an explanation in the recorded strokes, with the accuracy of its loop in the next stroke."""
     ahead, loops = of_explanation(explanation, LOOP, content, words), explanation.get("recorded", {})
     value = loops.get(f"loop_{words.ending}")
     return None if ahead is None or value is None else Number(float(value), ahead.half_width, ahead.known)

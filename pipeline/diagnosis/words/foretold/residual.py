@@ -1,4 +1,4 @@
-"""What a person is told of a black box's part in a prediction: what it is, what it was worth, where it says nothing."""
+"""The remarks on a black box's part in a prediction: what it is, what it was worth, and where it says nothing."""
 
 from ...prediction.residual import Residual
 from ..language.quantity import listing, size
@@ -14,7 +14,7 @@ def columns_of(channel: str) -> tuple[str, str, str]:
 
 
 def of_residual(answer: Residual, channel: str, unit: str) -> list[str]:
-    """What a black box adds, to what it was fitted, what it was worth on unseen strokes, and where it adds 0."""
+    """What a black box adds, its data, its worth on unseen strokes, and where it adds 0."""
     added, low, high = columns_of(channel)
     with_it, without = size(answer.error_with, unit), size(answer.error_without, unit)
     helps = answer.error_with < HELPS * answer.error_without

@@ -1,4 +1,4 @@
-"""What a hold and a rest show of a slow effect where no row of the table has it: in words, or that they do not tell."""
+"""What a hold and a rest show of a slow effect that no row of the table has, in words; or that they show nothing."""
 
 from dataclasses import dataclass
 
@@ -28,16 +28,17 @@ class _Sign:
 
 
 def of_whole_run(content: Verdict) -> list[str]:
-    """That the run to make decides as a whole, though none of its numbers does; nothing where it need not decide."""
+    """The sentence that the next run decides only as a whole; nothing where no run is expected to decide."""
     run = content["next_run"]
     decides = run is not None and "parts" in run and design.decides(run["gap_now"], run["gap_then"])
     return [WHOLE_RUN] if decides else []
 
 
 def lines(content: Verdict, words: Vocabulary, compared: list[ExpectedExplanation]) -> list[str]:
-    """The decision in words between the best explanation and a rival; that there is none, where there is none.
+    """The sentence that decides between the best explanation and a rival, or says that a hold and a rest do not.
 
-    Nothing where the best explanation foretells no hold. The rival is the one that most stands tell from it.
+    Empty where the best explanation foretells no hold or no rest. The rival is the explanation that differs from the
+    best one in most stands of the motor (hold, rest).
     """
     if not compared:
         return []

@@ -1,4 +1,4 @@
-"""What run.yaml has adopted, and whether it has seen the strokes that are held out: then no word calls them unseen."""
+"""The effects that run.yaml has adopted, and whether they saw the held-out strokes; no word calls seen ones unseen."""
 
 from ...document.content import Verdict
 
@@ -8,7 +8,7 @@ UNSEEN, SEEN, PERHAPS = "unseen", "seen", "perhaps"
 
 
 def included(content: Verdict) -> list[str]:
-    """Ids that the simulator had from run.yaml before it was asked, those that it names once more among them."""
+    """Ids that the simulator had from run.yaml beforehand, including those that the verdict names again."""
     new = {entry["id"] for entry in [*content["mechanisms"], *content.get("beside", [])]}
     new -= {id_ for adoption in content.get("adopted", []) for id_ in adoption["effects"]}
     return [id_ for id_ in dict.fromkeys(entry["id"] for entry in content.get("simulation", [])) if id_ not in new]
@@ -34,7 +34,7 @@ def status(content: Verdict) -> str:
 
 
 def other_name(content: Verdict) -> str:
-    """What the procedure named without the last strokes, if that is not what it names with them; else nothing."""
+    """The effects named without the last strokes, if they differ from those named with them; else nothing."""
     chosen = content["evidence"].get("chosen_without_them")
     if chosen is None or set(chosen) == {entry["id"] for entry in content["mechanisms"]}:
         return ""
@@ -42,13 +42,13 @@ def other_name(content: Verdict) -> str:
 
 
 def of_other(content: Verdict) -> str:
-    """As `other_name`, of which the error on those strokes is; nothing where no effect was named without them."""
+    """As `other_name`: the error on the last strokes is theirs. Empty where no effect was named without them."""
     other = other_name(content)
     return other if other not in ("", NO_EFFECT) else ""
 
 
 def closest(content: Verdict) -> str:
-    """The effects of which the error on those strokes is, though the verdict without them is unknown; else nothing."""
+    """The closest effects without the last strokes, to which the error there belongs; else nothing."""
     return " + ".join(sorted(set(content["evidence"].get("closest_without_them", []))))
 
 
@@ -59,7 +59,7 @@ def named(content: Verdict) -> str:
 
 
 def split(content: Verdict) -> str:
-    """Which strokes were held out, as a table's head says it."""
+    """The held-out strokes, as the head of a table names them."""
     heldout = content["fit"]["heldout"]
     return str(heldout["split"]) if heldout else SPLIT
 
@@ -73,12 +73,12 @@ def settled_otherwise(content: Verdict) -> str:
 
 
 def not_lasting(content: Verdict, id_: str) -> str:
-    """As `settled_otherwise`, where an effect is not among those that were named without the last strokes."""
+    """As `settled_otherwise`, but only if an effect is not among those named without the last strokes."""
     return "" if id_ in of_other(content).split(" + ") else settled_otherwise(content)
 
 
 def whose(content: Verdict) -> str:
-    """Of which effects the last error on those strokes is, where not of those that are named; goes after its size."""
+    """The effects to which the error on the last strokes belongs, if not the named ones; goes after its size."""
     other = other_name(content)
     if other == NO_EFFECT and closest(content):
         return f" (of {closest(content)}, which comes closest without these strokes: no effect is named there)"
@@ -86,14 +86,14 @@ def whose(content: Verdict) -> str:
 
 
 def whose_if_known(content: Verdict) -> str:
-    """As `whose`; nothing where a file does not say what is named without those strokes."""
+    """As `whose`; empty where a file does not tell the effects named without those strokes."""
     evidence = content.get("evidence")
     chosen = evidence.get("chosen_without_them") if isinstance(evidence, dict) else None
     return whose(content) if isinstance(chosen, list) and all(isinstance(id_, str) for id_ in chosen) else ""
 
 
 def simulator(content: Verdict) -> str:
-    """Of which simulator the last error on those strokes is; goes after `the simulator`."""
+    """The simulator to which the error on the last strokes belongs; goes after `the simulator`."""
     if other_name(content) == NO_EFFECT:
         which = f"with {closest(content)}, which comes closest" if closest(content) else "without an effect"
         return f"{which} (the procedure names none without these strokes)"
@@ -102,12 +102,12 @@ def simulator(content: Verdict) -> str:
 
 
 def strokes(content: Verdict) -> str:
-    """What the held-out strokes are called: unseen only where no fit has seen them."""
+    """The name of the held-out strokes: they are called unseen only if no fit has seen them."""
     return "unseen strokes" if status(content) == UNSEEN else "last strokes"
 
 
 def heading(content: Verdict) -> str:
-    """What the error on the held-out strokes is called."""
+    """The name of the error on the held-out strokes."""
     last = split(content)
     return {
         UNSEEN: "Error on unseen strokes",

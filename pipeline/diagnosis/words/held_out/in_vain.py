@@ -1,4 +1,4 @@
-"""An explanation that improves nothing on strokes that no fit has seen: whether it does not, and what is said then."""
+"""Explanations that improve nothing on strokes that no fit has seen: the tests for them, and the words."""
 
 import math
 
@@ -15,7 +15,7 @@ SMALL = ", and is too small to show there"
 
 
 def harmful(content: Verdict, words: Vocabulary) -> bool:
-    """Whether what is named makes the simulator worse on strokes that no fit has seen."""
+    """Whether the named effects make the simulator worse on strokes that no fit has seen."""
     unseen_errors = errors(content, words)
     if unseen_errors is None or content["verdict"] not in ("explained", "ambiguous"):
         return False
@@ -24,14 +24,14 @@ def harmful(content: Verdict, words: Vocabulary) -> bool:
 
 
 def improves_nothing(content: Verdict, words: Vocabulary) -> bool:
-    """Whether what is named makes the simulator no better on strokes that no fit has seen; worse is no better."""
+    """Whether the named effects make the simulator no better on strokes that no fit has seen."""
     unseen_errors = errors(content, words)
     named = content["verdict"] in ("explained", "ambiguous")
     return named and unseen_errors is not None and unseen_errors[2] > NO_BETTER * unseen_errors[1]
 
 
 def said(content: Verdict, words: Vocabulary) -> str:
-    """What must stand beside each name and number of an explanation that improves nothing; ends a phrase, or nothing.
+    """The remark beside each name and number of an explanation that improves nothing; ends a phrase, or is empty.
 
     It is the same wherever a reader may take a number from.
     """
@@ -44,7 +44,7 @@ def said(content: Verdict, words: Vocabulary) -> str:
 
 
 def doubt(content: Verdict, words: Vocabulary) -> str:
-    """The same where it speaks against the explanation: what is too small to show is not doubted for that.
+    """The remark of `said` where it counts against the explanation; empty where effects are too small to show.
 
     Where other effects were named without the last strokes, these failed there, and that is the doubt.
     """
@@ -54,7 +54,7 @@ def doubt(content: Verdict, words: Vocabulary) -> str:
 
 
 def too_small(content: Verdict, words: Vocabulary) -> bool:
-    """Whether an explanation that improves nothing could not: all that was missing is little beside their noise."""
+    """Whether an explanation had no chance to improve: the whole mismatch is small beside the noise there."""
     unseen_errors, missing = errors(content, words), content["mismatch"]
     if unseen_errors is None or not missing or harmful(content, words) or not improves_nothing(content, words):
         return False
@@ -64,12 +64,12 @@ def too_small(content: Verdict, words: Vocabulary) -> bool:
 
 
 def tried(content: Verdict) -> str:
-    """What was tried on the strokes that no fit has seen: the explanation, or what was named without them."""
+    """The effects that were tried on unseen strokes: the explanation, or the effects named without those strokes."""
     return holdout.of_other(content) or "the explanation"
 
 
 def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
-    """That the error on the last strokes is of other effects than are named; nothing where it is of these."""
+    """The remark that the error on the last strokes belongs to other effects than the named; else nothing."""
     other, unseen_errors = holdout.other_name(content), errors(content, words)
     none = other == holdout.NO_EFFECT
     if not other or not content["mechanisms"] or unseen_errors is None or (none and said(content, words)):
@@ -93,7 +93,7 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def other_choice(content: Verdict) -> list[str]:
-    """That the procedure chose other effects without the last strokes, where it did: what failed there is their fit."""
+    """The remark that the recording is too short to choose, if other effects were chosen without the last strokes."""
     if not holdout.other_name(content):
         return []
     return ["So the recording is too short to choose."]

@@ -13,7 +13,7 @@ METHOD = "A regression without physics (boosted trees over all that was recorded
 
 
 def beaten(content: Verdict, words: Vocabulary) -> list[str]:
-    """That a regression foretells unseen strokes better than what is named, where, and following what."""
+    """Whether and where a regression foretells unseen strokes better than the verdict's simulator, in words."""
     errors = _errors(content, words)
     if errors is None or content["verdict"] == "unknown" or errors[1] > BETTER * errors[0]:
         return []
@@ -29,9 +29,10 @@ def beaten(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def place_of_missing(content: Verdict, words: Vocabulary) -> str:
-    """Where that lies of what unseen strokes are missed by which a regression foretells, and what it follows.
+    """Where the part of the error on unseen strokes lies that a regression foretells, and which driver it follows.
 
-    A sentence; nothing where a regression foretells no more of it, and where `beaten` says it.
+    Returns a sentence. It is empty where a regression foretells no more than the verdict's simulator, and where
+    `beaten` says it already.
     """
     errors = _errors(content, words)
     if errors is None or errors[1] > NO_BETTER * errors[0] or beaten(content, words):
@@ -40,7 +41,7 @@ def place_of_missing(content: Verdict, words: Vocabulary) -> str:
 
 
 def to_reach(content: Verdict, words: Vocabulary) -> list[str]:
-    """How much of an unknown mismatch can be foretold at all, and from what."""
+    """How much of an unknown mismatch a regression can foretell, and from which driver."""
     errors = _errors(content, words)
     if errors is None:
         return []
@@ -60,7 +61,7 @@ def _errors(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
 
 
 def _where(content: Verdict, words: Vocabulary) -> str:
-    """Where what the regression adds lies, and the driver that it follows."""
+    """Where the part lies that the regression adds, and the driver that it follows."""
     remainder = content["evidence"]["left_of_unseen"]
     where = place(remainder["location"], content["evidence"], words)
     lies = "it is spread over these strokes" if where == EVERYWHERE else f"most of it lies {where}"

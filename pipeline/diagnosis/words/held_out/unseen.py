@@ -31,7 +31,7 @@ def errors(content: Verdict, words: Vocabulary) -> tuple[float, float, float] | 
 
 
 def worse(content: Verdict, words: Vocabulary) -> str:
-    """What must end the first line: that what was learnt is worse than the nominal simulator; else nothing."""
+    """The end of the first line: the learnt simulator is worse than the nominal one; else nothing."""
     unseen_errors = errors(content, words)
     who = content["fit"].get("worse_than_nominal", [])
     if unseen_errors is None or not who:
@@ -52,17 +52,17 @@ def worse(content: Verdict, words: Vocabulary) -> str:
 
 
 def fails_first(content: Verdict, words: Vocabulary) -> bool:
-    """Whether the first line says that what was tried on those strokes is worse there than the nominal simulator."""
+    """Whether the first line says that the tried simulator is worse than the nominal one on those strokes."""
     return "explained" in content["fit"].get("worse_than_nominal", []) and bool(worse(content, words))
 
 
 def other_fails(content: Verdict, words: Vocabulary) -> bool:
-    """Whether the first line says so, and of other effects than the one explanation's."""
+    """Whether the first line says so of other effects than those of the one explanation."""
     return content["verdict"] == "explained" and bool(holdout.of_other(content)) and fails_first(content, words)
 
 
 def partly(content: Verdict, words: Vocabulary) -> bool:
-    """Whether unseen strokes are missed by more than the noise."""
+    """Whether the error on unseen strokes is larger than the noise."""
     unseen_errors = errors(content, words)
     return unseen_errors is not None and unseen_errors[2] > STILL_MISSING * float(
         amount(content["fit"], f"noise_floor_{words.ending}")
@@ -70,7 +70,7 @@ def partly(content: Verdict, words: Vocabulary) -> bool:
 
 
 def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: bool) -> str:
-    """That unseen strokes are missed by more than the noise, beside what is left of those that the fit has seen.
+    """The remark that the error on unseen strokes exceeds the noise, with the error on strokes that were fitted.
 
     `unseen` is the error on unseen strokes in noise floors.
     """
@@ -100,12 +100,12 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
 
 
 def of_calibration(content: Verdict) -> bool:
-    """Whether the error on unseen strokes is of calibration alone, for without them nothing was named or came close."""
+    """Whether the error on unseen strokes belongs to calibration alone: without them nothing was named."""
     return holdout.other_name(content) == holdout.NO_EFFECT and not holdout.closest(content)
 
 
 def _missed_alone(content: Verdict, unseen: float, fitted: float) -> str:
-    """The same where calibration alone missed them, which says nothing of what is named; both in noise floors."""
+    """The same where only calibration was tried, which says nothing of the named effects; in noise floors."""
     strokes, best = holdout.strokes(content), holdout.named(content)
     if fitted <= STILL_MISSING:
         return (
@@ -119,17 +119,17 @@ def _missed_alone(content: Verdict, unseen: float, fitted: float) -> str:
 
 
 def beside_limit(ratio: float) -> str:
-    """How many times, to a hundredth where it is more than the limit and a tenth would hide that: 1.28 is 1.3, 1.34."""
+    """A ratio in words; with two decimals where one would hide that it exceeds the limit: 1.28 is 1.3, 1.34."""
     return f"{ratio:.2f}" if ratio > STILL_MISSING and times(ratio) == times(STILL_MISSING) else times(ratio)
 
 
 def exact(ratio: float) -> str:
-    """How many times, as the table of errors has it."""
+    """A ratio as the table of errors has it."""
     return beside_limit(ratio)
 
 
 def nothing_new(content: Verdict, words: Vocabulary) -> bool:
-    """Whether what is missed of unseen strokes is missed as much of those that the fit has seen."""
+    """Whether the error on unseen strokes is about the same as on strokes that the fit has seen."""
     unseen_errors, fitted = errors(content, words), fitted_times(content, words, named=True)
     if unseen_errors is None or fitted is None:
         return False
@@ -137,7 +137,7 @@ def nothing_new(content: Verdict, words: Vocabulary) -> bool:
 
 
 def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | None:
-    """What the verdict's simulator leaves of the whole recording, which it was fitted to, in noise floors."""
+    """The residual of the verdict's simulator on the whole recording, which it was fitted to, in noise floors."""
     evidence = content["evidence"]
     left_rms = amount_or_none(evidence, f"calibrated_{words.ending}")
     if named:
@@ -147,13 +147,13 @@ def fitted_times(content: Verdict, words: Vocabulary, named: bool) -> float | No
 
 
 def inexact(content: Verdict, words: Vocabulary) -> bool:
-    """Whether the verdict's simulator leaves more than noise of the whole recording."""
+    """Whether the residual of the verdict's simulator on the whole recording exceeds the noise."""
     fitted = fitted_times(content, words, content["verdict"] in ("explained", "ambiguous"))
     return fitted is not None and fitted > STILL_MISSING
 
 
 def left_over(content: Verdict, words: Vocabulary) -> float:
-    """What a simulator without a name leaves beyond the noise, rms, of all or of unseen strokes; 0 near the noise."""
+    """The rms beyond the noise that an unnamed simulator leaves of all or of unseen strokes; 0 near the noise."""
     noise, unseen_errors = amount(content["fit"], f"noise_floor_{words.ending}"), errors(content, words)
     beyond = [left_of_whole(content, words)]
     if unseen_errors is not None and unseen_errors[2] > STILL_MISSING * noise:
@@ -162,7 +162,7 @@ def left_over(content: Verdict, words: Vocabulary) -> float:
 
 
 def left_of_whole(content: Verdict, words: Vocabulary) -> float:
-    """What a simulator without a name leaves of the whole recording beyond the noise, rms; 0 near the noise."""
+    """The rms beyond the noise that an unnamed simulator leaves of the whole recording; 0 near the noise."""
     fitted = fitted_times(content, words, named=False)
     if fitted is None or fitted <= STILL_MISSING:
         return 0.0
@@ -170,7 +170,7 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> float:
 
 
 def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:
-    """The noise of what was compared over the whole recording, and that of unseen strokes: by name with its size."""
+    """The noise of the whole recording and of unseen strokes, as compared: each by name with its size."""
     noise, floor = (
         amount(content["fit"], f"noise_floor_{words.ending}"),
         amount(content["evidence"], f"floor_{words.ending}"),
@@ -180,7 +180,7 @@ def noises(content: Verdict, words: Vocabulary) -> tuple[str, str]:
 
 
 def kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
-    """What was compared over the whole recording, and on the strokes held out: averages or single samples.
+    """The kind of values that were compared, over the whole recording and on held-out strokes: averages or samples.
 
     Nothing where both are the single samples.
     """

@@ -1,4 +1,4 @@
-"""What must be known first of a simulator that errs on strokes that no fit has seen."""
+"""Warnings about a simulator that errs on strokes that no fit has seen."""
 
 from ...document.content import Verdict
 from ...document.made_keys import amount
@@ -9,7 +9,7 @@ from . import holdout, in_vain, level, unseen
 
 
 def cautions(content: Verdict, words: Vocabulary) -> list[str]:
-    """What a reader must know before anything else; nothing where the simulator foretells strokes to the noise."""
+    """The first warnings to a reader; none where the simulator foretells unseen strokes to the noise."""
     unseen_errors = unseen.errors(content, words)
     if unseen_errors is None:
         return left_of_whole(content, words)
@@ -45,7 +45,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def beyond(content: Verdict, words: Vocabulary) -> list[str]:
-    """That the unseen strokes went to a load or a motion that no stroke before them did; nothing where they did not."""
+    """The remark that unseen strokes reached a load or a motion beyond that of the strokes before; else nothing."""
     ranges_by_driver = content["evidence"].get("beyond_seen") or {}
     units = {"load": words.load_unit, "motion": words.motion_unit}
     wider = []

@@ -1,4 +1,4 @@
-"""A verdict that names no effect: whether it moved dimensions in vain, and whether what was adopted still holds."""
+"""A verdict that names no effect: whether dimensions moved without benefit, and whether adopted effects still hold."""
 
 from ...document.content import Verdict
 from ...document.made_keys import amount, amount_or_none
@@ -10,7 +10,7 @@ UNNAMED = ("consistent", "parameters")
 
 
 def kept_times(content: Verdict, words: Vocabulary) -> float:
-    """What the simulator leaves as it was adopted, in noise floors, where that explains the recording; else 0."""
+    """The residual of the adopted simulator, in noise floors, where that explains the recording; else 0."""
     adopted_rms = amount_or_none(content["evidence"], f"adopted_{words.ending}")
     if content["verdict"] not in UNNAMED or adopted_rms is None:
         return 0.0
@@ -19,7 +19,7 @@ def kept_times(content: Verdict, words: Vocabulary) -> float:
 
 
 def moved_in_vain(content: Verdict, words: Vocabulary) -> bool:
-    """Whether the simulation is hardly nearer to the recording with its dimensions moved than without."""
+    """Whether moved dimensions bring the simulation hardly nearer to the recording."""
     before, after = (
         amount_or_none(content["evidence"], f"{name}_{words.ending}") for name in ("nominal", "calibrated")
     )

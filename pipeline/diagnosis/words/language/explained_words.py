@@ -1,4 +1,4 @@
-"""The words that a verdict uses, each explained in a line, for who has nothing but `details.txt`."""
+"""The words that a verdict uses, each explained in a line, for a reader who has only `details.txt`."""
 
 import re
 
@@ -17,7 +17,7 @@ TURN, DRIVEN = "once a turn", "once in every turn of what drives it (a screw, a 
 
 
 def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
-    """The verdict's word, those of errors, then each effect that `text`, the verdict so far, names.
+    """The verdict's word, those of errors, then each effect that the verdict's `text` so far names.
 
     Those that the verdict names are left out: its tables say what they do.
     """
@@ -30,12 +30,12 @@ def lines(content: Verdict, text: str, words: Vocabulary) -> list[str]:
 
 
 def meaning(word: str) -> str:
-    """What a word means; of a mechanism of a user's own, what it follows."""
+    """The meaning of a word; for a mechanism of a user's own, the driver that it follows."""
     return MEANING.get(word) or f"a mechanism of your own; it follows {mechanisms()[word].driver}."
 
 
 def of_effect(entry: MechanismEntry, words: Vocabulary) -> str:
-    """What a named mechanism does on the rig; of a ripple whose pitch was found, how far its waves are apart."""
+    """What a named mechanism does on the rig; for a ripple of a known pitch, also the distance of its waves."""
     pitch = next((constant for name, constant in entry["parameters"].items() if name.startswith("pitch_")), None)
     if pitch is None or not pitch["value"]:
         return on_rig(meaning(entry["id"]), words)

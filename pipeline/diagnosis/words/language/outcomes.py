@@ -1,4 +1,4 @@
-"""What each outcome of a run would mean that tries what a nameless mismatch follows, by the title of the run."""
+"""The meaning of each outcome of a run that tests what a nameless mismatch follows, by the title of the run."""
 
 from .text_table import aligned
 from .vocabulary import Vocabulary
@@ -55,6 +55,6 @@ OUTCOMES = {
 
 
 def table(title: str, words: Vocabulary) -> list[str]:
-    """What each outcome of the run of a title would mean, a line each; nothing for other runs."""
+    """The meaning of each outcome of the run with this title, a line each; nothing for other runs."""
     rows = [[cell.format(**words.fields) for cell in row] for row in OUTCOMES.get(title, ())]
     return aligned([HEAD, *rows]) if rows else []

@@ -1,4 +1,4 @@
-"""Where something is, in words: motion, strokes and phase; what spans everything is not said."""
+"""The place of something, in words: motion, strokes and phase; a range that spans everything is left out."""
 
 from ...document.effects_named import Location
 from ...document.evidence import Evidence
@@ -11,7 +11,7 @@ NEARLY_ALL = 0.75  # of the range of motion, and of the strokes
 
 
 def lying(location: Location, evidence: Evidence, words: Vocabulary) -> str:
-    """The same as what is missing lies: `mostly at 0 to 12 turns`, or spread."""
+    """The place where a mismatch lies: `mostly at 0 to 12 turns`, or spread."""
     where = place(location, evidence, words)
     return "spread over the whole range" if where == EVERYWHERE else f"mostly {where}"
 

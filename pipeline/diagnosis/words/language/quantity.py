@@ -11,7 +11,7 @@ LEAST = 1e-3  # in a unit, below which the smaller one reads better
 
 
 def number(value: float, digits: int = 2, whole: bool = False) -> str:
-    """A number with so many digits and no exponent: 0.034, 5.3, 120, 5,300; `whole` keeps zeros: 0.10."""
+    """A number with that many digits and no exponent: 0.034, 5.3, 120, 5,300; `whole` keeps zeros: 0.10."""
     rounded = float(f"{value:.{digits}g}")
     if rounded == 0.0:
         return "0"
@@ -65,7 +65,7 @@ def of_column(value: float, unit: str, highest: float, digits: int = 2) -> str:
 
 
 def to_tell(values: Sequence[float], apart: float, unit: str) -> list[str]:
-    """Numbers to the second digit of how far they are apart, to four digits at most, each with as many decimals."""
+    """Numbers to the second digit of their difference, to four digits at most, each with as many decimals."""
     highest = max(abs(value) for value in values)
     if not apart > 0.0 or highest < LEAST:
         return [quantity(value, unit, 4) for value in values]
@@ -74,7 +74,7 @@ def to_tell(values: Sequence[float], apart: float, unit: str) -> list[str]:
 
 
 def to_the_band(value: float, half_width: float, digits: int = 6) -> str:
-    """A number with one decimal more than the first digit of half of its interval; with so many digits without one."""
+    """A number with one decimal more than the first digit of half its interval; without one, that many digits."""
     if not half_width > 0.0:
         return f"{value + 0.0:.{digits}g}"
     shown = f"{value:.{min(max(1 - math.floor(math.log10(half_width)), 0), 9)}f}"
@@ -93,14 +93,14 @@ def ends(low: float, high: float, unit: str, digits: int = 3) -> str:
 
 
 def at(value: float, unit: str, whole: float) -> str:
-    """A place on an axis `whole` wide, to a hundredth of it or finer: what is nearly 0 is 0."""
+    """A place on an axis `whole` wide, to a hundredth of the axis or finer; a value that is nearly 0 is written 0."""
     decimals = -math.floor(math.log10(whole / 100.0)) if whole > 0.0 else 3
     shown = number(round(value, decimals), 12)
     return f"{shown} {said_unit(f'turn{unit[5:]}' if shown == '1' and unit.startswith('turns') else unit)}".strip()
 
 
 def place_near(value: float, unit: str, whole: float) -> str:
-    """A place on an axis `whole` wide, as `near` is said of it: within a hundredth of the axis from 0 it is 0."""
+    """A place on an axis `whole` wide, for use after `near`; within a hundredth of the axis from 0 it is 0."""
     return at(0.0, unit, whole) if abs(value) < NEAR_0 * whole else quantity(value, unit)
 
 
@@ -121,7 +121,7 @@ def times(ratio: float) -> str:
 
 
 def percent(share: float) -> str:
-    """A share as `26 %`; what would round to nothing or to everything is said as less or more."""
+    """A share as `26 %`; a share that would round to 0 or 100 is written as less or more."""
     if 0.0 < share < 0.01:
         return "less than 1 %"
     return "more than 99 %" if 0.99 < share < 1.0 else f"{100.0 * share:.0f} %"

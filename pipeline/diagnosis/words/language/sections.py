@@ -9,13 +9,13 @@ Sections = list[tuple[str, list[str]]]  # each a heading and its lines
 
 
 def text(sections: Sections, last: tuple[str, list[str]]) -> str:
-    """Sections of a heading and its lines as a text: the first one, all others that have lines, and the last one."""
+    """Sections, each a heading and lines, as a text: the first, all others that have lines, and the last."""
     first, *others = sections
     return "\n\n".join(section(*part) for part in [first, *(part for part in others if part[1]), last])
 
 
 def shortened(line: str, most: int) -> str:
-    """The first sentences of a line that have no more than `most` letters together; the first one in any case."""
+    """The first sentences of a line with no more than `most` letters in all; at least the first one."""
     first, *others = re.split(r"(?<=[.:]) (?=[A-Z])", line)
     kept = first
     for sentence in others:
@@ -31,7 +31,7 @@ def section(head: str, lines: list[str]) -> str:
 
 
 def numbered(sentences: list[str]) -> list[str]:
-    """What is to be known of an answer, a line each; of many each with a number, what to report first."""
+    """The remarks on an answer, a line each; several are numbered, so that a report can refer to them."""
     if len(sentences) <= FEW:
         return sentences
     return [f"{number}. {sentence}" for number, sentence in enumerate(sentences, start=1)]

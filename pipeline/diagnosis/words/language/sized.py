@@ -1,4 +1,4 @@
-"""A size in words with the ends of its 90 % interval, with a digit more where two would hide them."""
+"""A size in words with the ends of its 90 % interval, with one more digit where two would make them look alike."""
 
 from .quantity import NEAR_0, of_column, quantity
 from .vocabulary import Vocabulary

@@ -34,7 +34,7 @@ def wrapped_cells(rows: list[list[str]]) -> list[str]:
 
 
 def within(rows: list[list[str]], cell: int) -> list[str]:
-    """As `aligned`, but no wider than a page: a cell at place `cell` that is too long for that has its own line."""
+    """As `aligned`, but no wider than a page: where the cell at place `cell` is too long, it gets a line of its own."""
     others = [max(map(len, column)) for place, column in enumerate(zip(*rows, strict=True)) if place != cell]
     most = ROOM - sum(others) - GAPS[1] * len(others)
     shortened = [[text if place != cell or len(text) <= most else "" for place, text in enumerate(row)] for row in rows]

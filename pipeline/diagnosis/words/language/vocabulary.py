@@ -89,7 +89,7 @@ class Vocabulary:
 
 
 def directions(motion_unit: str) -> tuple[str, str]:
-    """The two directions of what is not wound: those of a place or an angle, or of a value such as a voltage."""
+    """The names of both directions where nothing is wound: for a place, an angle, or a value such as a voltage."""
     return ("forward", "back") if motion_unit in (*LENGTHS, *ANGLES) else ("up", "down")
 
 
@@ -122,7 +122,7 @@ FOLLOWED = {
 
 
 def _named(column: str) -> tuple[str, str]:
-    """What a column is called, and its unit: `jaw angle` and `deg` for `jaw_deg`."""
+    """The name of a column's quantity, and its unit: `jaw angle` and `deg` for `jaw_deg`."""
     unit = unit_of(column)
     stem = column.removesuffix(f"_{unit.lower()}") if unit != "1" else column
     words = (stem if stem != column else column.rpartition("_")[0] or column).replace("_", " ")

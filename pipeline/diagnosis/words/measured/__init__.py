@@ -1,1 +1,1 @@
-"""What was measured on the rig and stands in `run.yaml`: which dimensions moved, and how to measure them again."""
+"""The measured dimensions in `run.yaml`: which ones moved, and how to measure them again."""

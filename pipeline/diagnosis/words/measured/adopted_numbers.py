@@ -1,4 +1,4 @@
-"""The numbers that stand above the letters of a formula, and what a letter says of them."""
+"""The numbers in the table above a formula's letters, and what a letter's row says of them."""
 
 import re
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ UNUSED, UNLOADED = "not in this one", "not used here: the load did not vary"
 
 @dataclass(frozen=True)
 class Numbers:
-    """What stands in the table above the letters: its strengths in their order, its other numbers by their keys.
+    """The numbers in the table above the letters: strengths in their order, other numbers by their keys.
 
     Each as it is said, with its unit. `rms` is that of the whole effect, in the unit of the reading. `names` are those
     of the strengths; `dimensions` has by name each as it was adopted, and as run.yaml has it.
@@ -25,7 +25,7 @@ class Numbers:
 
 
 def rows(pattern: str, numbers: Numbers) -> str:
-    """Where the strengths of a letter stand, whose names have a pattern; of one alone its value."""
+    """The rows of the strengths that a letter stands for, found by a pattern of names; for a single one its value."""
     count = len(numbers.strengths)
     names = numbers.names or ("",) * count
     places = [place for place, name in enumerate(names, 1) if not numbers.names or re.search(pattern, name)]
@@ -39,6 +39,6 @@ def rows(pattern: str, numbers: Numbers) -> str:
 
 
 def adopted(value_mm: float, nominal_mm: float) -> str:
-    """A dimension as it was adopted, and as run.yaml has it where that reads otherwise."""
+    """A dimension as it was adopted, and as run.yaml has it where the two read differently."""
     value, nominal = number(value_mm, 4), number(nominal_mm, 4)
     return f"{value} mm" + (f", as adopted (measured {nominal})" if value != nominal else "")

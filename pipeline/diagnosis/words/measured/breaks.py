@@ -1,4 +1,4 @@
-"""What changed in the break between two runs that are diagnosed together: it is said, and is no effect."""
+"""Changes in the break between two runs that are diagnosed together: they are told, and are no effect."""
 
 from ...document.bounds import HOME_REACH, of_later_run
 from ...document.content import Verdict
@@ -15,7 +15,7 @@ MORE = "This is as far as the zero may go: another string, or another rig, is mo
 
 
 def changed(content: Verdict) -> list[str]:
-    """That the motor's zero is another in a later run, by more than it was known; nothing where it is not."""
+    """The remark that the motor's zero moved in a later run by more than its tolerance; else nothing."""
     runs, tolerance = content["run"], content["evidence"].get("tolerance", {})
     own = {name: abs(entry["value"]) for name, entry in content["parameters"].items() if of_later_run(name)}
     moved = {name: turns / tolerance[stem(name)] for name, turns in own.items() if tolerance.get(stem(name))}

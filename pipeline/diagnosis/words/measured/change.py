@@ -1,4 +1,4 @@
-"""By how many per cent a dimension moved from the value that run.yaml has, in words."""
+"""By how many per cent a dimension moved from its value in run.yaml, in words."""
 
 from ...document.content import Verdict
 from ..language.quantity import number

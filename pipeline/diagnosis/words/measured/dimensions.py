@@ -1,4 +1,4 @@
-"""Dimensions that calibration moved further than they were measured wrong, in words."""
+"""Dimensions that calibration moved further than their tolerance, in words."""
 
 import math
 import re
@@ -24,7 +24,7 @@ CALLED = {"scale": "gain of the displacement sensor", "angle_turns": "zero of th
 
 
 def far_moved(content: Verdict) -> dict[str, float]:
-    """By how many sigma each dimension moved that is to be measured again: none where the adopted ones fit as well."""
+    """The dimensions to measure again, with how many sigma each moved; none where the adopted ones fit as well."""
     moved = {} if adopted_fit(content) else content["evidence"]["moved_sigma"]
     return {name: sigma for name, sigma in moved.items() if abs(sigma) > LEAVES and not of_later_run(name)}
 
@@ -46,7 +46,7 @@ def adopted_fit(content: Verdict) -> bool:
 def cautions(
     content: Verdict, words: Vocabulary, adopted: list[str], inexact: bool = False, in_step: bool = False
 ) -> list[str]:
-    """How to measure the dimensions again that moved far, and what else may have bent them; nothing where none did.
+    """How to measure dimensions again that moved far, and what else may have bent them; nothing if none did.
 
     `adopted` are the effects that run.yaml holds; `inexact`: the simulation leaves more than noise; `in_step`: a step
     asks to measure them, and says how exactly.
@@ -86,7 +86,7 @@ def do_not_copy(moved: Iterable[str]) -> str:
 
 
 def suspicious(content: Verdict) -> list[str]:
-    """What a reader must know first of dimensions that calibration moved to the bound of what it may do."""
+    """The warning that calibration moved dimensions to the bound of their tolerance."""
     bounds = at_bound(far_moved(content))
     at_end = {name: which for name, which in bounds.items() if name in content["parameters"]}
     if not at_end:
@@ -104,14 +104,14 @@ def suspicious(content: Verdict) -> list[str]:
 
 
 def whence(content: Verdict, name: str) -> str:
-    """Where a value comes from that run.yaml does not hold: assumed, or taken after the scale that run.yaml gives."""
+    """The source of a value that run.yaml lacks: assumed, or derived from the scale that run.yaml gives."""
     shown = content["evidence"]
     from_scale = shown.get("scale_given") is not None and tolerances.stem(name) == "scale"
     return f"taken, after the scale of {number(shown['scale_given'], 4)} in run.yaml" if from_scale else "assumed"
 
 
 def from_to(content: Verdict, name: str) -> tuple[str, str]:
-    """A dimension as `run.yaml` has it, and as it fits to a third of its tolerance, finer where both read the same."""
+    """A dimension in `run.yaml` and its fitted value, to a third of the tolerance, finer if both would look alike."""
     dimension, unit = content["parameters"][name], said_unit(unit_of(re.sub(r"_\d+$", "", name)))
     nominal = number(dimension["nominal"], 6)
     least = decimals(content, name)
@@ -121,7 +121,7 @@ def from_to(content: Verdict, name: str) -> tuple[str, str]:
 
 
 def decimals(content: Verdict, name: str) -> int:
-    """After how many decimals a dimension is said: to a third of its tolerance, finer where its ends read alike."""
+    """The number of decimals for a dimension: to a third of its tolerance; finer where its ends would read alike."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
     step = exactness.TELLS * sigma if sigma else 1e-3 * abs(content["parameters"][name]["value"])
     places = max(-math.floor(math.log10(step)), 0) if step > 0.0 else 4
@@ -143,7 +143,7 @@ def likely_range(content: Verdict, name: str) -> str:
 
 
 def beyond(content: Verdict, name: str) -> bool:
-    """Whether the interval of a dimension reaches further than calibration may move it."""
+    """Whether the interval of a dimension reaches beyond the bounds of calibration."""
     dimension, sigma = content["parameters"][name], content["evidence"].get("tolerance", {}).get(name)
     ends = [dimension.get("low", dimension["nominal"]), dimension.get("high", dimension["nominal"])]
     return sigma is not None and sigma > 0.0 and max(abs(end - dimension["nominal"]) for end in ends) > BOUND * sigma
@@ -184,7 +184,7 @@ def table(content: Verdict, words: Vocabulary, but: Iterable[str] = ()) -> list[
 
 
 def _row(content: Verdict, name: str, words: Vocabulary) -> list[str]:
-    """From what to what a dimension moved, and by how much of which tolerance."""
+    """The old and the new value of a dimension, and by how many tolerances it moved."""
     nominal, value = from_to(content, name)
     first = f"{nominal}{f' ({whence(content, name)})' if exactness.assumed(name) else ''}"
     sigmas = number(abs(content["evidence"]["moved_sigma"][name]), whole=True)

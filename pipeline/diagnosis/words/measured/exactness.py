@@ -1,4 +1,4 @@
-"""How exactly to measure a dimension again: to tell two values apart, or only to find a gross error."""
+"""The accuracy for measuring a dimension again: to tell two values apart, or only to find a gross error."""
 
 import math
 import re
@@ -18,7 +18,7 @@ TRADES = 0.8  # correlation of two dimensions from which on one of them alone se
 
 
 def tells(content: Verdict, name: str) -> str:
-    """How exactly to measure a dimension: to a third of the way that it moved."""
+    """The accuracy to measure a dimension with: a third of the distance that it moved."""
     return quantity(TELLS * way(content, name), unit_of(tolerances.stem(name)))
 
 
@@ -34,7 +34,7 @@ def distance(content: Verdict, name: str) -> str:
 
 
 def gross(content: Verdict, name: str) -> bool:
-    """Whether a dimension that somebody measured stands at its bound, so that its own tolerance is exact enough."""
+    """Whether a measured dimension stands at its bound: its old tolerance is then accurate enough."""
     sigma = content["evidence"].get("tolerance", {}).get(name)
     bounds = at_bound(content["evidence"]["moved_sigma"])
     if not sigma or assumed(name) or name not in bounds:
@@ -43,14 +43,14 @@ def gross(content: Verdict, name: str) -> bool:
 
 
 def cell(content: Verdict, name: str) -> str:
-    """How exactly to measure a dimension, in a table: `0.0037 mm or better`, or `0.5 mm, as before`."""
+    """The accuracy to measure a dimension with, in a table: `0.0037 mm or better`, or `0.5 mm, as before`."""
     if not gross(content, name):
         return f"{tells(content, name)} or better"
     return f"{quantity(content['evidence']['tolerance'][name], unit_of(tolerances.stem(name)))} {AS_BEFORE}"
 
 
 def mistakes(content: Verdict, names: Mapping[str, str]) -> list[str]:
-    """That a gross error is to be looked for, where the exactness of before is enough; nothing where it is not.
+    """The advice to look for a gross error, where the old accuracy is enough; else nothing.
 
     `names` are what the dimensions are called, by their own names.
     """
@@ -62,23 +62,23 @@ def mistakes(content: Verdict, names: Mapping[str, str]) -> list[str]:
 
 
 def look_for(content: Verdict, names: Mapping[str, str]) -> str:
-    """The same in one short sentence, for the page; empty where the exactness of before is not enough."""
+    """The same advice in one short sentence, for the page; empty where the old accuracy is not enough."""
     off = _off(content, names)
     return f" As before: look for a gross error of about {listing(off)}." if off else ""
 
 
 def _off(content: Verdict, names: Mapping[str, str]) -> list[str]:
-    """How large each gross error would be, with the dimension that it is of."""
+    """The size of each possible gross error, with its dimension."""
     return [f"{distance(content, name)} for the {called}" for name, called in names.items() if gross(content, name)]
 
 
 def assumed(name: str) -> bool:
-    """Whether `run.yaml` gives no value of a dimension; of the stiffness too, for one that was measured never moves."""
+    """Whether `run.yaml` gives no value of a dimension. A stiffness counts too: a measured one never moves."""
     return re.sub(r"_\d+$", "", name) in NEVER_SAID or name.startswith("stiffness")
 
 
 def trading(content: Verdict, names: list[str]) -> list[tuple[str, str, float]]:
-    """Pairs of dimensions that take each other's place in the fit, with their correlation, the strongest first."""
+    """Pairs of dimensions that can replace each other in the fit, with their correlation, the strongest first."""
     moves = {doubt["name"]: doubt["moves"] for doubt in content.get("uncertainty", []) if "id" not in doubt}
     moving = [name for name in names if name in moves]
     pairs = []

@@ -1,4 +1,4 @@
-"""How run.yaml says how well a dimension was measured, and what gain a displacement sensor was found to have."""
+"""The lines for run.yaml that say how well a dimension was measured, and which gain the displacement sensor has."""
 
 from collections.abc import Iterable, Sequence
 
@@ -18,7 +18,7 @@ GAIN = (
 
 
 def lines(content: Verdict, again: Sequence[str]) -> list[str]:
-    """How run.yaml says how well the dimensions to measure `again` were measured, and what the sensor's gain is."""
+    """The lines for run.yaml: the accuracy of the dimensions measured `again`, and the sensor's gain."""
     keys = ", ".join(f"{key}: …" for key in tolerance_keys(again))
     gain = ""
     if "scale" in again:

@@ -1,4 +1,4 @@
-"""How far an effect, or one of its numbers, moves the reading of a recording, in words and in cells of a table."""
+"""By how much an effect, or one of its numbers, moves the reading, in words and in cells of a table."""
 
 import math
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ PLACES = 3  # decimals of a size in a table
 
 @dataclass(frozen=True)
 class Size:
-    """What something does to the reading: rms; at the highest motion less at the lowest one; and these two `ends`."""
+    """An effect on the reading: rms; the value at the highest motion less that at the lowest; and these `ends`."""
 
     rms: float
     at_top: float
@@ -23,28 +23,28 @@ class Size:
 
 
 def change(moved: Size, words: Vocabulary) -> str:
-    """Between which motions the reading changes, as the head of a column."""
+    """The head of a column: between which motions the reading changes."""
     return f"change {_way(moved, words)}"
 
 
 def moves(moved: Size, words: Vocabulary, loops: bool = False) -> str:
-    """What something does to the reading, without a full stop; of what makes a loop both ends say nothing."""
+    """By how much something moves the reading, without a full stop; the ends are left out for a loop."""
     typical, by = size(moved.rms, words.unit), cells(moved, words, moved.rms)[1]
     ends = "" if loops or by == UNKNOWN else f", and by {by} {_way(moved, words)}"
     return f"moves the reading by {typical} rms{ends}"
 
 
 def cells(moved: Size, words: Vocabulary, whole_rms: float) -> list[str]:
-    """What something does to the reading in cells; a difference that nobody would see beside all of it is left out."""
+    """By how much something moves the reading, in cells; a difference too small to see is left out."""
     least = 10.0 ** math.floor(math.log10(whole_rms)) if whole_rms > 0.0 else 0.0
     by = f"{'+' if moved.at_top > 0.0 else '-'}{_in_unit(abs(moved.at_top), least, words.unit)}"
     return [_in_unit(moved.rms, least, words.unit), by if abs(moved.at_top) > UNSEEN * whole_rms else UNKNOWN]
 
 
 def not_added_up(whole: Size, each: Sequence[Size], words: Vocabulary) -> list[str]:
-    """That numbers cancel, where they do; and that their column does not add up, where what one does depends on others.
+    """The remarks that numbers cancel, and that their column does not add up since they depend on each other.
 
-    What rounding leaves is worth no word.
+    A difference that comes from rounding is not mentioned.
     """
     least, most = UNSEEN * whole.rms, max((moved.rms for moved in each), default=0.0)
     sizes = f"up to {size(most, words.unit)} rms each, where the whole effect is {size(whole.rms, words.unit)}"
@@ -63,7 +63,7 @@ def _way(moved: Size, words: Vocabulary) -> str:
 
 
 def _in_unit(value: float, least: float, unit: str) -> str:
-    """A size in the unit that all of its column have, to a hundredth of `least`: 0.0003 mm beside 0.0268 mm."""
+    """A size in the common unit of its column, to a hundredth of `least`: 0.0003 mm beside 0.0268 mm."""
     shown = to_the_band(value, 0.1 * least, PLACES)
     if value > 0.0 and not shown.strip("0."):
         shown = f"less than {10.0 ** -len(shown.partition('.')[2]):g}"

@@ -1,4 +1,4 @@
-"""What calibration moved, for the page: what it is called, and from where to where, beyond a tolerance."""
+"""Dimensions that calibration moved by more than a tolerance, for the page: their name, old and new value."""
 
 from ....ground.units import unit_of
 from ...document.bounds import of_later_run
@@ -13,13 +13,13 @@ FROM = 1.0  # tolerances: a dimension that moved by less is as it was measured
 
 
 def what(content: Verdict) -> str:
-    """What may move: `dimensions`, or the one quantity that does, as the mass of a moving mass."""
+    """The word for what may move: `dimensions`, or the one quantity, such as the mass of a moving mass."""
     names = [name for name in content["evidence"]["moved_sigma"] if not of_later_run(name)]
     return name_of(names[0]) if len(names) == 1 and not names[0].endswith("_mm") else "dimensions"
 
 
 def lines(content: Verdict) -> list[str]:
-    """From where to where each dimension moved by more than its tolerance; nothing where a step says it."""
+    """The old and new value of each dimension that moved by more than its tolerance; nothing where a step says it."""
     if content["verdict"] not in ("explained", "ambiguous") or far_moved(content):
         return []
     moved = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) > FROM}
@@ -29,7 +29,7 @@ def lines(content: Verdict) -> list[str]:
 
 
 def bracketed(content: Verdict) -> str:
-    """From where to where the dimensions moved that moved farthest, in brackets after a blank; empty of none."""
+    """The old and new values of the dimensions that moved farthest, in brackets after a blank; empty if none did."""
     sigmas = {name: abs(sigma) for name, sigma in content["evidence"]["moved_sigma"].items() if not of_later_run(name)}
     names = [name for name in sorted(sigmas, key=lambda name: -sigmas[name]) if name in content["parameters"]]
     far = [name for name in names if sigmas[name] > FROM] or names[:1]
@@ -52,6 +52,6 @@ def _by(content: Verdict, name: str) -> str:
 
 
 def _tolerance(content: Verdict, name: str) -> str:
-    """Of what a dimension moved so many times, in its unit; nothing where the diagnosis does not hold it."""
+    """The tolerance that a dimension's move is counted in, in its unit; nothing where the file lacks it."""
     sigma, unit = content["evidence"].get("tolerance", {}).get(name), said_unit(unit_of(name))
     return f" its tolerance of {number(sigma)} {unit}".rstrip() if sigma else ""

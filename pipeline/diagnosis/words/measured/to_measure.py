@@ -1,4 +1,4 @@
-"""The dimensions to measure again: what run.yaml says, what fits best, how to measure, and then what."""
+"""The dimensions to measure again: their values in run.yaml, the best fits, how to measure, and the next steps."""
 
 from ...document.bounds import of_later_run
 from ...document.content import Verdict
@@ -25,7 +25,7 @@ def to_measure(content: Verdict) -> list[str]:
 
 
 def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
-    """Each dimension to measure again, with how it is measured below it; `short`: the first ones, without how."""
+    """Each dimension to measure again, with how to measure it below; `short`: only the first ones, without that."""
     names, rows = to_measure(content), []
     more = len(names) - FIRST if short else 0
     names = names[:FIRST] if more > 0 else names
@@ -51,7 +51,7 @@ def table(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
 
 
 def _with_percents(content: Verdict, names: list[str], rows: list[list[str]]) -> list[str]:
-    """The lines of the table; with by how many per cent what fits best is another value, where there is room."""
+    """The lines of the table, with the per cent between old and best value where there is room."""
     percents = [change.in_brackets(content, name) for name in names]
     wider = [[*row[:3], f"{row[3]}{percent}", *row[4:]] for row, percent in zip(rows, percents, strict=True)]
     room = ROOM - IN_A_STEP
@@ -60,7 +60,7 @@ def _with_percents(content: Verdict, names: list[str], rows: list[list[str]]) ->
 
 
 def _together(content: Verdict, names: list[str]) -> list[str]:
-    """The dimensions to measure in one go, since they take each other's place in the fit."""
+    """The dimensions to measure together, since they replace each other in the fit."""
     return [
         f"Measure the {name_of(first)} and the {name_of(second)} in one go: they take each other's place in the fit "
         f"(correlation {share:.2f}), so that one of them alone settles little."
@@ -69,7 +69,7 @@ def _together(content: Verdict, names: list[str]) -> list[str]:
 
 
 def consequences(content: Verdict, then: str, short: bool) -> list[str]:
-    """What to do with what was measured; `then` is what to do where nothing changed; `short`: as one sentence."""
+    """What to do after measuring; `then` is for the case that nothing changed; `short`: as one sentence."""
     moved = to_measure(content)
     where = ", ".join(f"{key}: …" for key in tolerance_keys(moved))
     exact = f"- if the same, known better than its tolerance: say how well (`tolerance: {{{where}}}`)"

@@ -1,4 +1,4 @@
-"""The tolerances that a verdict stands on, in the keys and units of `run.yaml`: some are shares, some are lengths."""
+"""The tolerances that a verdict depends on, in the keys and units of `run.yaml`: shares or lengths."""
 
 import math
 import re
@@ -44,7 +44,7 @@ def said(content: Verdict, name: str, words: Vocabulary) -> str:
 
 
 def is_default(content: Verdict, name: str, words: Vocabulary) -> bool:
-    """Whether a tolerance is that which is taken where run.yaml says nothing."""
+    """Whether a tolerance is the default one, used where run.yaml gives none."""
     if key_of(name) in content["evidence"].get("tolerances_given", []):
         return False
     sigma, part = content["evidence"].get("tolerance", {}).get(name), share(content, name, words)
@@ -53,7 +53,7 @@ def is_default(content: Verdict, name: str, words: Vocabulary) -> bool:
 
 
 def marked(content: Verdict, name: str, words: Vocabulary) -> str:
-    """The tolerance of a dimension as `said`, with `default` beside one that nobody gave."""
+    """The tolerance of a dimension as `said`, with `default` beside it if run.yaml gives none."""
     tolerance = said(content, name, words)
     if not tolerance or not is_default(content, name, words):
         return tolerance
@@ -93,7 +93,7 @@ def in_force(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def doubts(content: Verdict, words: Vocabulary) -> list[str]:
-    """A share in mm that nobody can measure by hand: likely a length in mm was written where a share belongs."""
+    """The question on a share that stands for fewer mm than a hand can measure: it is likely a length in mm."""
     lines = []
     for name in content["evidence"].get("tolerance", {}):
         part, key = share(content, name, words), key_of(name)

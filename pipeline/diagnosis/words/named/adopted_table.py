@@ -1,4 +1,4 @@
-"""The table of what run.yaml has adopted: each effect by its name, as what it was adopted, how large it is here."""
+"""The table of adopted effects: each effect's name, how it was adopted, and how large it is here."""
 
 from ....ground.outside_library import is_outside
 from ...document.content import Adoption, Verdict
@@ -16,7 +16,7 @@ HELD = "Sizes are what the adopted numbers do here. How sure each effect is stan
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """A row for each adopted effect with what it does below it; nothing where none was, or an older file has none."""
+    """A row for each adopted effect, with what it does below; nothing without such effects, or in an older file."""
     entries: list[AdoptedEffect] = content["evidence"].get("adopted_effects", [])
     if not entries:
         return []
@@ -34,7 +34,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _adopted_as(content: Verdict, id_: str) -> str:
-    """Whether an effect was adopted as the one explanation, or as a part of one that tied with others."""
+    """Whether an effect was adopted from the one explanation, or from one that tied with others."""
     of: list[Adoption] = [adoption for adoption in content.get("adopted", []) if id_ in adoption["effects"]]
     if not of:
         return "a stand-in, no name" if is_outside(id_) else "nobody wrote it down"

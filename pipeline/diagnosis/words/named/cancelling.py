@@ -12,12 +12,12 @@ FAR = 2.0  # times the recorded loop: effects that open wider ones must take mos
 
 
 def lines(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
-    """What several effects do together, and that their loops partly cancel where they do; nothing of one effect."""
+    """The joint action of several effects, and the remark if their loops partly cancel; nothing for one effect."""
     return [*_together(content, entries, words), *_cancel(content, entries, words)]
 
 
 def _together(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
-    """What several effects do together: a reader would add up their sizes."""
+    """The joint action of several effects: their sizes do not add up, though a reader may try it."""
     missing = amount(content["mismatch"], f"rms_{words.ending}") if content["mismatch"] else 0.0
     sizes = [interval(entry, f"rms_{words.ending}")["value"] for entry in entries]
     if len(entries) < 2 or max(sizes) > missing or content["verdict"] != "explained" or far_moved(content):
@@ -28,7 +28,7 @@ def _together(content: Verdict, entries: list[MechanismEntry], words: Vocabulary
 
 
 def _cancel(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
-    """That the loops of some effects partly cancel; nothing where fewer than two are far wider than what is seen."""
+    """The remark that loops partly cancel; nothing unless two or more are far wider than the visible loop."""
     seen = ((content["evidence"].get("expected") or {}).get("recorded") or {}).get(f"loop_{words.ending}") or 0.0
     opened = content["evidence"].get("loops") or {}
     by_id = {

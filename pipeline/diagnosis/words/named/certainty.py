@@ -1,4 +1,4 @@
-"""Which effects are sure, which probable and which open, from how likely each is in whichever explanation; in words."""
+"""Which effects are sure, probable or open, by the probability of each over all explanations; in words."""
 
 from collections.abc import Sequence
 
@@ -26,7 +26,7 @@ WIDE = 2.0  # times its lower end: where the upper end of an interval is more, t
 
 
 def _is_slow(id_: str, content: Verdict) -> bool:
-    """Whether an effect goes on over a whole recording, as a temperature does that is calculated, not logged."""
+    """Whether an effect goes on over a whole recording; an unlogged temperature counts as slow."""
     covered = content["evidence"].get("covered")
     calculated = covered is not None and "temperature_c" not in covered
     return mechanisms()[id_].slow or (calculated and mechanisms()[id_].driver == TEMPERATURE)
@@ -38,12 +38,12 @@ def slow_others(content: Verdict, slow: list[str]) -> list[str]:
 
 
 def is_likely(content: Verdict, id_: str) -> bool:
-    """Whether a named effect is so likely among the library's that it is sure, if nothing holds that back."""
+    """Whether a named effect is likely enough to be called sure, if nothing holds that back."""
     return known(content).get(id_, 0.0) >= SURE
 
 
 def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
-    """Why an effect is not called sure, however likely it is among the library's: ends a phrase with `since`."""
+    """Why a likely effect is still not called sure; ends a phrase with `since`."""
     lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
     were = "were" if len(lacks) > 1 else "was"
     not_recorded = f"a second {listing(list(lacks), 'and a second')} {were} not recorded" if lacks else ""
@@ -58,7 +58,7 @@ def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
 
 
 def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
-    """The named effects that are slow, where a recording under one load cannot tell them from others that are."""
+    """The named slow effects, if a recording under one load cannot tell them from other slow effects."""
     if content["evidence"]["loaded"] or words.load is None:
         return []
     return [entry["id"] for entry in content["mechanisms"] if _is_slow(entry["id"], content)]
@@ -84,7 +84,7 @@ def asks(content: Verdict, words: Vocabulary, open_ones: Sequence[str] = ()) -> 
 
 
 def limits(content: Verdict) -> str:
-    """What the percentages stand on, and which dimensions are at the end of it."""
+    """What the percentages depend on, and which dimensions stand at their limit."""
     at_limit = [name_of(name) for name in at_bound(content["evidence"]["moved_sigma"]) if name in content["parameters"]]
     if not at_limit:
         return f"{COMPARES}."
@@ -93,7 +93,7 @@ def limits(content: Verdict) -> str:
 
 
 def at_limit(content: Verdict) -> str:
-    """The dimensions that stand at their limit and are to be measured again: names are provisional while they do."""
+    """The dimensions at their limit that are to be measured again; until then names are provisional."""
     limited = [f"the {name_of(name)}" for name in at_bound(far_moved(content)) if name in content["parameters"]]
     return f"{listing(limited)} {'stand at their' if len(limited) > 1 else 'stands at its'} limit" if limited else ""
 
@@ -106,7 +106,7 @@ def known(content: Verdict) -> dict[str, float]:
 
 
 def to_write(content: Verdict, words: Vocabulary, short: bool = False) -> list[str]:
-    """Why an effect is only probable, of each whose percentage alone would make it sure.
+    """Why effects are only probable whose percentage alone would make them sure.
 
     `short`: nothing where the first line of the page says it of all that is named.
     """
@@ -126,7 +126,7 @@ def _only(count: int) -> str:
 
 
 def than_the_explanation(content: Verdict) -> list[str]:
-    """Why an effect is surer than the one explanation that is named; nothing where it hardly is."""
+    """Why an effect is surer than the one explanation; nothing where the difference is small."""
     share = next((best.get("probability") for best in rivals.entries(content, "named")), None)
     if share is None:
         return []
@@ -138,13 +138,13 @@ def than_the_explanation(content: Verdict) -> list[str]:
 
 
 def no_promise(content: Verdict, words: Vocabulary) -> list[str]:
-    """That a sure name is no good prediction, where unseen strokes are missed; nothing where none is sure."""
+    """The remark that a sure name is no good prediction, where unseen strokes are poorly predicted."""
     sure = [id_ for id_ in known(content) if is_likely(content, id_) and not held_back(content, words, id_)]
     return [NO_PROMISE.format(listing(sure))] if sure and unseen.partly(content, words) else []
 
 
 def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, float]]:
-    """The effects whose own size the recording leaves open, each with its interval."""
+    """The effects whose size the recording leaves open, each with its interval."""
     sizes_of = {entry["id"]: interval(entry, f"rms_{words.ending}") for entry in content["mechanisms"]}
     return {
         id_: (size["low"], size["high"])
@@ -154,7 +154,7 @@ def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, 
 
 
 def partly_hidden(content: Verdict, words: Vocabulary) -> list[str]:
-    """The effects that are larger than what is missing, so that moved dimensions must take some of each back."""
+    """The effects larger than the mismatch: moved dimensions must take back a part of each."""
     key = f"rms_{words.ending}"
     limit = rivals.MORE * amount(mismatch_of(content), key) if content["mismatch"] else float("inf")
     return [entry["id"] for entry in content["mechanisms"] if interval(entry, key)["value"] > limit]
@@ -166,5 +166,5 @@ def wide(size: Interval) -> bool:
 
 
 def hidden(own: float, content: Verdict, words: Vocabulary) -> bool:
-    """Whether an effect is far larger than what is missing, so that moved dimensions must take most of it back."""
+    """Whether an effect is far larger than the mismatch, so that moved dimensions must take back most of it."""
     return bool(own > rivals.LARGER * amount(mismatch_of(content), f"rms_{words.ending}"))

@@ -1,4 +1,4 @@
-"""An effect that is too small for the steps that the sensor reads in: whatever its probability, it is not called sure.
+"""Effects that are too small for the sensor's steps: whatever their probability, they are not called sure.
 
 A reading that is rounded errs by up to half a step, and where little noise stirs it that error repeats from stroke to
 stroke as an effect does (Widrow and Kollár, Quantization Noise, 2008).
@@ -17,9 +17,9 @@ ROUNDED = 1.0 / math.sqrt(12.0)  # of a step: the standard deviation of what rou
 
 
 def too_small(content: Verdict, words: Vocabulary, id_: str) -> str:
-    """Why an effect is too small to be called sure; ends a phrase with `while`. Nothing where it is not, or is unknown.
+    """Why an effect is too small to be called sure; ends a phrase with `while`. Else empty, also if unknown.
 
-    What counts of an effect is what no dimension could do.
+    Only the part of the effect counts that no dimension could imitate.
     """
     step = amount_or_none(content["evidence"], f"resolution_{words.ending}") or 0.0
     if not step or amount(content["fit"], f"noise_floor_{words.ending}") > STIRRED * step:
@@ -31,6 +31,6 @@ def too_small(content: Verdict, words: Vocabulary, id_: str) -> str:
 
 
 def _own(content: Verdict, entry: MechanismEntry, words: Vocabulary) -> float:
-    """The rms of an effect, or of what no dimension could do of it."""
+    """The rms of an effect, or of its part that no dimension could imitate."""
     beyond = by_name(content["evidence"], f"beyond_dimensions_{words.ending}").get(entry["id"], math.inf)
     return min(float(interval(entry, f"rms_{words.ending}")["value"]), float(beyond))

@@ -36,7 +36,7 @@ DOES = {
 
 
 def factors(words: dict[str, str], name: str) -> dict[str, str]:
-    """What the coefficient `name` multiplies, by the `words` in names; of two words at one place the longer one."""
+    """The factor that the coefficient `name` multiplies, by the `words` in names; the longest fitting word counts."""
     rest, what = f"_{name}_", {}
     for word, factor in sorted(words.items(), key=lambda item: -len(item[0])):
         pattern = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
@@ -73,7 +73,7 @@ def _block(
     act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size], does_here: str,
     dimensions: Mapping[str, tuple[float, float]],
 ) -> list[str]:  # fmt: skip
-    """An effect: what it does, of how many elements it is made, the table, and its formula letter by letter."""
+    """The block of an effect: what it does, its number of elements, the table, and its formula letter by letter."""
     mechanism, (whole, *each) = mechanisms()[act.id], sizes
     coefficients, moved = iter(act.coefficients), iter(each)
     rows, described, names, shares = list[list[str]](), list[str](), list[str](), list[str]()
@@ -121,7 +121,7 @@ def _block(
 
 
 def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
-    """What each factor is that has a share in the names of coefficients, and where it stands there; a line each."""
+    """The factors with a share in the coefficients' names, and where the share stands in a name; a line each."""
     shares = {}
     for name in names:
         for word, factor in factors(mechanism.names, name).items():
@@ -134,7 +134,7 @@ def _shares(mechanism: Mechanism, names: Sequence[str]) -> list[str]:
 
 
 def _what(mechanism: Mechanism, name: str, done: str, share: bool = False) -> str:
-    """What a coefficient does, what it multiplies, and its time constant; `share`: it has no unit."""
+    """What a coefficient does, the factor it multiplies, and its time constant; `share`: it has no unit."""
     branch = BRANCH.search(name)
     multiplied = [_multiplied(name, word, factor) for word, factor in factors(mechanism.names, name).items()]
     if share and len(multiplied) == 1 and not branch:
@@ -148,7 +148,7 @@ def _what(mechanism: Mechanism, name: str, done: str, share: bool = False) -> st
 
 
 def _multiplied(name: str, word: str, factor: str) -> str:
-    """What a coefficient multiplies: a factor with a share is said above the table, where the name has its share."""
+    """The factor that a coefficient multiplies; if the name has a share of it, the table's remark tells the factor."""
     if OF_NAME not in factor:
         return factor
     own_share = re.search(re.escape(word).replace(r"\*", "[0-9.]+") + ("" if "*" in word else "_([0-9.]+)"), name)

@@ -1,4 +1,4 @@
-"""A named mechanism → its sentence: the library's words with the size, the reach and the parameters that were found."""
+"""A named mechanism → its sentence: the library's words with the size, the range and the fitted parameters."""
 
 import re
 from string import Formatter
@@ -36,7 +36,7 @@ def sentence(
     mechanism: Mechanism, entry: WithParameters, span: float | None, words: Vocabulary, units: Units,
     opened: Loop | None = None, trend: float | None = None, whole: float = 0.0, mass_kg: float | None = None,
 ) -> str:  # fmt: skip
-    """What a mechanism does on this rig, in one sentence; `entry` is its own of `mechanisms`, `span` low to high.
+    """What a mechanism does on this rig, in a sentence; `entry` is its entry of `mechanisms`, `span` its range.
 
     `opened` is its loop: the width, and the motion where it is so wide; None where no whole strokes show one. `trend`:
     by how much it moves the reading in the course of the recording; None in an older file. `whole`: the motion's range.
@@ -61,7 +61,7 @@ def sentence(
 
 
 def loop(span: str, words: Vocabulary, opened: Loop | None, whole: float = 0.0) -> str:
-    """By how much both ways differ at one place, and where; where that is unknown, the span, called what it is."""
+    """The difference of both ways at one place, and the place; where that is unknown, the whole range, named so."""
     if opened:
         near = place_near(amount(opened, words.driver), words.motion_unit, whole)
         widths = [
@@ -73,18 +73,18 @@ def loop(span: str, words: Vocabulary, opened: Loop | None, whole: float = 0.0) 
 
 
 def between_runs(entry: MechanismEntry, words: Vocabulary) -> str:
-    """In what state the runs of one diagnosis begin, where an effect remembers; nothing where it does not."""
+    """The state in which later runs begin, for an effect with a memory; else nothing."""
     way = entry["parameters"].get("later_runs")
     return f" {BETWEEN_RUNS[way['value']].format(**words.fields)}" if way else ""
 
 
 def calculated(mechanism: Mechanism, entry: WithParameters) -> bool:
-    """Whether a mechanism follows a temperature, and this one is that of self-heating, from the motion."""
+    """Whether a mechanism follows a temperature that is calculated from self-heating, not measured."""
     return "{temperature}" in mechanism.sentence and not entry["parameters"].get("measured", {"value": 0.0})["value"]
 
 
 def filled(template: str, fields: dict[str, str]) -> str:
-    """A template with its fields; the words around a field that has nothing to say go with it."""
+    """A template with its fields filled in; the words around an empty field are left out."""
     parts = re.split(r"(?<=,) ", template)
     kept = [part for part in parts if all(fields.get(name, "") for name in names_in(part))]
     if len(kept) == len(parts):
@@ -116,7 +116,7 @@ def details(mechanism: Mechanism, parameters: dict[str, Quantity], words: Vocabu
 
 
 def _usual_load(parameters: dict[str, Quantity], units: Units) -> dict[str, Quantity]:
-    """The load that a law's numbers are of, in its unit: the recording's usual one; nothing where a law has none."""
+    """The load for which a law's numbers hold, in its unit: the usual one; nothing where a law has none."""
     usual_load = parameters.get("usual_load")
     if usual_load is None:
         return {}
@@ -125,7 +125,7 @@ def _usual_load(parameters: dict[str, Quantity], units: Units) -> dict[str, Quan
 
 
 def _late(parameters: dict[str, Quantity], units: Units, mass_kg: float | None) -> dict[str, Quantity]:
-    """The delay of a moving mass, from its product with that mass; nothing where one of them is unknown."""
+    """The delay of a moving mass, from its product with the mass; nothing where one of them is unknown."""
     lateness = parameters.get(units.name("late_mm_s3_per_turn"))
     if lateness is None or not mass_kg or (units.reading, units.motion) != ("N", "m"):
         return {}
@@ -146,7 +146,7 @@ def has_constants(entry: MechanismEntry) -> bool:
 
 
 def no_constants(entries: list[MechanismEntry]) -> list[str]:
-    """Why effects have no constant to report; nothing where each has one, a sentence for those that share a reason."""
+    """Why effects have no constant to report, one sentence for each reason; nothing where all have one."""
     without = [entry for entry in entries if not has_constants(entry)]
     single = [entry["id"] for entry in without if BARE.search(entry["sentence"])]
     parts = [entry["id"] for entry in without if entry["id"] not in single]
@@ -171,7 +171,7 @@ def time_constants(parameters: dict[str, Quantity]) -> str:
 
 
 def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str:
-    """By how much a slow effect moves the reading at the highest motion from stroke to stroke: what a person sees.
+    """By how much a slow effect moves the reading at the highest motion, as a person sees it from stroke to stroke.
 
     `change` is from the first stroke to the last.
     """

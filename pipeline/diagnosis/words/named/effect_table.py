@@ -1,4 +1,4 @@
-"""The table of what acts: each effect by its name, how sure it is, how large it is, and what it does."""
+"""The table of acting effects: each effect's name, how sure it is, how large it is, and what it does."""
 
 from ....ground.words.wrapped_lines import WIDE
 from ...document.content import Verdict, mismatch_of
@@ -49,7 +49,7 @@ SOME_TAKEN_BACK = (
 
 
 def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
-    """The effects of the best explanation, then those that only another likely one has; nothing where none is named.
+    """The effects of the best explanation, then those that only other likely ones have; nothing without a name.
 
     `short`: a line on each effect, and no more remarks than which effect is open and whose the sizes are.
     """
@@ -106,7 +106,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
 
 
 def _sentence(entry: MechanismEntry, content: Verdict) -> str:
-    """What an effect does; not what it does at a stand, where the motor never stood long enough to show it."""
+    """What an effect does; without its action at a stand, where the motor never stood long enough to show it."""
     tried = content["evidence"].get("not_kept")
     never = tried is not None and bool(tried) and not tried[0]["stands"]
     return str(entry["sentence"]).replace(AT_A_STAND, "") if never else str(entry["sentence"])
@@ -119,7 +119,7 @@ def _on_two_lines(head: str) -> list[str]:
 
 
 def _in_all(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
-    """The part of each effect that no dimension could do, and what could do the rest; nothing where it is the whole."""
+    """The part of each effect that no dimension could imitate, and what could do the rest; nothing if that is all."""
     parts = {
         entry["id"]: own_with_interval(entry, content, words) for entry in entries if own_part(entry, content, words)
     }
@@ -128,7 +128,7 @@ def _in_all(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) 
 
 
 def _in_its_place(content: Verdict) -> str:
-    """The dimensions that calibration alone moves elsewhere than the explanation does, the farthest first."""
+    """The dimensions that calibration alone moves differently than the explanation does, the farthest first."""
     alone, beside = content["evidence"].get("moved_alone_sigma", {}), content["evidence"]["moved_sigma"]
     apart = {name: abs(alone[name] - beside[name]) for name in alone if name in beside}
     names = [name for name in sorted(apart, key=lambda name: -apart[name]) if apart[name] >= ELSEWHERE][:CHIEF]
@@ -136,7 +136,7 @@ def _in_its_place(content: Verdict) -> str:
 
 
 def _sure_and_near_0(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> str:
-    """Why an effect can be sure whose interval reaches 0; nothing where none is so."""
+    """Why an effect can be sure although its interval reaches 0; nothing where that is not the case."""
     shares, sizes = certainty.known(content), {entry["id"]: interval(entry, f"rms_{words.ending}") for entry in entries}
     both = [
         id_
@@ -171,7 +171,7 @@ def only_elsewhere(content: Verdict) -> list[str]:
 
 
 def how_sure(content: Verdict, id_: str, words: Vocabulary) -> str:
-    """How probable an effect is, with the word for it; where that is unknown, in how many explanations it is."""
+    """How probable an effect is, with its word; if that is unknown, the number of explanations that have it."""
     if not certainty.known(content):
         sets = [{entry["id"] for entry in content["mechanisms"]}, *map(set, content["alternatives"])]
         return "named" if len(sets) == 1 else f"in {sum(id_ in ids for ids in sets)} of {len(sets)} explanations"

@@ -1,4 +1,4 @@
-"""The formula of an effect in the words of a rig, and each letter of it in a table: its value, and what it is."""
+"""The formula of an effect in the words of a rig, and a table of its letters: value and meaning."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -40,9 +40,9 @@ SCALED = re.compile(r"\btan\(|\bhelix\b")  # what only a string has
 
 
 def formula(mechanism: Mechanism, words: Vocabulary, shape: Iterable[str] = ()) -> str:
-    """The equation of an effect, without a full stop; of a rig without a string with what its symbols are.
+    """The equation of an effect, without a full stop; on a rig without a string, with its symbols explained.
 
-    `shape` are its nonlinear parameters, which tell of which kind it is.
+    `shape` are its nonlinear parameters, which tell its variant.
     """
     of_kind = next((mechanism.variants[key] for key in shape if key in mechanism.variants), mechanism.equation)
     if words.twisted:
@@ -54,18 +54,18 @@ def formula(mechanism: Mechanism, words: Vocabulary, shape: Iterable[str] = ()) 
 
 
 def does(port: str, usual: str, words: Vocabulary) -> str:
-    """What a coefficient does at a port; `usual` is what it does on most rigs."""
+    """What a coefficient does at a port; `usual` is the phrase for most rigs."""
     phrase = RESISTS if port == "resistance" and words.differentiates else usual
     return phrase.format(motion=words.motion, string=words.string, reading=words.reading)
 
 
 def direction(factor: str) -> str:
-    """What a coefficient multiplies whose name has no share in it: the direction alone."""
+    """The factor of a coefficient whose name has no share in it: the direction alone."""
     return f"{factor.partition(',')[0]} of motion, from -1 to 1"
 
 
 def of_strings_alone(meaning: str, words: Vocabulary) -> bool:
-    """Whether a number of the formula means nothing on a rig, since nothing is twisted there."""
+    """Whether a number of the formula has a meaning only on rigs where something is twisted."""
     return not words.twisted and bool(SCALED.search(meaning))
 
 
@@ -83,7 +83,7 @@ def lines(equation: str, mechanism: Mechanism, words: Vocabulary, drivers: Drive
 
 
 def of_equation(equation: str, mechanism: Mechanism, words: Vocabulary) -> dict[str, str]:
-    """What each letter of an equation is, in the words of a rig; its own rest may say that of some."""
+    """The meaning of each letter of an equation, in the words of a rig; the equation's own rest may give some."""
     shown, own_words = split(equation)
     meanings = {**MEANT, **mechanism.letters, **own_words}
     letters = dict.fromkeys(_without_rate(letter, meanings) for letter in LETTER.findall(shown))
@@ -91,7 +91,7 @@ def of_equation(equation: str, mechanism: Mechanism, words: Vocabulary) -> dict[
 
 
 def split(equation: str) -> tuple[str, dict[str, str]]:
-    """An equation without the rest that says what some of its letters are, and what that says of each."""
+    """An equation without its explaining rest, and the meanings of letters that the rest gives."""
     shown, _, rest = equation.partition("; ")
     if not OWN.match(rest):
         return equation, {}
@@ -110,7 +110,7 @@ def functions(equation: str, mechanism: Mechanism) -> list[str]:
 
 
 def _without_primed(equation: str, mechanism: Mechanism) -> str:
-    """An equation without those letters whose prime is a part of their name."""
+    """An equation without the letters that have a prime in their name."""
     for letter in (*MEANT, *mechanism.letters):
         equation = equation.replace(letter, "") if letter.endswith("'") else equation
     return equation
@@ -119,7 +119,7 @@ def _without_primed(equation: str, mechanism: Mechanism) -> str:
 def _value(
     letter: str, key: str, meaning: str, mechanism: Mechanism, words: Vocabulary, drivers: Drivers, numbers: Numbers
 ) -> str:  # fmt: skip
-    """The value of a letter with its unit: of what varies its range; else where it stands, or that it is calculated."""
+    """The value of a letter with its unit: the range of a variable; else where the value stands, or how it is found."""
     if key in numbers.others:
         return numbers.others[key]
     if meaning_of(meaning, mechanism):
@@ -139,7 +139,7 @@ def _value(
 
 
 def _of_recording(letter: str, words: Vocabulary, drivers: Drivers) -> str:
-    """The range of what varies in the recording; of a dimension where it stands; nothing of another letter."""
+    """The range of a variable in the recording; for a dimension, where it stands; nothing for other letters."""
     load = drivers.units.load_size
     degrees = np.degrees(np.arctan(drivers.tangent))
     ranges: dict[str, tuple[Array, str]] = {
@@ -167,6 +167,6 @@ def _on_rig(meaning: str, words: Vocabulary) -> str:
 
 
 def _without_rate(letter: str, meanings: Mapping[str, str]) -> str:
-    """The letter whose rate of change one is: `z_i` of `dz_i`, `q` of `q''`; one that has a meaning stays."""
+    """The letter of a rate of change: `z_i` for `dz_i`, `q` for `q''`; a letter with its own meaning stays."""
     bare = letter.rstrip("'") if letter not in meanings else letter
     return bare.removeprefix("d") if bare not in meanings and bare.removeprefix("d") in meanings else bare

@@ -1,4 +1,4 @@
-"""What an effect does, in a line: its largest size, or when and by how much it happens suddenly."""
+"""The action of an effect in one line: its largest size, or the time and size of sudden events."""
 
 import re
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ AT, WITHIN, EACH = "at_s", "within_s", "_per_stroke"  # of an event: when, how f
 
 
 def of_named(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
-    """What an effect of the best explanation does; with its largest size only where that size is well known."""
+    """The action of an effect of the best explanation; with its largest size only where that is well known."""
     does, mechanism = of_effect(entry, words), mechanisms()[entry["id"]]
     calculated = "a temperature that is calculated from the motion, not measured"
     does = does.replace("the temperature", calculated) if effect_sentence.calculated(mechanism, entry) else does
@@ -32,20 +32,20 @@ def of_named(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
 
 
 def of_open(id_: str, content: Verdict, words: Vocabulary) -> str:
-    """What an effect does that another explanation has alone, as the first of these has it that was kept."""
+    """The action of an effect that only other explanations have, as the first kept one has it."""
     kept = [rival["simulation"] for rival in content.get("rivals", []) if id_ in rival["ids"]]
     return _joined(on_rig(meaning(id_), words), _events(kept[0], id_, words) if kept else "", "; if so, ")
 
 
 def _largest(sentence: str) -> str:
-    """The largest size of an effect, with that under each load where loads differ, and half a play or a loop."""
+    """The largest size of an effect, under each load where loads differ, and half a play or a loop."""
     sizes = (LARGEST.search(sentence), HALF.search(sentence))
     return "; ".join(size_said[0] for size_said in sizes if size_said)
 
 
 @dataclass(frozen=True, order=True)
 class _Event:
-    """What happens suddenly: its `size` in `unit`, at a time since the start of the recording, or at `each` stroke."""
+    """A sudden event: its `size` in `unit`, at a time since the start of the recording, or at `each` stroke."""
 
     size: float
     unit: str
@@ -59,7 +59,7 @@ class _Event:
 
 
 def _events(simulation: Sequence[Included], id_: str, words: Vocabulary) -> str:
-    """The events of an effect, the largest of them in the order of their times; nothing of an effect that goes on."""
+    """The largest events of an effect in the order of their times; nothing for an effect that goes on."""
     events = []
     for entry in simulation:
         values = entry.get("parameters", {})

@@ -1,4 +1,4 @@
-"""What was logged, and is followed by nothing that is named: said in one sentence, or a reader wonders."""
+"""A logged quantity that no named effect follows: one sentence tells it, so that no reader wonders."""
 
 from ...document.content import Verdict
 from ...document.made_keys import by_name

@@ -12,14 +12,14 @@ SPEEDS = re.compile(r"(two|three) speeds|another speed|at speed")
 
 
 def recorded(content: Verdict, words: Vocabulary, id_: str) -> bool:
-    """Whether the effect's test is one of loads or speeds, and the recording has what it asks for."""
+    """Whether the effect's test needs loads or speeds, and the recording has them."""
     test = mechanisms()[id_].told_apart_by
     asks = bool(LOADS.search(test) or SPEEDS.search(test)) and not mechanisms()[id_].acts_at_rest
     return asks and content["evidence"].get("covered") is not None and not missing(content, words, id_)
 
 
 def missing(content: Verdict, words: Vocabulary, id_: str) -> list[str]:
-    """Of `load` and `speed` those of which the effect's test wants another one, and the recording has one alone.
+    """Of `load` and `speed`, those that the effect's test needs two of, where the recording has only one.
 
     Nothing on a rig that is no string, and where an older file does not say what was recorded.
     """

@@ -1,4 +1,4 @@
-"""What the nonlinear parameters of mechanisms mean, in the words of a rig, and the letters of their formulas."""
+"""The meaning of mechanisms' nonlinear parameters, in the words of a rig, and the letters of their formulas."""
 
 from ....ground.units import unit_of
 from ...facts.mechanism_entries import unit_of_nonlinear
@@ -47,12 +47,12 @@ MEANT = {  # letters of formulas
 
 
 def meaning_of(key: str, mechanism: Mechanism) -> str:
-    """What a mechanism's nonlinear parameter `key` is, with fields for the rig's words; empty where it does not say."""
+    """The meaning of a mechanism's nonlinear parameter `key`, with fields for the rig's words; empty if unknown."""
     return {**MEANINGS, **mechanism.meanings}.get(key, "")
 
 
 def on_this_rig(key: str, mechanism: Mechanism, words: Vocabulary) -> str:
-    """What a mechanism's nonlinear parameter `key` is, in the words of this rig."""
+    """The meaning of a mechanism's nonlinear parameter `key`, in the words of this rig."""
     fields = {"scale": SCALE, "motion": words.motion, "string": words.string, "motion_unit": words.motion_unit}
     return meaning_of(key, mechanism).format(**fields) or CHOSEN
 
@@ -63,7 +63,7 @@ def unit_of_parameter(key: str, name: str) -> str:
 
 
 def with_its_unit(key: str, value: float, mechanism: Mechanism, units: Units) -> tuple[str, str]:
-    """A nonlinear parameter with the unit that its name does not end in, and how run.yaml has what counts loads.
+    """A nonlinear parameter with the unit that its name lacks; a load also with its form in run.yaml.
 
     Nothing of one whose name says its unit, or which has none.
     """
@@ -76,7 +76,7 @@ def with_its_unit(key: str, value: float, mechanism: Mechanism, units: Units) ->
 
 
 def measurable(act: Act, drivers: Drivers, words: Vocabulary) -> list[str]:
-    """What of an effect a person can measure at the rig, as half of a play, a line each; nothing where nothing is."""
+    """The parts of an effect that a person can measure at the rig, such as half of a play, a line each."""
     mechanism, coefficients, lines = mechanisms()[act.id], iter(act.coefficients), list[str]()
     for nonlinear in act.nonlinear:
         terms = mechanism.terms(drivers, nonlinear)

@@ -1,4 +1,4 @@
-"""The size of a named effect in a cell: what no dimension could do of it, all of it, and what to think of that."""
+"""The size of a named effect in a cell: the part that no dimension could imitate, the whole, and a remark."""
 
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
@@ -16,7 +16,7 @@ OWN = 0.8  # of an effect's size: a part that no dimension could do stands first
 
 
 def own_size(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
-    """How much an effect moves the reading, with its interval if it has one, and what to think of it."""
+    """How much an effect moves the reading, with its interval if it has one, and a remark on it."""
     rms = interval(entry, f"rms_{words.ending}")
     if not rms["value"]:
         return "none"
@@ -29,9 +29,10 @@ def own_size(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
 
 
 def in_columns(entry: MechanismEntry, content: Verdict, words: Vocabulary, parts: bool, short: bool) -> list[str]:
-    """All of an effect in a cell; where the table has `parts`, the part that no dimension could do in a second one.
+    """The whole size of an effect in a cell; in a table with `parts`, a second cell for the part of its own.
 
-    `short`: of a size that is partly hidden, also that nobody quotes it, for the page has no more on it.
+    The part of its own is the part that no dimension could imitate. `short`: a partly hidden size is marked as not to
+    be quoted, since the page says no more on it.
     """
     rms = interval(entry, f"rms_{words.ending}")
     if not rms["value"]:
@@ -54,20 +55,20 @@ def with_interval(entry: MechanismEntry, words: Vocabulary, factor: float = 1.0)
 
 
 def own_with_interval(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
-    """The part of an effect that no dimension could do: as a share of its strength, it is as uncertain as that."""
+    """The part of an effect that no dimension could imitate; its relative uncertainty is the effect's."""
     own = own_part(entry, content, words)
     return with_interval(entry, words, own / interval(entry, f"rms_{words.ending}")["value"])
 
 
 def reportable(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> bool:
-    """Whether an effect has a size that can be reported: all of it, or the part that no dimension could do."""
+    """Whether an effect has a size to report: the whole, or the part that no dimension could imitate."""
     doubt = doubt_of(entry, content, words)
     narrow = not certainty.wide(interval(entry, f"rms_{words.ending}"))
     return narrow and (not doubt or own_part(entry, content, words) > 0.0)
 
 
 def to_report(content: Verdict, entries: list[MechanismEntry], words: Vocabulary, instead: str) -> list[str]:
-    """Which of two sizes is to be reported, where some have two and each effect can be reported; nothing elsewhere.
+    """Which of two sizes to report, where effects have two and each can be reported; else nothing.
 
     `instead` are the dimensions that could make the rest.
     """
@@ -78,7 +79,7 @@ def to_report(content: Verdict, entries: list[MechanismEntry], words: Vocabulary
 
 
 def doubt_of(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
-    """What to think of an effect's size: that it is poorly known, or hidden; nothing where it is known."""
+    """The remark on an effect's size: poorly known, or hidden; nothing where it is known."""
     rms = interval(entry, f"rms_{words.ending}")
     much = content["mismatch"] and certainty.hidden(rms["value"], content, words)
     partly = entry["id"] in certainty.partly_hidden(content, words)
@@ -86,6 +87,6 @@ def doubt_of(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
 
 
 def own_part(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> float:
-    """How much of an effect no dimension could do, rms, where that is clearly less than all of it; else 0."""
+    """The rms of an effect that no dimension could imitate, if clearly less than the whole; else 0."""
     own_rms = by_name(content["evidence"], f"beyond_dimensions_{words.ending}").get(entry["id"])
     return float(own_rms) if own_rms and own_rms < OWN * interval(entry, f"rms_{words.ending}")["value"] else 0.0

@@ -1,4 +1,4 @@
-"""Of each slow effect that looks like a named one under one load: excluded by this recording, or open; in words."""
+"""Slow effects that look like a named one under one load: whether the recording excludes each, in words."""
 
 from ...document.content import Verdict
 from ...document.made_keys import amount, amount_or_none
@@ -16,9 +16,9 @@ EXCLUDED = (
 
 
 def excluded(content: Verdict, words: Vocabulary) -> list[str]:
-    """The look-alikes that this recording excludes: whatever its law, such an effect is still while others act.
+    """The look-alikes that this recording excludes: they contradict the stands of the motor, whatever their law.
 
-    Nothing where the motor never stood long enough, and of a file that does not say what each effect leaves.
+    Nothing where the motor never stood long enough, or where a file lacks `not_kept`.
     """
     if not content["evidence"].get("not_kept"):
         return []
@@ -31,7 +31,7 @@ def excluded(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _by_how_much(content: Verdict, ids: list[str], words: Vocabulary) -> list[str]:
-    """Excluded look-alikes, each with by how much it is wrong in a hold and in a rest."""
+    """Excluded look-alikes, each with its error in holds and in rests."""
     first, *others = content["evidence"]["not_kept"]
     entries, floor = {entry["id"]: entry for entry in others}, amount(content["evidence"], f"floor_{words.ending}")
     wrong_by_id = {id_: other_effects.wrong_by(entries[id_], first, floor, words) for id_ in ids}
@@ -49,7 +49,7 @@ def still_open(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """Which look-alikes are excluded, then a sentence for each open one; nothing where no slow effect is named so."""
+    """The excluded look-alikes, then a sentence for each open one; nothing without a named slow effect."""
     slow = certainty.slow_alike(content, words)
     if not slow:
         return []
@@ -61,7 +61,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def unsettled(content: Verdict, words: Vocabulary) -> str:
-    """That one load cannot settle a slow effect's name, to stand before the percentage of it; empty where it can."""
+    """The remark that one load cannot settle a slow effect's name, to stand before its percentage; else empty."""
     slow = certainty.slow_alike(content, words)
     if not slow or not still_open(content, words):
         return ""
@@ -71,7 +71,7 @@ def unsettled(content: Verdict, words: Vocabulary) -> str:
 
 
 def doubts(content: Verdict, words: Vocabulary) -> list[str]:
-    """What the page says first of the look-alikes that are open; nothing where none is."""
+    """The page's first remark on open look-alikes; nothing where none is open."""
     slow, may_be = certainty.slow_alike(content, words), still_open(content, words)
     if not slow or not may_be:
         return []
@@ -79,17 +79,17 @@ def doubts(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _how_sure(content: Verdict, slow: list[str]) -> str:
-    """How sure it is that one of the `slow` effects acts, whichever."""
+    """How sure it is that any one of the `slow` effects acts."""
     return f"That something slow acts is {'sure' if _surely(content, slow) else 'likely'}; its name is not sure."
 
 
 def _surely(content: Verdict, slow: list[str]) -> bool:
-    """Whether it is sure that one of the `slow` effects acts, whichever."""
+    """Whether it is sure that any one of the `slow` effects acts."""
     return not certainty.at_limit(content) and any(certainty.is_likely(content, id_) for id_ in slow)
 
 
 def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
-    """What a report must add to the slow effects among those at work that are `sure`; ends a statement."""
+    """What a report must add to the slow effects among the `sure` ones; ends a statement."""
     slow = [id_ for id_ in certainty.slow_alike(content, words) if id_ in sure]
     may_be, out = still_open(content, words), excluded(content, words)
     if not slow:
@@ -106,7 +106,7 @@ def _all(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _why_open(content: Verdict, id_: str, words: Vocabulary) -> str:
-    """Why a look-alike is open, and what recording would tell it from what is named."""
+    """Why a look-alike is open, and which recording would tell it from the named effect."""
     test = f"A recording tells: {tells(id_, words)}."
     if any(id_ in ids for ids in content["alternatives"]):
         return f": another likely explanation has it. {test}"

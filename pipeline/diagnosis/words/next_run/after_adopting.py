@@ -22,7 +22,7 @@ ANEW = (
 def of_adopted(
     content: Verdict, words: Vocabulary, ids: list[str], folders: list[Path], short: bool
 ) -> list[list[str]]:
-    """What would still make sure of effects that were adopted: the loads and speeds that no recording of them had."""
+    """The recording that would confirm adopted effects: the loads and speeds that no recording of them had."""
     of_several = {
         id_ for each in content.get("adopted", []) if len(each.get("runs") or []) > 1 for id_ in each["effects"]
     }  # what a diagnosis of several runs named, this recording alone does not doubt
@@ -38,7 +38,7 @@ def of_adopted(
 
 
 def anew(folders: list[Path], load: str, words: Vocabulary, short: bool) -> list[str]:
-    """How to record the rig once more so that what runs have adopted is weighed again; `load` is another one to hang.
+    """How to record the rig again so that adopted effects are weighed anew; `load` is another load to hang.
 
     `short`: without the commands, which the details have.
     """

@@ -1,4 +1,4 @@
-"""The ready lines that make a proposed run: its folder, its recording, and its diagnosis together with the old one."""
+"""The ready command lines for a proposed run: its folder, its recording, and its diagnosis with the old run."""
 
 import shlex
 from pathlib import Path
@@ -38,7 +38,7 @@ def lines(folders: list[Path], out: Path | None, loads: list[str]) -> list[str]:
 
 
 def _recorded(old: Path, new: Path, load: str, file: str) -> list[str]:
-    """The commands that make the run `new` with its recording, as `old` was made; `file` is a logger's."""
+    """The commands that make the run `new` with its recording, like the run `old`; `file` is a logger's."""
     name, mapping = shlex.quote(new.name), mapping_of(old)
     if mapping:
         out = shlex.quote(str(new.parent))
@@ -60,7 +60,7 @@ def _of_string(old: Path) -> str:
 
 
 def _file(old: Path, ending: str = "") -> str:
-    """What stands for a logger's new file; one that was imported may end in anything."""
+    """The placeholder for a logger's new file; an imported file may have any ending."""
     return f"FILE{ending}{'.csv' * (bool(own_log(old)) and not mapping_of(old))}"
 
 
@@ -72,7 +72,7 @@ def remark(old: Path, words: Vocabulary) -> str:
 
 
 def _columns(old: Path, words: Vocabulary) -> list[str]:
-    """The columns of a recording as run.yaml of `old` calls them; that of the load where it says no constant one."""
+    """The columns of a recording as run.yaml of `old` names them, with the load's unless the load is constant."""
     channels = ["time_s", words.driver, words.channel, *([words.load] if words.load else [])]
     try:
         run = read_run(old)
@@ -88,7 +88,7 @@ def _called(column: str | int) -> str:
 
 
 def block(commands: list[str], old: Path, words: Vocabulary) -> list[str]:
-    """The commands as a verdict shows them, with what they take from the run `old` and what to fill in."""
+    """The commands as a verdict shows them, with what they take over from the run `old` and what to fill in."""
     taken = f"--like takes the dimensions{' and the string id' if words.twisted else ''} from {old.name}"
     if mapping_of(old):
         taken = f"the mapping {'and the string id are those' if words.twisted else 'is that'} of {old.name}"

@@ -1,4 +1,4 @@
-"""The run that still decides between what was adopted and what tied with it: its steps and its commands again."""
+"""The run that decides between adopted effects and the explanations that tied with them: its steps and commands."""
 
 import re
 import shlex
@@ -26,7 +26,7 @@ LOAD = re.compile(r"change the load from \S+ to ([0-9.,]+) N\b")
 
 
 def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
-    """The runs of the verdicts that were adopted and tied; nothing where none did, or where this one names more."""
+    """The deciding runs of adopted verdicts that tied; nothing where none tied, or where this verdict names more."""
     tied = [adoption for adoption in content.get("adopted", []) if adoption["tied"]]
     if not tied or content["verdict"] not in ("explained", *UNNAMED):
         return []
@@ -43,12 +43,12 @@ def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | 
 
 
 def worth_making(tied: list[Adoption]) -> bool:
-    """Whether one of the adopted verdicts that tied proposed a run that can decide, or does not say which run."""
+    """Whether a tied, adopted verdict proposed a run that can decide, or does not say which run it proposed."""
     return not all(NO_USE in (in_one_line(adoption.get("next_experiment")) or "") for adoption in tied)
 
 
 def protocol(experiment: str) -> list[str]:
-    """A run as `next_experiment` holds it, on one line, step by step again."""
+    """A run from `next_experiment`, where it is one line, as separate steps."""
     protocol_, *after = AFTER.split(experiment)
     head, *steps = STEP.split(protocol_)
     title, *before = END.split(head)
@@ -62,7 +62,7 @@ def protocol(experiment: str) -> list[str]:
 
 
 def loads(experiment: str) -> list[str]:
-    """The load to give `new_run` for each run that a told one asks for, empty where it stays."""
+    """The load for `new_run` in each run that a protocol asks for, empty where it stays."""
     runs = re.split(r"(?=\bRun \d+\b)", experiment)
     runs = runs[1:] if len(runs) > 1 else runs
     changes = [LOAD.search(run) for run in runs]

@@ -1,4 +1,4 @@
-"""The run to make next, in words: the protocol, what it is expected to tell, and how its recording is diagnosed."""
+"""The next run in words: the protocol, what it is expected to tell, and how to diagnose its recording."""
 
 from ...document.content import Verdict, proposal
 from ...document.expected import NextRun
@@ -17,7 +17,7 @@ def title(run: NextRun, words: Vocabulary) -> str:
 
 
 def brief(content: Verdict, words: Vocabulary) -> list[str]:
-    """A run that decides nothing, in as few lines as that is worth."""
+    """A run that decides nothing, in a few lines."""
     run = proposal(content)
     called = title(run, words)
     summary = f"{worth.first(run)[0]} It would be {called[0].lower()}{called[1:]}, {lasting(run)} in all"
@@ -25,7 +25,7 @@ def brief(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def steps(run: NextRun, words: Vocabulary, whole: float) -> list[str]:
-    """The protocol, a line each step, numbered; a line before each run where it takes several or another load."""
+    """The protocol, a numbered line for each step; several runs, or another load, have a line before each run."""
     runs, lines = parts(run, words, whole), []
     for number_, part in enumerate(runs, start=1):
         head = heading(part, run, words, number_ if len(runs) > 1 else None)
@@ -48,13 +48,13 @@ def heading(part: Part, run: NextRun, words: Vocabulary, number_: int | None) ->
 
 
 def loads(run: NextRun, words: Vocabulary) -> list[str]:
-    """The load that new_run is given for each run to record: empty where it stays, and on a rig without a string."""
+    """The load for new_run in each run to record: empty where it stays, and on a rig without a string."""
     values = [new_load(part, run) for part in parts(run, words, 1.0)]
     return [load.replace(",", "") if words.twisted else "" for load in values]
 
 
 def new_load(part: Part, run: NextRun) -> str:
-    """The load that a run is recorded under, where it stands still in a recording and must be changed before it."""
+    """The load of a run, if the load is constant in a recording and must be changed before this one."""
     usual = run.get("load")
     if not run.get("fixed_load") or not part.load or usual is None:
         return ""

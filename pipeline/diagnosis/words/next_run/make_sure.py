@@ -1,4 +1,4 @@
-"""What makes sure of the one explanation: more strokes where something is still missing, and each effect's own sign."""
+"""How to confirm the one explanation: more strokes where something is still missing, and the test of each effect."""
 
 from pathlib import Path
 
@@ -48,7 +48,7 @@ AS_MANY = (
 def of_what_is_missing(
     content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool
 ) -> list[list[str]]:
-    """What to do about what is still missing beside what is named; nothing where nothing is."""
+    """What to do about the mismatch that named effects leave; nothing where they leave none."""
     if not unseen.partly(content, words) or content["verdict"] not in ("explained", "ambiguous"):
         return []
     tie = content["verdict"] == "ambiguous"
@@ -77,14 +77,14 @@ def of_the_name(content: Verdict, words: Vocabulary, short: bool) -> list[list[s
 
 
 def of_what_is_left(content: Verdict, words: Vocabulary) -> list[list[str]]:
-    """What to do about what is left beside what was adopted; nothing where that is noise."""
+    """What to do about the mismatch that adopted effects leave; nothing where that is noise."""
     return [[f"{LEAVE} {NO_NAME} {MORE}"]] if unseen.left_over(content, words) else []
 
 
 def of_names(
     content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool
 ) -> list[list[str]]:
-    """What at the rig shows that the effects of the one explanation are what they are called.
+    """The tests at the rig that confirm the names of the one explanation's effects.
 
     `short`: the run to record, or the tests where there is none, without numbers to expect and commands.
     """
@@ -123,7 +123,7 @@ def of_names(
 
 
 def _head(content: Verdict, words: Vocabulary, record: str) -> str:
-    """Whether making sure of a name is needed or optional, and when; it agrees with the advice on adopting."""
+    """Whether confirming a name is needed or optional, and when; it agrees with the advice on adopting."""
     doubt = in_vain.doubt(content, words)
     if doubt:
         return NEEDED.format(vain=doubt, record=record)
@@ -131,13 +131,13 @@ def _head(content: Verdict, words: Vocabulary, record: str) -> str:
 
 
 def _where(parts: list[str]) -> str:
-    """Where the parts of a step that are not empty stand, as a sentence."""
+    """A sentence that says where the other parts of a step stand."""
     kept = [part for part in parts if part]
     return WHERE.format(listing([kept[0][0].upper() + kept[0][1:], *kept[1:]]), DETAILS)
 
 
 def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:
-    """That the same run under another load makes the name of a slow effect sure; nothing where that is no matter."""
+    """The remark that the same run under another load settles a slow effect's name; nothing where not needed."""
     if load or not certainty.slow_alike(content, words) or not content["evidence"].get("covered"):
         return []
     base = second_load.base(content)
@@ -146,13 +146,13 @@ def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:
 
 
 def again(old: Path, load: str, words: Vocabulary) -> str:
-    """What to fill into the commands that record what tells an effect from others, as the run `old` was recorded."""
+    """What to fill into the commands that record the tests, in the way the run `old` was recorded."""
     remark = commands.remark(old, words)
     return AGAIN if remark == commands.CAPTURE and not load else remark
 
 
 def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
-    """How long to hold and to rest for an effect of time, and under which loads; nothing for others."""
+    """How long to hold and to rest for an effect of time, and under which loads; nothing for other effects."""
     covered = content["evidence"].get("covered")
     entry = next(entry for entry in content["mechanisms"] if entry["id"] == id_)
     if covered is None or not mechanisms()[id_].acts_at_rest:

@@ -1,4 +1,4 @@
-"""Which of the likeliest explanations a proposed run can tell apart, and which it leaves together, in words."""
+"""Which of the likeliest explanations a proposed run can tell apart, and which it cannot, in words."""
 
 from itertools import combinations
 
@@ -12,7 +12,7 @@ Ids = tuple[str, ...]
 
 
 def sentence(content: Verdict) -> str:
-    """What the run parts and what it leaves together; nothing of two explanations, or where an older file lacks it."""
+    """Which explanations the run tells apart and which not; nothing for two, or where an older file lacks it."""
     run = proposal(content)
     names = _order(content, run)
     if len(names) < 3:
@@ -34,9 +34,9 @@ def sentence(content: Verdict) -> str:
 
 
 def _left(group: list[Ids], close: set[frozenset[Ids]], own: dict[Ids, str]) -> list[str]:
-    """What a run leaves together of a group, in words; where it parts some of them, that first, pair by pair.
+    """Which explanations of a group a run leaves together, in words; if it parts some pairs, these come first.
 
-    `close` are the pairs of explanations that it need not part.
+    `close` are the pairs that the run may not part.
     """
     pairs = [frozenset(pair) for pair in combinations(group, 2)]
     if close.issuperset(pairs):
@@ -55,14 +55,14 @@ def _left(group: list[Ids], close: set[frozenset[Ids]], own: dict[Ids, str]) -> 
 
 
 def some(content: Verdict) -> bool:
-    """Whether the run parts some of three or more explanations from the others, and leaves others together."""
+    """Whether the run parts some of three or more explanations, but not all."""
     run = proposal(content)
     names = _order(content, run)
     return len(names) > 2 and 1 < len(together(run, names)) < len(names)
 
 
 def together(run: NextRun, names: list[Ids]) -> list[list[Ids]]:
-    """The explanations in groups: of two in one group the run need not tell which is right, at least over a third."""
+    """The explanations in groups; the run may not decide between members of one group, directly or over a third."""
     groups = [[ids] for ids in names]
     for pair in _close(run):
         ends = [next(group for group in groups if ids in group) for ids in pair]
@@ -73,7 +73,7 @@ def together(run: NextRun, names: list[Ids]) -> list[list[Ids]]:
 
 
 def _close(run: NextRun) -> set[frozenset[Ids]]:
-    """The pairs of explanations of which the run need not tell which is right."""
+    """The pairs of explanations between which the run may not decide."""
     apart = (pair for pair in run["pairs"] if not design.decides(pair["gap_now"], pair["gap_then"]))
     return {frozenset(tuple(ids) for ids in pair["ids"]) for pair in apart}
 
@@ -88,6 +88,6 @@ def _order(content: Verdict, run: NextRun) -> list[Ids]:
 
 
 def _called(ids: Ids, names: list[Ids]) -> str:
-    """An explanation without what all that are compared have in common, where something is left then."""
+    """An explanation without the effects that all compared ones share, if others are left."""
     shared = set.intersection(*map(set, names))
     return rivals.called([id_ for id_ in ids if id_ not in shared] or list(ids))

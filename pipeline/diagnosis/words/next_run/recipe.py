@@ -1,4 +1,4 @@
-"""The next recording as a recipe: so many strokes, under which load, at which speed, with which holds and rests."""
+"""The next recording as a recipe: number of strokes, load, speed, holds and rests."""
 
 from ...document.content import Verdict
 from ...document.made_keys import extent
@@ -13,7 +13,7 @@ FEWEST = 4  # strokes: of fewer a diagnosis leaves none out
 
 
 def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
-    """The load that the next recording asks for, where it is another one than was recorded; else None."""
+    """The load of the next recording, if it differs from the recorded one; else None."""
     covered = content["evidence"].get("covered")
     if covered is None or _lasting(content, ids) or "load" not in _lacking(content, words, ids):
         return None
@@ -23,7 +23,7 @@ def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
 
 
 def shows(content: Verdict, words: Vocabulary, ids: list[str]) -> set[str] | None:
-    """Which of the numbers that explanations foretell its recording will show, by their keys; None where it has none.
+    """Which foretold numbers its recording will show, by their keys; None where it has no recording to make.
 
     Under another load the loop under that load alone: at another speed it was foretold under the recorded one.
     """
@@ -47,7 +47,7 @@ def to_type(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
 
 
 def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
-    """What to record for the effects `ids`; nothing where their tests ask for no other load, speed, hold or rest."""
+    """The recording for the tests of the effects `ids`; nothing where these need no new load, speed, hold or rest."""
     covered, lacking = content["evidence"].get("covered"), _lacking(content, words, ids)
     lasting = _lasting(content, ids)
     if covered is None or not words.twisted or not (lacking or lasting):
@@ -82,7 +82,7 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
 
 
 def _lasting(content: Verdict, ids: list[str]) -> float:
-    """How long to hold and to rest for an effect that goes on at rest, in s; 0 where nobody can say or none does."""
+    """How long to hold and to rest for an effect that goes on at rest, in s; 0 if unknown or if none does."""
     stand_s = (content["evidence"].get("expected") or {}).get("stand_s")
     return float(stand_s or 0.0) if any(mechanisms()[id_].acts_at_rest for id_ in ids) else 0.0
 

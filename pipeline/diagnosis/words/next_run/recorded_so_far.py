@@ -1,4 +1,4 @@
-"""What a recording holds of loads, speeds, holds and rests, and whether tests and runs ask for more."""
+"""The loads, speeds, holds and rests of a recording, and whether tests and runs need more."""
 
 import itertools
 
@@ -14,7 +14,7 @@ NEW = 0.1  # of a speed or a load: what leaves the recorded ones by less is none
 
 
 def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
-    """What this recording holds of loads, speeds, holds and rests, and whether that is what `tests` ask for.
+    """The loads, speeds, holds and rests of this recording, and whether the `tests` need more.
 
     Nothing where an older file does not say it.
     """
@@ -74,7 +74,7 @@ def _stands(called: str, longest_s: float) -> str:
 
 
 def not_yet(content: Verdict, words: Vocabulary) -> str:
-    """What the recording lacks of a second speed, a second load and pauses; else what goes beyond those it has."""
+    """What the recording lacks: a second speed, a second load, pauses; if nothing, values beyond the recorded ones."""
     covered = content["evidence"].get("covered")
     if covered is None:
         return ANY if words.load is not None else "at another speed and with pauses"

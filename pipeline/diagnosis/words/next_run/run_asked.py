@@ -1,4 +1,4 @@
-"""Which run a verdict asks for that proposes none step by step, or why it asks for none: for page and details."""
+"""The run that a verdict asks for without steps, or why it asks for none: for page and details."""
 
 from ...document.bounds import at_bound
 from ...document.content import Verdict
@@ -39,15 +39,15 @@ TO_MAKE_SURE = (
 
 
 def no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> list[str]:
-    """The run that the page asks for, where none is proposed step by step; else why none is.
+    """The run that the page asks for, if none is proposed with steps; else why there is none.
 
-    `sure`: its steps say what makes sure of a name; `first`: they say something.
+    `sure`: the page's steps say how to confirm a name. `first`: the page has steps.
     """
     return [_without_probability(line, content) for line in _no_run(content, words, sure, first)]
 
 
 def _without_probability(line: str, content: Verdict) -> str:
-    """A line that speaks of how likely explanations are, in the words of a rig on which that is not known."""
+    """A line on likely explanations, reworded for a rig where no probability is known."""
     return line if probability.known(content) else line.replace("of the library is as likely", "fits as well")
 
 
@@ -79,14 +79,14 @@ def _no_run(content: Verdict, words: Vocabulary, sure: bool, first: bool) -> lis
 
 
 def to_settle(content: Verdict, words: Vocabulary) -> str:
-    """The recording that can settle the name where other effects are named without the last strokes; else nothing."""
+    """The recording that settles the name, if other effects are named without the last strokes; else nothing."""
     if content["verdict"] != "explained" or not holdout.of_other(content) or in_vain.doubt(content, words):
         return ""
     return f"To settle the name, record {as_many_again(content, words)}, and diagnose the runs together."
 
 
 def as_many_again(content: Verdict, words: Vocabulary) -> str:
-    """As many strokes as the recording has, and with which ends of load and motion the first of them are made."""
+    """The recipe for as many strokes as recorded, with the ends of load and motion for the first of them."""
     first, last = content["evidence"]["strokes"]
     strokes = last - first + 1
     wider = beyond_the_first(content, words, by_name=True)
@@ -95,7 +95,7 @@ def as_many_again(content: Verdict, words: Vocabulary) -> str:
 
 
 def more_strokes(content: Verdict, words: Vocabulary) -> str:
-    """The recording to make where names change with the last strokes, and what its first strokes must have too."""
+    """The recording to make where names change with the last strokes, and what its first strokes need."""
     first, last = content["evidence"]["strokes"]
     wider = beyond_the_first(content, words)
     among = f" ({listing(wider)} among the first)" if wider else ""
@@ -103,7 +103,7 @@ def more_strokes(content: Verdict, words: Vocabulary) -> str:
 
 
 def beyond_the_first(content: Verdict, words: Vocabulary, by_name: bool = False) -> list[str]:
-    """The ends of loads and of the motion that the last strokes alone have, each with its unit.
+    """The ends of loads and motion that only the last strokes reached, each with its unit.
 
     `by_name`: each called low or high too.
     """

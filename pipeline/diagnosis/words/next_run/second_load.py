@@ -1,4 +1,4 @@
-"""Which other load to hang for the next recording: the one under which the loops of two explanations part more."""
+"""The second load to hang for the next recording: the one that parts the loops of two explanations more."""
 
 from ...document.content import Verdict
 from ..foretold.foretold_numbers import apart, compared, of_explanation, tells
@@ -11,13 +11,13 @@ SHARES = {HALF: "half", TWICE: "twice"}
 
 
 def base(content: Verdict) -> float:
-    """The recorded load of which halves and doubles are foretold."""
+    """The recorded load; loops are foretold for half and twice of it."""
     foretold = (content["evidence"].get("expected") or {}).get("load")
     return float(foretold or content["evidence"]["covered"]["load"][1])
 
 
 def best(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
-    """The share of the recorded load that parts the best explanation from its rival more, and how far, as `tells`.
+    """The share of the recorded load that parts the best explanation and its rival more, and how far, as `tells`.
 
     None where no loop is foretold under another load.
     """

@@ -1,4 +1,4 @@
-"""What at the rig tells the open effects apart, where no run is sure to: each one's own sign."""
+"""The tests at the rig that tell open effects apart, where no run is sure to do so."""
 
 from ...document.content import Verdict
 from ..foretold import expectation
@@ -11,7 +11,7 @@ HEADING = "What tells the open effects apart at the rig"
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """A line for each open or probable effect with its sign, then the test for slow effects; nothing else."""
+    """A line with the test of each open or probable effect, then the test for slow effects."""
     if content["verdict"] not in ("explained", "ambiguous"):
         return []
     numbers = expectation.lines(content, words) if content["verdict"] == "ambiguous" else []

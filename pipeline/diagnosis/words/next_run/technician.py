@@ -1,4 +1,4 @@
-"""The run to make → a protocol for who stands at the rig: numbered steps with places, times, speeds and loads."""
+"""The next run → a protocol for the person at the rig: numbered steps with places, times, speeds and loads."""
 
 from dataclasses import dataclass, replace
 
@@ -26,7 +26,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Part:
-    """What is recorded in one run: the load at its beginning, and the steps in words."""
+    """The recording of one run: the load at its beginning, and the steps in words."""
 
     load: str
     steps: list[str]
@@ -65,7 +65,7 @@ def legs_of(run: NextRun) -> list[LegSaid]:
 
 
 def by_load(run: NextRun, words: Vocabulary, whole: float) -> list[tuple[str, str, list[Step]]]:
-    """Load and place where each run begins, and its steps; cut at changes of the load that need runs of their own."""
+    """Load and place at the beginning of each run, and its steps; a change of a constant load begins a new run."""
     legs = legs_of(run)
     place = run["legs"][0][words.driver]
     force = legs[0].get(words.load) if words.load else None
@@ -115,7 +115,7 @@ def in_rows(steps: list[Step], words: Vocabulary) -> list[str]:
 
 
 def _alike(row: list[Step]) -> bool:
-    """Whether a row is the same up and down again: strokes, which are better counted."""
+    """Whether a row is the same up and down again: such strokes are counted."""
     return all(step.to == other.to for step, other in zip(row, row[2:], strict=False))
 
 
@@ -138,7 +138,7 @@ def _row(row: list[Step], words: Vocabulary) -> str:
 
 
 def repeated(lines: list[str]) -> list[str]:
-    """Lines, with what comes again at once said once and counted; a repetition names its steps by their numbers."""
+    """Lines with repetitions written once and counted; a repetition refers to its steps by number."""
     counted: list[str] = []
     start = 0
     while start < len(lines):
@@ -154,7 +154,7 @@ def repeated(lines: list[str]) -> list[str]:
 
 
 def _again(lines: list[str], start: int) -> tuple[int, int]:
-    """The block that begins here and how often it comes again: what saves most lines, else one line and none."""
+    """The repeated block that begins here, and its count: the one that saves most lines, else one line and no count."""
     best = (1, 0)
     for size in range(1, LONGEST_BLOCK + 1):
         block, again = lines[start : start + size], 0

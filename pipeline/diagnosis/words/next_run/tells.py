@@ -1,4 +1,4 @@
-"""What a proposed run tells apart, for the details: both predictions in a table, how far they are apart, its worth."""
+"""The explanations that a proposed run tells apart, for the details: predictions, their distance, its worth."""
 
 from ...document.content import Verdict, proposal
 from ...document.expected import NextRun
@@ -38,7 +38,7 @@ def in_short(content: Verdict, words: Vocabulary) -> str:
 
 
 def _taken(run: NextRun, words: Vocabulary) -> str:
-    """In which step the reading is taken at which the predictions differ the most; nothing where no file says it."""
+    """The step in which the predictions differ most, where the reading is taken; nothing where a file lacks it."""
     after_s, place = (run.get("apart") or {}).get("after_s", 0.0), run["legs"][0][words.driver]
     if after_s <= 0.0:
         return ""
@@ -53,7 +53,7 @@ def _taken(run: NextRun, words: Vocabulary) -> str:
 
 
 def _closest(content: Verdict) -> str:
-    """Which two explanations the run was chosen for, and whether the best one is one of them; nothing of two alone."""
+    """The two explanations that the run was chosen for, and whether the best one is among them."""
     count = min(worth.COMPARED, 1 + len(content["alternatives"]))
     which = [f"these two are the closest of the {count} likeliest explanations"] if count > 2 else []
     best = ["the best one differs from both by at least as much"] if worth.aside(content) else []
@@ -93,7 +93,7 @@ def _rows(content: Verdict, run: NextRun, words: Vocabulary) -> list[list[str]]:
 
 
 def _decides(run: NextRun) -> str:
-    """How far both predictions are apart over all samples, so far and with the run, and whether that decides."""
+    """The distance of both predictions over all samples, now and with the run, and whether it decides."""
     now, then = deviations(run["gap_now"]), deviations(run["gap_then"])
     over = f"{number(then)} standard deviations of noise in the run, by {number(now)} in this recording"
     apart = f"over all samples they differ by {over}"

@@ -1,4 +1,4 @@
-"""The run to make between explanations that are likely, as a step of the page."""
+"""The run that decides between likely explanations, as a step of the page."""
 
 import shlex
 from pathlib import Path
@@ -20,7 +20,7 @@ SETTLE = "To have it proposed, recorded and weighed for you (without a rig at a 
 
 
 def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
-    """The run to make between explanations that are likely; that none decides, where none does.
+    """The run that decides between likely explanations, or the remark that no run does.
 
     `short`: what it is, without what it parts and foretells.
     """
@@ -52,7 +52,7 @@ def step(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) 
 
 
 def to_see_more(content: Verdict, words: Vocabulary, short: bool) -> list[list[str]]:
-    """The run that shows more of what is missing where nothing is named: what it is and what it shows, as a step."""
+    """The run that shows more of the mismatch where nothing is named, as a step: what it is and what it shows."""
     run = content["next_run"]
     if not run:
         return []
@@ -73,14 +73,14 @@ def _alone(words: Vocabulary, folders: list[Path]) -> list[str]:
 
 
 def _not_asked(content: Verdict, words: Vocabulary) -> str:
-    """That the run is not for the names that are only probable, in brackets; nothing where none of the others is."""
+    """The remark in brackets that only probable names do not need the run; nothing without such names."""
     probable = effect_table.only_probable(content, words)
     probable = [id_ for id_ in probable if id_ not in worth.differing(content)]
     return f" (it is not there to make the probable {listing(probable)} surer)" if probable else ""
 
 
 def _asks(content: Verdict, run: NextRun, words: Vocabulary) -> str:
-    """What a run asks of the rig: other loads, other speeds."""
+    """The demands of a run on the rig: other loads, other speeds."""
     title = experiment.title(run, words)
     usual = quantity(run["load"], words.load_unit) if run.get("load") else ""
     hung = [load for load in every_load(run, words) if load != usual]

@@ -29,7 +29,7 @@ WRONG = "Against the noise alone they are far apart, but a formula that is wrong
 
 
 def first(run: NextRun) -> list[str]:
-    """What to know before the steps of a run that decides nothing."""
+    """The remark before the steps of a run that decides nothing."""
     return [] if "parts" not in run or raises(run) else [f"{NO_USE}: you can skip it."]
 
 
@@ -110,7 +110,7 @@ def share(ids: list[str], content: Verdict) -> float | None:
 
 
 def question(content: Verdict) -> str:
-    """What the run is to answer: what the two explanations that it parts differ in."""
+    """The question that the run answers: the difference of the two explanations that it parts."""
     first_ids, other_ids = proposal(content)["parts"]
     pairs = ((first_ids, other_ids), (other_ids, first_ids))
     rests = [rivals.called([id_ for id_ in ids if id_ not in both]) for ids, both in pairs if set(ids) - set(both)]
@@ -120,20 +120,20 @@ def question(content: Verdict) -> str:
 
 
 def differing(content: Verdict) -> set[str]:
-    """The effects that one alone of the two explanations has which the run parts."""
+    """The effects that only one of the run's two explanations has."""
     first_ids, other_ids = proposal(content)["parts"]
     return set(first_ids) ^ set(other_ids)
 
 
 def aside(content: Verdict) -> str:
-    """Where the run is chosen for two others: that the best explanation differs from them by at least as much."""
+    """The remark that the best explanation differs at least as much from the two that the run was chosen for."""
     best = {entry["id"] for entry in content["mechanisms"]}
     concerned = best in [set(ids) for ids in proposal(content)["parts"]]
     return "" if concerned else " The best explanation is neither of the two: it differs from both by at least as much."
 
 
 def otherwise(content: Verdict, words: Vocabulary) -> str:
-    """What to do with what ties without the run."""
+    """What to do with tied explanations without the run."""
     count = 1 + len(content["alternatives"])
     if in_vain.harmful(content, words):
         return f"report all {count} explanations and adopt none"
@@ -141,7 +141,7 @@ def otherwise(content: Verdict, words: Vocabulary) -> str:
 
 
 def decides(run: NextRun) -> bool:
-    """Whether a run parts two explanations by so much more, and so far, that it can be expected to decide."""
+    """Whether a run is expected to part two explanations far enough to decide."""
     return design.decides(run["gap_now"], run["gap_then"])
 
 
@@ -161,7 +161,7 @@ def under_this_load(run: NextRun, words: Vocabulary) -> str:
 
 
 def care(content: Verdict, words: Vocabulary) -> str:
-    """What to mind before the rig is driven otherwise than it was, and what to do if it cannot be."""
+    """What to check before the rig is driven in a new way, and what to do if it cannot be."""
     run = proposal(content)
     new = {"speed": recorded_so_far.asks_speed(content, words), "load": recorded_so_far.asks_load(content, words)}
     changes = {change: text for change, text in CARE.items() if all(new[what] or what not in change for what in new)}

@@ -1,4 +1,4 @@
-"""What speaks against what run.yaml has adopted: the advice of its verdict, and the explanations that tied with it."""
+"""Doubts about adopted effects in run.yaml: advice of their verdict against them, and tied explanations."""
 
 from ...document.content import Verdict
 from ..explanations.rivals import called
@@ -8,7 +8,7 @@ NAMED = 2  # explanations that tied, by name; the others are counted
 
 
 def against_advice(content: Verdict) -> list[str]:
-    """That effects were adopted against the advice of their verdict, with that advice, a sentence for each verdict."""
+    """The warning that effects were adopted against their verdict's advice, a sentence for each verdict."""
     lines = []
     for adoption in content.get("adopted", []):
         if advised := adoption.get("against_advice"):
@@ -19,7 +19,7 @@ def against_advice(content: Verdict) -> list[str]:
 
 
 def doubtful(content: Verdict) -> list[str]:
-    """Which explanations tied with what was adopted, a sentence for each verdict that was; nothing where none says."""
+    """The explanations that tied with adopted effects, a sentence for each adopted verdict that names some."""
     lines = []
     for adoption in content.get("adopted", []):
         effects, tied = listing(adoption["effects"]), adoption["tied"]

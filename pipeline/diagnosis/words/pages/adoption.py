@@ -1,4 +1,4 @@
-"""What run.yaml has adopted, and how what was found is adopted, in words."""
+"""The adopted effects of a run.yaml, and how to adopt the effects of a verdict, in words."""
 
 import re
 import shlex
@@ -27,12 +27,12 @@ WEIGHED_ANEW = (
 
 
 def weighed_anew(words: Vocabulary) -> str:
-    """That what is adopted is not weighed again, and how to try its name."""
+    """The remark that adopted effects are not weighed again, and how to test their names."""
     return WEIGHED_ANEW.format(rig=words.string if words.twisted else "rig")
 
 
 def cautions(content: Verdict, rest: str = "") -> list[str]:
-    """What a verdict is worth where run.yaml has adopted effects; `rest` is the text beside it, whose words count."""
+    """The limits of a verdict with adopted effects in run.yaml; only words that `rest`, the text beside it, uses."""
     ids = holdout.included(content)
     if not ids:
         return [*against_advice(content), *doubtful(content)]
@@ -58,7 +58,7 @@ def cautions(content: Verdict, rest: str = "") -> list[str]:
 
 
 def now_means(verdict: str, effects: str, used: str) -> list[str]:
-    """What the verdict's word, `nominal` and `calibrated` mean once `effects` are adopted: those that are `used`."""
+    """The new meaning of the verdict's word, `nominal` and `calibrated` with `effects` adopted, for words in `used`."""
     meaning = {
         "consistent": f"with {effects} in the simulator nothing further can be named",
         "parameters": f"with {effects} in the simulator, and dimensions moved, nothing further can be named",
@@ -70,12 +70,12 @@ def now_means(verdict: str, effects: str, used: str) -> list[str]:
 
 
 def dimensions_came(content: Verdict) -> bool:
-    """Whether the adopted effects brought the dimensions with them that they were fitted with."""
+    """Whether effects were adopted together with the dimensions that were fitted with them."""
     return any(adoption.get("dimensions") for adoption in content.get("adopted", []))
 
 
 def adopted_again(content: Verdict) -> bool:
-    """Whether calibration found for each dimension that moved far what was adopted with the effects already."""
+    """Whether calibration only found again the adopted value of each dimension that moved far."""
     came = [adoption["dimensions"] for adoption in content.get("adopted", []) if adoption.get("dimensions")][-1:]
     parameters, sigma = content["parameters"], content["evidence"].get("tolerance", {})
     far = [name for name in far_moved(content) if name in parameters]
@@ -86,7 +86,7 @@ def adopted_again(content: Verdict) -> bool:
 
 
 def _sight(content: Verdict, ids: list[str]) -> str:
-    """What the adopted effects have seen of this recording; nothing where it was another."""
+    """Whether the adopted effects were fitted to this recording; nothing where it was another one."""
     they, were = ("It", "was") if len(ids) == 1 else ("They", "were")
     fitted = f"{they} {were} fitted to this very recording"
     return {
@@ -108,12 +108,12 @@ def predictions(source: Path, folders: list[Path], ids: Sequence[str]) -> list[s
 
 
 def staying(ids: Sequence[str]) -> list[str]:
-    """Those of some effects that leave the string another one than it was."""
+    """The effects among some that change the string for good."""
     return [id_ for id_ in ids if id_ in mechanisms() and mechanisms()[id_].stays]
 
 
 def of_staying(ids: Sequence[str]) -> list[str]:
-    """From where a planned motion goes on, where one of the effects stays in the string or the sensor; else nothing."""
+    """Where a planned motion begins, if an effect stays in the string or the sensor; else nothing."""
     stay = staying(ids)
     if not stay:
         return []
@@ -134,13 +134,13 @@ def adopted_predictions(folder: Path, words: Vocabulary, load: str | None, ids: 
 
 
 def hung(content: Verdict, words: Vocabulary) -> str | None:
-    """The column of the load, where the recording has one that is not 0 throughout; else None."""
+    """The column of the load, if the recording has one that is not always 0; else None."""
     covered = content.get("evidence", {}).get("covered")  # adopt takes files without
     return None if covered is not None and not any(covered["load"]) else words.load
 
 
 def columns_of_plan(words: Vocabulary, load: str | None) -> str:
-    """What a planned motion's file holds, by the rig's words and its column `load`, and how many rows it needs."""
+    """The content of a planned motion's file, in the rig's words with its column `load`, and its number of rows."""
     columns = f"time_s, {words.driver} and, unless it stands still, {load}" if load else f"time_s and {words.driver}"
     plan = f"PLAN.csv is a motion that you plan: {columns}"
     if words.twisted:
@@ -150,7 +150,7 @@ def columns_of_plan(words: Vocabulary, load: str | None) -> str:
 
 
 def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
-    """The command that puts what is named into run.yaml; `out` is the folder of the diagnosis."""
+    """The command that adopts the named effects into run.yaml; `out` is the folder of the diagnosis."""
     if out is None or content["verdict"] not in ("explained", "ambiguous") or not content.get("simulation", [True]):
         return []
     if in_vain.harmful(content, words):

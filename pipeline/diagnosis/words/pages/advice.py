@@ -1,4 +1,4 @@
-"""Whether adopting what a verdict names is advised: the same sentence on the page, in its details, wherever it is."""
+"""Whether adopting the named effects is advised: the same sentence on the page and in the details."""
 
 from ....ground.command import program_name
 from ....ground.words.verdict_text import MAY_ADOPT as MAY
@@ -17,7 +17,7 @@ UNTRIED = " (how much it errs on unseen strokes is not known)"
 
 
 def worse(content: Verdict) -> str:
-    """The advice where what is named makes the simulator worse on strokes that no fit has seen."""
+    """The advice if the named effects make the simulator worse on strokes that no fit has seen."""
     if holdout.other_name(content):
         last = f"when the {holdout.split(content)} are left out"
         return f"Adopt nothing: the names change {last}, so none is proved."
@@ -25,7 +25,7 @@ def worse(content: Verdict) -> str:
 
 
 def nothing_named(content: Verdict) -> str:
-    """The advice where no effect is named, with what predicts the rig meanwhile, where something does."""
+    """The advice if no effect is named, with the simulator that predicts the rig meanwhile, if there is one."""
     if "closest" not in content:
         return NOTHING_NAMED
     ids = content["closest"]["ids"]
@@ -35,14 +35,14 @@ def nothing_named(content: Verdict) -> str:
 
 
 def against(content: Verdict, words: Vocabulary) -> str:
-    """The advice to adopt nothing, where it is given; else nothing."""
+    """The advice to adopt nothing, where it applies; else nothing."""
     if content["verdict"] == "unknown":
         return nothing_named(content)
     return worse(content) if in_vain.harmful(content, words) else ""
 
 
 def of_adopting(content: Verdict, words: Vocabulary) -> str:
-    """What to do about adopting what is named, by what the page says of it already; nothing decides anew here."""
+    """The advice on adopting, from the statements on the page; it decides nothing anew."""
     if in_vain.harmful(content, words):
         return worse(content)
     if "explained" in content["fit"].get("worse_than_nominal", []):
@@ -68,7 +68,7 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
 
 
 def _errs(content: Verdict, words: Vocabulary) -> str:
-    """By how much a prediction will err, where that is more than the noise, or not known; ends a phrase."""
+    """The error to expect of a prediction, if it exceeds the noise or is unknown; ends a phrase."""
     unseen_errors = unseen.errors(content, words)
     if holdout.of_other(content) and not unseen.partly(content, words):
         return UNTRIED
@@ -78,7 +78,7 @@ def _errs(content: Verdict, words: Vocabulary) -> str:
 
 
 def _sizes(content: Verdict, words: Vocabulary) -> str:
-    """The sizes that are not to be reported; of one effect, why."""
+    """The sizes that are not to be reported; for a single effect, with the reason."""
     if len(content["mechanisms"]) > 1 or not content["mismatch"]:
         return "its sizes"
     (entry,), missing = content["mechanisms"], amount(content["mismatch"], f"rms_{words.ending}")
@@ -90,18 +90,18 @@ def _sizes(content: Verdict, words: Vocabulary) -> str:
 
 
 def _called(reportable: list[str], content: Verdict, words: Vocabulary) -> str:
-    """The effects whose sizes can be reported, with where these stand if they are not all of an effect."""
+    """The effects whose sizes can be reported, with the place of these sizes if they are only a part."""
     own_part_by_id = {entry["id"]: own_size.own_part(entry, content, words) for entry in content["mechanisms"]}
     return listing([f"{id_}{' in the last column' if own_part_by_id[id_] else ''}" for id_ in reportable])
 
 
 def lets(content: Verdict, words: Vocabulary) -> bool:
-    """Whether a verdict that names effects lets a person adopt them."""
+    """Whether a verdict with named effects allows adopting them."""
     return of_adopting(content, words).startswith(MAY)
 
 
 def contrary(content: Verdict, words: Vocabulary) -> str:
-    """The advice that adopting would go against; nothing where it lets adopt, or where a file does not tell enough."""
+    """The advice that adopting would go against; nothing if it allows adopting, or a file tells too little."""
     try:
         whether = of_adopting(content, words) if content["verdict"] in ("explained", "ambiguous") else MAY
     except (LookupError, TypeError, ValueError, AttributeError):  # a file without evidence gives no advice
@@ -110,7 +110,7 @@ def contrary(content: Verdict, words: Vocabulary) -> str:
 
 
 def instead(content: Verdict, words: Vocabulary) -> list[str]:
-    """As `contrary`, then the recording that the verdict asks for instead, if it does: what a run keeps of it."""
+    """As `contrary`, with the recording that the verdict asks for instead: a run keeps both."""
     whether = contrary(content, words)
     asks = [more_strokes(content, words)] if whether and in_vain.harmful(content, words) else []
     return [whether, *asks] if whether else []

@@ -1,4 +1,4 @@
-"""What is at work, in one sentence: first what all or most explanations have, then what is open; and how sure it is."""
+"""The acting effects in one sentence: first those in all or most explanations, then the open ones, and how sure."""
 
 from ...choice.judged import UNKNOWN
 from ...document.content import Verdict
@@ -12,7 +12,7 @@ WHICH = "it is not known which"
 
 
 def sentence(content: Verdict, words: Vocabulary) -> str:
-    """What is at work, how likely, and what is open; it has no full stop. For a verdict with several explanations."""
+    """The acting effects, how likely they are, and which are open, without a full stop; for several explanations."""
     best = [entry["id"] for entry in content["mechanisms"]]
     sets = [set(best), *map(set, content["alternatives"])]
     shares = certainty.known(content)
@@ -45,7 +45,7 @@ def sentence(content: Verdict, words: Vocabulary) -> str:
 
 
 def lacks(content: Verdict) -> str:
-    """How probable physics is that the library lacks, where that alone makes `unknown`; else nothing."""
+    """How probable physics outside the library is, where that alone makes the verdict `unknown`; else nothing."""
     none = content["evidence"].get("probability_of_none") or 0.0
     return f"; physics that it lacks has a probability of {percent(none)}" if none >= UNKNOWN else ""
 
@@ -67,9 +67,9 @@ def how_sure(content: Verdict) -> str:
 
 
 def _open(content: Verdict, unsure: list[str], sets: list[set[str]], acts: str, act: str) -> str:
-    """That it is open which effects are at work, so that nobody takes for either-or what one explanation has together.
+    """Which effects may be at work, in words that do not present effects of one explanation as either-or.
 
-    `acts` and `act`: what one does, and what several do.
+    `acts` is the verb for one effect, `act` the verb for several.
     """
     within = [each & set(unsure) for each in sets]
     if all(len(each) < 2 for each in within):
@@ -95,7 +95,7 @@ def _each(content: Verdict, ids: list[str]) -> str:
 
 
 def _named(content: Verdict, ids: list[str], last: str) -> str:
-    """Effects with their percentages; of many the first ones, and how many more."""
+    """Effects with their percentages; of many effects the first ones, and how many more there are."""
     if len(ids) <= NAMED + 1:
         return listing([_one(content, id_) for id_ in ids], last)
     one_of = "one of " * (last == "or")

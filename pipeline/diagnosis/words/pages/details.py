@@ -41,7 +41,7 @@ SMALL = 0.5  # noise floors: a mismatch below shows in no single sample
 def details_text(
     content: Verdict, system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
 ) -> str:
-    """All that a verdict stands on, for a person; `folders` are its runs and `out` its own folder, for the commands.
+    """All that a verdict rests on, for a person; `folders` are its runs and `out` its own folder, for commands.
 
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
@@ -97,12 +97,12 @@ def missing(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def follows(content: Verdict) -> str:
-    """What the mismatch follows; which effect follows what is said where each is told."""
+    """The driver that the mismatch follows; the sentence on each effect says what that effect follows."""
     return f"What is missing follows {mismatch_of(content)['driver']}."
 
 
 def weighed(content: Verdict, words: Vocabulary) -> list[str]:
-    """The explanations that were weighed, and on what their percentages stand."""
+    """The weighed explanations, and what their percentages depend on."""
     table_lines = explanation_table.lines(content, words)
     if not table_lines or not probability.known(content):
         return table_lines
@@ -112,7 +112,7 @@ def weighed(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
-    """What comes closest where nothing explains, and how far physics still has to go."""
+    """The closest explanations where nothing explains, and the error that physics still has to reach."""
     if content["verdict"] != "unknown":
         return []
     most = "At most three effects at once are tried (of a moving mass four)"
@@ -126,7 +126,7 @@ def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def moved(content: Verdict, words: Vocabulary) -> list[str]:
-    """The dimensions that calibration moved, how to measure them again, and how run.yaml says it."""
+    """The dimensions that calibration moved, how to measure them again, and the lines for run.yaml."""
     named = content["verdict"] in to_do.NAMED
     in_step = to_do.asks_to_measure(content, words)
     return [
@@ -138,7 +138,7 @@ def moved(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def following(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
-    """The protocol, line by line, what it is worth, and the commands from its folder to its diagnosis."""
+    """The protocol, line by line, its worth, and the commands from its folder to its diagnosis."""
     run = content["next_run"]
     if not run:
         sure = bool(make_sure.of_names(content, words, folders, out, False))

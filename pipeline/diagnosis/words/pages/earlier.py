@@ -1,4 +1,4 @@
-"""What an earlier verdict on fewer of the same runs said, in words: more data replace it, and may not bear it out."""
+"""Earlier verdicts on fewer of the same runs, in words: this one, from more data, replaces them and may differ."""
 
 from pathlib import Path
 from typing import cast
@@ -19,7 +19,7 @@ NOTHING = 0.5  # of its tolerance: a dimension that differs by less is the same
 
 
 def sentences(content: Verdict, folders: list[Path], out: Path) -> list[str]:
-    """A sentence for each earlier verdict on some of the runs alone, of most runs first; nothing where none is found.
+    """A sentence for each earlier verdict on some of the runs, the one on most runs first.
 
     Looked through are the folder `out`, which a new verdict overwrites, what is in and beside it, and the usual place.
     """
@@ -53,7 +53,7 @@ def _runs(content: Verdict) -> frozenset[str]:
 
 
 def _replaced(before: Verdict, content: Verdict) -> str:
-    """What to think of an earlier verdict beside this one, in a sentence."""
+    """The remark on an earlier verdict beside this one, in a sentence."""
     alone = before.get("verdict") == "explained"
     if alone and content["verdict"] == "unknown":
         return f"Alone it was explained, together the runs are not: {OF_ONE}"
@@ -64,7 +64,7 @@ def _replaced(before: Verdict, content: Verdict) -> str:
 
 
 def _dropped(before: Verdict, content: Verdict) -> str:
-    """Which names and dimensions of an earlier verdict this one does not keep, in a sentence; nothing where it does."""
+    """The names and dimensions of an earlier verdict that this one drops, in a sentence; else nothing."""
     named, now = _names(before), _names(content)
     tied = {id_ for ids in content.get("alternatives", []) for id_ in ids}
     gone = [id_ for id_ in named if id_ not in now]
@@ -76,7 +76,7 @@ def _dropped(before: Verdict, content: Verdict) -> str:
 
 
 def _moved(before: Verdict, content: Verdict) -> list[tuple[str, str, str]]:
-    """Dimensions whose intervals in two verdicts lie apart, by more than is nothing: name, value before, value now."""
+    """Dimensions whose intervals in two verdicts do not overlap, if clearly apart: name, old value, new value."""
     apart = []
     for name, sigma in content["evidence"].get("tolerance", {}).items():
         was, now = (each.get("parameters", {}).get(name) for each in (before, content))
@@ -102,7 +102,7 @@ def _names(content: Verdict) -> list[str]:
 
 
 def _said(content: Verdict) -> str:
-    """What a verdict named, the likeliest first; its word where it named nothing."""
+    """The names of a verdict, the likeliest first; its word where it names nothing."""
     listed = content.get("mechanisms")
     named = listed if isinstance(listed, list) else []
     entries = [entry for entry in named if isinstance(entry, dict) and "id" in entry]

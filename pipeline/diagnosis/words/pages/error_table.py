@@ -1,4 +1,4 @@
-"""The one table of errors that every sentence of a verdict refers to: of which simulator, on which strokes."""
+"""The table of errors that a verdict's sentences refer to: for each simulator, on which strokes."""
 
 import math
 
@@ -34,7 +34,7 @@ WHOSE = {
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """The table, a line each row, and what must be known to read it."""
+    """The table, a line each row, and the remarks for reading it."""
     seen, unseen_errors = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
     remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if unseen_errors else [TOO_FEW]
@@ -81,14 +81,14 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
 
 
 def _left_with(closest: str, content: Verdict, words: Vocabulary) -> float | None:
-    """What comes closest leaves of the whole recording; None where nobody weighed it there."""
+    """The rms that the closest explanation leaves of the whole recording; None if it was not weighed there."""
     shown = content["evidence"]["explanations"]
     weighed = [each for each in shown if set(each["ids"]) == set(closest.split(" + "))]
     return amount(weighed[0], f"left_{words.ending}") if weighed else None
 
 
 def _row_of(other: str) -> str:
-    """What the row is called of other effects than those that the verdict names."""
+    """The name of the row for other effects than those that the verdict names."""
     name = f"{other}, see below"
     return name if len(name) <= NARROW else OTHER_EFFECTS
 
@@ -117,7 +117,7 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _of_other(content: Verdict) -> list[str]:
-    """Whose error on unseen strokes stands in the table, where it is not of what the verdict names."""
+    """The effects whose error on unseen strokes the table has, if they are not the named ones."""
     other = holdout.other_name(content)
     if not other or not content["mechanisms"]:
         return []
@@ -128,7 +128,7 @@ def _of_other(content: Verdict) -> list[str]:
 
 
 def _moved_most(content: Verdict, words: Vocabulary) -> str:
-    """That moving dimensions took most of the error away, where it did and no dimension moved far."""
+    """The remark that moved dimensions took away most of the error, if none of them moved far."""
     nominal, calibrated, _ = _seen(content, words)
     if kept_times(content, words):  # nobody simulates with adopted effects and the dimensions of run.yaml
         return ""
@@ -139,7 +139,7 @@ def _moved_most(content: Verdict, words: Vocabulary) -> str:
 
 
 def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
-    """What the last error of the whole recording is of single samples, where it was compared in averages.
+    """The remark that the last error of the whole recording is for single samples, if averages were compared.
 
     Averages take noise away and leave what is systematic, so the noise of single samples comes in its place.
     """
@@ -161,7 +161,7 @@ def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
 
 
 def held_out(content: Verdict) -> str:
-    """What the strokes are that were held out, and who has seen them."""
+    """Which strokes were held out, and which fits have seen them."""
     split = content["fit"]["heldout"]["split"] if content["fit"]["heldout"] else ""
     return {
         holdout.UNSEEN: f"{split} (seen by no fit)",
@@ -186,6 +186,6 @@ def _cell(error: float | None, noise: float, words: Vocabulary) -> str:
 
 
 def _kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:
-    """Of what each noise is, where the two differ."""
+    """The kind of each noise, where the two differ."""
     whole, unseen_kind = (f", of {kind}" if kind else "" for kind in unseen.kinds(content, words))
     return whole, unseen_kind

@@ -1,4 +1,4 @@
-"""What of a verdict can go into a paper, with its numbers, and what cannot."""
+"""The parts of a verdict that can go into a paper, with their numbers, and the parts that cannot."""
 
 from ...document.content import Verdict
 from ...document.effects_named import MechanismEntry
@@ -28,7 +28,7 @@ FITTED = "Do not report calibrated dimensions, nor other numbers under `simulati
 
 
 def lines(content: Verdict, words: Vocabulary) -> list[str]:
-    """A line of what can be reported, and one of what cannot; nothing where nothing is named."""
+    """A line of what can be reported and a line of what cannot; nothing where no effect is named."""
     if not content["mismatch"]:
         return []
     beyond = unseen.left_of_whole(content, words) if content["verdict"] in UNNAMED else 0.0
@@ -57,7 +57,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _where(content: Verdict, words: Vocabulary) -> str:
-    """Where what has no name lies, and what it follows; ends a statement. Nothing where something is named."""
+    """The place of an unnamed mismatch, and the driver that it follows; ends a statement. Else nothing."""
     mismatch = content["mismatch"]
     if content["verdict"] != "unknown" or not mismatch or not amount(mismatch, f"rms_{words.ending}"):
         return ""
@@ -65,13 +65,13 @@ def _where(content: Verdict, words: Vocabulary) -> str:
 
 
 def _beside(content: Verdict) -> str:
-    """With which adopted effects in the simulator that is so, where there are some; ends a statement."""
+    """The adopted effects in the simulator for which a statement holds; ends a statement."""
     ids = holdout.included(content)
     return f", with {listing(ids)} adopted (in run.yaml)" if ids else ""
 
 
 def _unseen(content: Verdict, words: Vocabulary) -> str:
-    """That the errors on strokes that no fit has seen can be reported, where they can; ends a statement."""
+    """The remark that errors on unseen strokes can be reported, where they can; ends a statement."""
     errors = unseen.errors(content, words)
     if errors is None or holdout.status(content) != holdout.UNSEEN or in_vain.harmful(content, words):
         return ""
@@ -79,7 +79,7 @@ def _unseen(content: Verdict, words: Vocabulary) -> str:
 
 
 def _sure(content: Verdict, words: Vocabulary) -> list[str]:
-    """Which effects are at work, where that is sure; not settled where the page says that none is proved."""
+    """The effects that are surely at work; called not settled where the page says that none is proved."""
     sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
     shares = certainty.known(content)
     word = {id_: "probable" if certainty.held_back(content, words, id_) else "sure" for id_ in sure}
@@ -99,7 +99,7 @@ def own_sizes(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _own(content: Verdict, words: Vocabulary) -> list[str]:
-    """The sizes to quote and whose constants, where dimensions did not move far."""
+    """The sizes to quote, and the effects with constants to quote, if dimensions did not move far."""
     entries = _to_report(content, words, is_open=False)
     if not entries:
         return []
@@ -118,7 +118,7 @@ def _own(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _open(content: Verdict, words: Vocabulary) -> list[str]:
-    """The most that an open effect of the best explanation does, where dimensions did not move far."""
+    """The largest size that an open effect of the best explanation may have, if dimensions did not move far."""
     most = [
         f"{entry['id']} {_size(entry, content, words)}, or 0 if it is not at work"
         for entry in _to_report(content, words, is_open=True)
@@ -127,13 +127,13 @@ def _open(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _head(content: Verdict, words: Vocabulary) -> str:
-    """What a line of sizes begins with: with which words alone they may be reported, where they improve nothing."""
+    """The beginning of a line of sizes; it limits them if the named effects improve nothing."""
     vain = in_vain.said(content, words)
     return ONLY_WITH.format(vain) if vain else TO_REPORT
 
 
 def _size(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:
-    """The size of an effect to quote: the part that no dimension could do, said so, or all of it."""
+    """The size of an effect to quote: the whole, or the part that no dimension could imitate, named so."""
     if own_size.own_part(entry, content, words):
         return f"{own_size.own_with_interval(entry, content, words)}, {own_size.PART}"
     return own_size.with_interval(entry, words)
@@ -147,7 +147,7 @@ def _to_report(content: Verdict, words: Vocabulary, is_open: bool) -> list[Mecha
 
 
 def _best(content: Verdict, words: Vocabulary) -> list[str]:
-    """How likely the best explanation is, what is not excluded, and physics that the library lacks."""
+    """The probability of the best explanation, the rivals that are not excluded, and physics outside the library."""
     none = content["evidence"].get("probability_of_none")
     kept = chances.kept_shares(content)
     if not kept or none is None or not probability.known(content):
@@ -162,7 +162,7 @@ def _best(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _not_yet(content: Verdict, words: Vocabulary) -> list[str]:
-    """What is no result: sizes that are poorly known, and dimensions that calibration moved far."""
+    """The numbers that are no results: poorly known sizes, and dimensions that calibration moved far."""
     if far_moved(content):
         return [
             "Do not report how much an effect does alone, its constants (loop, times, corners), or calibrated "

@@ -1,4 +1,4 @@
-"""The verdict in one line: what is at work comes first, and it says no more than what is left allows."""
+"""The verdict in one line: the acting effects first; it claims no more than the residual allows."""
 
 from ...document.bounds import at_bound
 from ...document.content import Verdict
@@ -104,7 +104,7 @@ def headline(content: Verdict, words: Vocabulary) -> str:
 
 
 def still_holds(content: Verdict, words: Vocabulary) -> bool:
-    """Whether what is adopted still explains the recording, as the first line says it."""
+    """Whether adopted effects still explain the recording, as the first line says it."""
     if not holdout.included(content) or content["verdict"] not in UNNAMED or unfit(content, words):
         return False
     fitted = unseen.fitted_times(content, words, named=False)
@@ -112,7 +112,7 @@ def still_holds(content: Verdict, words: Vocabulary) -> bool:
 
 
 def _otherwise(content: Verdict, words: Vocabulary) -> str:
-    """That another explanation was found without the last strokes, and how it did on them; nothing where none was."""
+    """The remark that another explanation was found without the last strokes, and its error there; else nothing."""
     if not holdout.of_other(content):
         return ""
     other = f"without the {holdout.split(content)} another explanation was found"
@@ -129,7 +129,7 @@ def _runs(content: Verdict) -> list[str]:
 
 
 def _them(adopted: list[str]) -> str:
-    """How adopted effects are referred to."""
+    """The word for adopted effects in a sentence."""
     return "it" if len(adopted) == 1 else "them"
 
 
@@ -146,7 +146,7 @@ def against_advice(content: Verdict, before: str = "", after: str = "") -> str:
 
 
 def _lead(content: Verdict, adopted: list[str], state: str) -> list[str]:
-    """Which effects are adopted, and the `state` that they are in; else the verdict's word where nothing is named."""
+    """The adopted effects with their `state`; else the verdict's word where nothing is named."""
     verdict = content["verdict"]
     if not adopted:
         return [] if verdict in ("explained", "ambiguous") else [verdict]
@@ -169,7 +169,7 @@ def unfit(content: Verdict, words: Vocabulary) -> str:
 
 
 def as_it_stands(content: Verdict, words: Vocabulary) -> str:
-    """By how much run.yaml errs with the effects that it has adopted; nothing where none is adopted."""
+    """The error of run.yaml with its adopted effects; nothing where none is adopted."""
     errors = errors_of_adopted(content, words)
     if errors is None:
         return ""

@@ -1,4 +1,4 @@
-"""What can be reported of effects that run.yaml has adopted, and what cannot."""
+"""The results of adopted effects in run.yaml that can be reported, and those that cannot."""
 
 from ...document.content import Verdict
 from ..held_out import holdout
@@ -12,12 +12,12 @@ HELD = (
 
 
 def reportable(content: Verdict) -> list[str]:
-    """Where it stands what can be reported of adopted effects."""
+    """Where to find the results of adopted effects that can be reported."""
     ids = holdout.included(content)
     return [ADOPTED.format(listing(ids))] if ids else []
 
 
 def not_reportable(content: Verdict) -> list[str]:
-    """What is no result where effects are adopted: their sizes here, and a rig without them."""
+    """The numbers that are no results where effects are adopted: their sizes here, and those without them."""
     ids = holdout.included(content)
     return [HELD.format(listing(ids), "are" if len(ids) > 1 else "is")] if ids else []

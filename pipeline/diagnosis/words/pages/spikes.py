@@ -1,4 +1,4 @@
-"""Spikes of a recording that do not count, in words: how many, of which channel, and where the first one is."""
+"""Spikes of a recording, which do not count, in words: how many, in which channel, and when the first one is."""
 
 from ...document.content import Verdict
 from ...document.evidence import Spike

@@ -1,4 +1,4 @@
-"""The content of a diagnosis, all numbers → the same with the sentences of `diagnosis/document/content.py`."""
+"""The content of a diagnosis, numbers only → the same with the sentences of `diagnosis/document/content.py`."""
 
 from typing import cast
 

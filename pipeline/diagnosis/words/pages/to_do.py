@@ -1,4 +1,4 @@
-"""What to do next, in numbered steps, the first one first; they follow from the verdict and decide nothing."""
+"""The next steps in numbered lines; they follow from the verdict and decide nothing."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ COMMANDS = (f" Commands: {RUN}.", f" Commands: {DETAILS}, {RUN}.")  # where they
 
 
 def lines(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None, short: bool) -> list[str]:
-    """The steps, numbered where there are several; what belongs to a step stands below it, indented.
+    """The steps, numbered where there are several; further lines of a step are indented below it.
 
     `short`: as the page has them; else as the details do, where to predict and to adopt has a section of its own.
     """
@@ -79,12 +79,12 @@ def asks_to_measure(content: Verdict, words: Vocabulary) -> bool:
 
 
 def _where(short: bool) -> str:
-    """Where the details stand, for the page, and for themselves."""
+    """The place of the details, as the page and the details themselves name it."""
     return f"in {DETAILS}" if short else "below"
 
 
 def _measure(content: Verdict, words: Vocabulary, short: bool, then: str = "go on with step 2") -> list[list[str]]:
-    """What to measure again, and what then; nothing where no dimension moved far."""
+    """The dimensions to measure again, and the following steps; nothing where none moved far."""
     if not far_moved(content):
         return []
     return [
@@ -133,7 +133,7 @@ def _unnamed(content: Verdict, words: Vocabulary, folders: list[Path], short: bo
 
 
 def _first_measure(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
-    """What to measure again where nothing is named; nothing where no step asks for it."""
+    """The dimensions to measure where nothing is named; nothing where no step asks for it."""
     if holdout.included(content):
         return _anew(content, words, folders, short)
     if not asks_to_measure(content, words):
@@ -144,7 +144,7 @@ def _first_measure(content: Verdict, words: Vocabulary, folders: list[Path], sho
 
 
 def _advised(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[str]:
-    """What to do where effects were adopted against the advice of their verdict; nothing where none were."""
+    """The steps where effects were adopted against their verdict's advice; else nothing."""
     against = [adoption["against_advice"] for adoption in content.get("adopted", []) if adoption.get("against_advice")]
     recordings = list(dict.fromkeys(recording for _, *more in against for recording in more))
     if not recordings:
@@ -155,7 +155,7 @@ def _advised(content: Verdict, words: Vocabulary, folders: list[Path], short: bo
 
 
 def _anew(content: Verdict, words: Vocabulary, folders: list[Path], short: bool) -> list[list[str]]:
-    """What to measure again after adopting, and what follows for the adopted effects."""
+    """The dimensions to measure again after adopting, and what follows for the adopted effects."""
     if not far_moved(content):
         return []
     remove = to_use.remove(folders, short)

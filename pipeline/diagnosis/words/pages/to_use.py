@@ -1,4 +1,4 @@
-"""What a diagnosis is used for, as steps of the page: to predict the rig, and to put the effects into run.yaml."""
+"""The uses of a diagnosis, as steps of the page: predict the rig, and put the effects into run.yaml."""
 
 import shlex
 from pathlib import Path
@@ -13,7 +13,7 @@ LIKEWISE = "For the other runs likewise (details.txt)."
 
 
 def predict(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[list[str]]:
-    """The command that predicts a planned motion with what was found; the details have the others."""
+    """The command that predicts a planned motion with the diagnosis; the details have the other commands."""
     if out is None or not content.get("simulation", [True]):
         return []
     loads = "loads, speeds" if hung(content, words) else "speeds"

@@ -1,4 +1,4 @@
-"""The content of `diagnosis.json` → `verdict.txt`: one page that says what acts, how well it fits, and what to do."""
+"""The content of `diagnosis.json` → `verdict.txt`: one page with the acting effects, the fit, and the next steps."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -29,7 +29,7 @@ MORE = "More: details.txt (reasons, steps in full, what can be reported, words),
 def verdict_text(
     content: Verdict, system: System, folders: list[Path], out: Path | None = None, doubts: Sequence[str] = ()
 ) -> str:
-    """The verdict on one page; `folders` are the runs it is about and `out` its own folder, for the commands.
+    """The verdict on one page; `folders` are its runs and `out` its own folder, for the commands.
 
     `doubts` are sentences on the recording itself, which a reader must know before anything else.
     """
@@ -57,12 +57,12 @@ def verdict_text(
 
 
 def joined(sections: Sections) -> str:
-    """The words of some sections, for who asks which of them a page uses."""
+    """The words of some sections, for a check which of them a page uses."""
     return "\n".join(line for head, lines in sections if lines or head for line in (head, *lines))
 
 
 def what_first(content: Verdict, words: Vocabulary, rest: str = "") -> list[str]:
-    """What a reader must know before he trusts a verdict, a line each: what counts most stands in its first sentences.
+    """What a reader must know before trusting a verdict, a line each; the most important stands first.
 
     `rest` is the text of the page beside it.
     Slow effects that look alike are not in it: the page has a line on them, and the details have one on each.
@@ -77,7 +77,7 @@ def what_first(content: Verdict, words: Vocabulary, rest: str = "") -> list[str]
 
 
 def _left(content: Verdict, words: Vocabulary) -> list[str]:
-    """Where the pattern lies that is left, where unseen strokes are missed and nothing says by what."""
+    """The place of the residual pattern, if unseen strokes are poorly predicted and nothing says why."""
     if not unseen.partly(content, words) or level.place_of_missing(content, words):
         return []
     least = rivals.NOISY if level.beaten(content, words) else 0.0
@@ -126,7 +126,7 @@ def _span(moved: dict[str, float]) -> str:
 
 
 def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
-    """Of a mismatch without a name: how large it is, where, what it follows, what comes closest, the level to reach."""
+    """An unnamed mismatch: its size, place and driver, the closest explanations, and the error to reach."""
     mismatch = content["mismatch"]
     if not mismatch or content["verdict"] != "unknown":
         return []
@@ -144,7 +144,7 @@ def _unknown(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def _would(content: Verdict, words: Vocabulary) -> list[str]:
-    """What a verdict without a name is worth, in short: from which size on effects would have been seen."""
+    """The worth of a verdict without a name, in short: from which size on effects would have been seen."""
     detectable = by_name(content["fit"], f"detectable_{words.ending}")
     sizes = {
         id_: least for id_, least in detectable.items() if physics((id_,)) and id_ not in holdout.included(content)
