@@ -23,7 +23,7 @@ PIECE = 1 << 20  # bytes that are read at once
 
 
 def judged(outcome: Outcome, frames: Account) -> Outcome:
-    """An outcome after the recording was read: what nobody can use is a fault, whatever the device said."""
+    """An outcome after the recording was read: a recording that nobody can use is a fault, whatever the device said."""
     wrong = None
     if frames.no_clock:
         bad, steps = frames.backward_stamps + frames.repeated_stamps, frames.samples - 1
@@ -36,7 +36,7 @@ def judged(outcome: Outcome, frames: Account) -> Outcome:
 
 
 def told(frames: Account) -> Outcome:
-    """How a recording ended by what the device said in it; without an END, that it was recovered."""
+    """How a recording ended, from what the device said in it; without an END it is `recovered`."""
     if frames.end is None:
         return Outcome("recovered")
     if frames.end.reason == Reason.FAULT:
@@ -45,7 +45,7 @@ def told(frames: Account) -> Outcome:
 
 
 def opening(size: int, sha256: str, began: datetime, ended: datetime, outcome: Outcome) -> CaptureJson:
-    """What capture.json says of any recording: when it was made, how it ended, and which bytes it is."""
+    """The part of capture.json that every recording has: when it was made, how it ended, and which bytes it is."""
     return {
         "schema": SCHEMA,
         "exit_status": outcome.status,
@@ -119,7 +119,7 @@ def commit(folder: Path, began: datetime, ended: datetime, outcome: Outcome) -> 
 
 
 def seal(folder: Path, name: str, info: CaptureJson) -> CaptureJson:
-    """Write capture.json, and let nobody write to recording `name` any more.
+    """Write capture.json, and make the recording `name` read-only.
 
     Raises BadInput when they cannot be written, or capture.json is that of another recording.
     """
@@ -138,7 +138,7 @@ def seal(folder: Path, name: str, info: CaptureJson) -> CaptureJson:
 
 
 def check_own(folder: Path, name: str, sha256: str) -> None:
-    """Raise BadInput where capture.json is that of other bytes than those of recording `name`."""
+    """Raise BadInput where capture.json belongs to other bytes than those of recording `name`."""
     if committed(folder).get("sha256", sha256) != sha256:
         files = f"{name} and {uncommitted_note.NAME}" if (folder / uncommitted_note.NAME).exists() else name
         mend = f"move {files} into the folder of a new run, and run {command('capture')} --recover on that"
@@ -147,14 +147,14 @@ def check_own(folder: Path, name: str, sha256: str) -> None:
 
 
 def unwritten(folder: Path, name: str, error: OSError) -> BadInput:
-    """That a file of a recording could not be written when it had ended."""
+    """The message that a file of a recording could not be written when the recording had ended."""
     mend = f"make room, then run {recover_command(folder)}"
     problem = f"could not be written ({error.strerror}); the recording is whole and kept"
     return BadInput(folder, name, problem, mend)
 
 
 def committed(folder: Path) -> CaptureJson:
-    """Content of capture.json; nothing where there is none, or one that cannot be read and is to be made again."""
+    """Content of capture.json; nothing where there is none, or an unreadable one that is to be made again."""
     try:
         return capture_info(folder)
     except BadInput:

@@ -1,4 +1,4 @@
-"""What a port may be sending, when it is not what was expected: a sentence, and what to do about it."""
+"""A guess at what a port sends if it is not the expected protocol: a sentence, and what to do about it."""
 
 from ..wire import Decoder
 
@@ -12,7 +12,7 @@ def _bit_turns(data: bytes) -> float:
 
 
 def guess(heard: bytes, baud: int) -> tuple[str, str]:
-    """What bytes look like in which no HELLO was, and the mend; `heard` is not empty."""
+    """What bytes without a HELLO look like, and the mend; `heard` is not empty."""
     decoder = Decoder()
     good = len(decoder.feed(heard))
     if good:

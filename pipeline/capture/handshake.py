@@ -1,4 +1,4 @@
-"""The beginning of a recording: ask who is there, check what it says, and tell it to start."""
+"""The beginning of a recording: ask the device for its HELLO, check it, and tell the device to start."""
 
 import time
 
@@ -46,7 +46,7 @@ def greet(port: Port, name: str, baud: int) -> tuple[Hello, bytes]:
 
 
 def _late(port: Port, decoder: Decoder, answers: int) -> bytes:
-    """Wait for the answers to earlier GREETs that are still under way; the beginning of a frame after them."""
+    """Wait for late answers to earlier GREETs; returns the beginning of a frame that follows them."""
     until_s = time.monotonic() + (LATE_HELLO_S if answers else 0.0)
     while answers > 0 and time.monotonic() < until_s:
         answers -= sum(heard.frame.kind == Kind.HELLO for heard in decoder.feed(port.read()))

@@ -1,4 +1,4 @@
-"""A recording while it grows: append only, never over another one, on the disk at most a second late."""
+"""A recording while it grows: append only, never over another one, and at most a second behind on the disk."""
 
 import os
 import shutil
@@ -39,7 +39,7 @@ def _check_empty(folder: Path, but: str = "") -> None:
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    """Let one program at a time begin a recording in a folder, where the system can lock a folder."""
+    """Allow only one program at a time to begin a recording in a folder, where the system can lock a folder."""
     if fcntl is None:
         yield
         return
@@ -87,7 +87,7 @@ class Log:
         self._syncing: Future[None] | None = None
 
     def _withdraw_beside_another(self, name: str) -> None:
-        """Two recordings in one folder are none: the later one, which is empty still, goes."""
+        """If two recordings are in one folder, remove the later one, which is still empty."""
         try:
             _check_empty(self._folder, but=name)
         except BadInput:
@@ -107,7 +107,7 @@ class Log:
             self._syncing, self._synced_s = self._beside.submit(_to_disk, self._file), time.monotonic()
 
     def _check(self) -> None:
-        """Wait until nothing is put on the disk any more; raises OSError where it could not be."""
+        """Wait until no write to the disk is under way; raises OSError where one failed."""
         if self._syncing is not None:
             self._syncing.result()
 

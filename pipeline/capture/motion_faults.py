@@ -1,4 +1,4 @@
-"""While it records: whether the displacement follows the twist as that of a string does."""
+"""While recording: whether the displacement follows the twist as that of a string does."""
 
 import math
 from collections.abc import Callable
@@ -22,7 +22,7 @@ FROZEN, REVERSED = "frozen", "reversed"
 
 
 def stands_words(turned: float) -> str:
-    """That the displacement stands still while the motor turns so many turns, and what to check."""
+    """The warning that the displacement stands still while the motor has turned that many turns, and what to check."""
     turned_whole = f"displacement_mm has not changed while the motor turned {turned:.3g} turns"
     return f"{turned_whole}: check the sensor and its cable"
 
@@ -44,11 +44,11 @@ class MotionFaults:
 
     @property
     def stood_turns(self) -> float:
-        """So many turns the motor turned since the displacement last changed."""
+        """How many turns the motor has turned since the displacement last changed."""
         return self._most - self._least
 
     def look(self, turns: float, measured_mm: float) -> str:
-        """Take note of a sample; `frozen` or `reversed` where that is so now, else nothing."""
+        """Take note of a sample; returns `frozen` or `reversed` if the displacement is so now, else nothing."""
         self._nearest, self._farthest = min(self._nearest, turns), max(self._farthest, turns)
         if self._stands(turns, measured_mm):
             return FROZEN

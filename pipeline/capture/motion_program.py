@@ -1,4 +1,4 @@
-"""A program of motion for a rig: read from a file, looked at by the rig's own limits, and taken by it as a whole."""
+"""A program of motion for a rig: read from a file, checked against the rig's limits, and taken as a whole."""
 
 import json
 import time
@@ -35,7 +35,7 @@ class LegJson(TypedDict):
 
 
 def as_legs(entries: Sequence[LegJson], hanging_n: float | None = None) -> list[Leg]:
-    """Legs as `next_run` of a diagnosis.json has them; a load that hangs already, and all the time, is left alone.
+    """Legs in the form of `next_run` in a diagnosis.json; a load that hangs already, all the time, is left out.
 
     Raises ValueError for what are none.
     """
@@ -118,7 +118,7 @@ def load(port: Port, hello: Hello, legs: Sequence[Leg], name: str) -> None:
 
 
 def _answer(port: Port, decoder: Decoder, count: int, crc: int) -> tuple[int | None, int]:
-    """What the device says of exactly this program, and of which leg; None when it says nothing in time."""
+    """The device's answer on exactly this program, and its leg; None if no answer comes in time."""
     until_s = time.monotonic() + ANSWER_S
     while time.monotonic() < until_s:
         for heard in decoder.feed(port.read()):

@@ -1,4 +1,4 @@
-"""The serial port: opened for us alone, read in pieces as they come; its failures are sentences."""
+"""The serial port: opened for this program alone, read in pieces as they come; failures are told in sentences."""
 
 import contextlib
 import errno

@@ -1,4 +1,4 @@
-"""How a recording of frames gets on: what came, what is lost, what the sensors say, and how long it will take."""
+"""The progress of a recording of frames: what came, what is lost, the sensors' values, and the remaining time."""
 
 import time
 
@@ -30,7 +30,7 @@ class Progress:
         self._looked_samples = self._looked_bad = 0
 
     def count(self, frame: Frame) -> bool:
-        """Take note of one frame; whether its number can be true."""
+        """Take note of one frame, and say whether its number can be true."""
         high, number = self.numbers.high, self.numbers.of(frame.seq)
         if not self.numbers.believe(frame.kind, number, frame.payload):
             return False
@@ -61,7 +61,7 @@ class Progress:
         return True
 
     def parts(self, free_bytes: int = 0, last: bool = False, cut: bool = False) -> list[str]:
-        """What the line says, the most important first; the `last` one foretells nothing and counts unwound strokes.
+        """The parts of the progress line, the most important first; the `last` line counts unwound strokes.
 
         `cut`: the recording ended before the rig was done.
         """

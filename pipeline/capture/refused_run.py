@@ -1,4 +1,4 @@
-"""A recording that cannot be used as it is described: why, the mend to copy, and nothing that would use it before."""
+"""A recording that cannot be used as described: the reason and a mend to copy; no other command is shown before."""
 
 import io
 from contextlib import redirect_stderr
@@ -13,7 +13,7 @@ UNTIL = "Until then nothing can use this run."
 
 
 def tell_refused(error: BadInput, folder: Path, info: CaptureJson) -> None:
-    """Say it, and what comes next: the mend; where no command mends it, as of one that is too short, nothing comes."""
+    """Tell the reason and the mend; where no command can mend it, as for a too short recording, none is shown."""
     mend = copied_mend(error.mend, folder, info["columns"]) if "lines" in info else ""
     about = "" if info["exit_status"] == "fault" else "warning: "
     print(f"{about}{error} {UNTIL}")

@@ -1,4 +1,4 @@
-"""How long a recording will still take, by the strokes that are done or the program's legs: a time that never rises."""
+"""The remaining time of a recording, from finished strokes or the program's legs; it never rises."""
 
 import math
 
@@ -23,7 +23,7 @@ class Left:
         self._rest_s = at_s if self._rest_s is None else self._rest_s
 
     def ends(self, at_s: float) -> None:
-        """A stroke ends: the others will take as long as those before, with the rest that was before the first."""
+        """A stroke ends: the rest are expected to take as long as those before, with the rest before the first one."""
         self.done += 1
         self._first_s = at_s if self.done == 1 else self._first_s
         each_s = at_s if self.done == 1 else (at_s - self._first_s) / (self.done - 1)

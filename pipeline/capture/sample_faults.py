@@ -1,4 +1,4 @@
-"""While it records: what is wrong with the samples themselves, in a sentence said once."""
+"""While recording: faults of the samples themselves, each told in one sentence, once."""
 
 import struct
 

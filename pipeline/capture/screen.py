@@ -1,4 +1,4 @@
-"""What the person at the rig sees: on a terminal one line that renews itself, in a log file a line a minute.
+"""The output for the person at the rig: a line that renews itself on a terminal, or a line a minute in a log file.
 
 The first line of a log file comes sooner: whoever looks into it wants to see that the recording grows.
 """
@@ -14,7 +14,7 @@ CLEAR = "\r\x1b[K"
 
 
 class Screen:
-    """Standard output while a recording grows; nobody reading it any more is no reason to stop recording."""
+    """Standard output while a recording grows; if nobody reads it any more, the recording goes on."""
 
     def __init__(self) -> None:
         self.live = sys.stdout.isatty()
@@ -33,7 +33,7 @@ class Screen:
         self._open = False
 
     def show(self, parts: list[str]) -> None:
-        """The line that renews itself: as many of its parts, the first ones first, as the terminal is wide for."""
+        """The line that renews itself: as many of its parts, from the first on, as the terminal has room for."""
         self._shown_s = time.monotonic()
         if not self.live:
             self._every_s = LOG_S

@@ -1,4 +1,4 @@
-"""One recording from its port to its commit, and who may ask for its end."""
+"""One recording from its port to its commit, and the requests to end it."""
 
 import math
 import os
@@ -54,12 +54,12 @@ class Asked:
 
 
 def how_to_end() -> str:
-    """What a person does to end a recording; one that was started in the background hears no Ctrl-C."""
+    """How a person ends a recording; one that was started in the background gets no Ctrl-C."""
     return f"recording; Ctrl-C or kill {os.getpid()} ends it, and what came is kept"
 
 
 def plain(text: str) -> str:
-    """A device's text without what a terminal would obey."""
+    """A device's text without the characters that a terminal would obey."""
     return "".join(character if character.isprintable() else "?" for character in text)
 
 

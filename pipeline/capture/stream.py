@@ -32,7 +32,7 @@ class Outcome:
 
 
 class Listener:
-    """Looks at what comes: whether it ends the recording, and how many of its bytes belong to it."""
+    """Looks at the bytes that come: whether they end the recording, and how many of them belong to it."""
 
     def __init__(self, hello: Hello, motion_s: float | None = None) -> None:
         self.hello, self.decoder, self.progress = hello, Decoder(hello.protocol), Progress(hello, motion_s)
@@ -40,7 +40,7 @@ class Listener:
         self._wrong_ends = 0
 
     def look(self, chunk: bytes) -> tuple[Outcome | None, int]:
-        """An outcome if a chunk ends the recording, and its bytes that belong to it."""
+        """An outcome if a chunk ends the recording, and the chunk's bytes that belong to it."""
         for heard in self.decoder.feed(chunk):
             outcome = self._take(heard.frame)
             if outcome is not None:
@@ -130,7 +130,7 @@ def record(
 
 
 def _told(outcome: Outcome, stopped: bool, over: str | None) -> Outcome:
-    """The outcome of a recording that was perhaps stopped, with what stopped it."""
+    """The outcome of a recording that may have been stopped, with the cause of the stop."""
     status = "aborted" if stopped and outcome.status == "complete" else outcome.status
     return Outcome(status, outcome.fault, over)
 

@@ -1,4 +1,4 @@
-"""The note beside a recording that is not committed yet: when it began, what --columns gave, and how it ended.
+"""The note beside an uncommitted recording: when it began, the names from --columns, and how it ended.
 
 It is there from the first byte to the commit, so that a recording that is recovered has its own start and end.
 """
@@ -23,7 +23,7 @@ def note(
     ended: datetime | None = None,
     outcome: Outcome | None = None,
 ) -> None:
-    """Write it, over an earlier one; it waits for no disk, and a folder that is full keeps no rig waiting."""
+    """Write the note over an earlier one. It does not wait for the disk, and a full folder does not stop the rig."""
     content: dict[str, object] = {"started_utc": began.astimezone(UTC).isoformat(), "columns": list(columns)}
     if ended is not None and outcome is not None:
         content |= {"ended_utc": ended.astimezone(UTC).isoformat()}
@@ -32,7 +32,7 @@ def note(
 
 
 def propose(folder: Path, likely: str) -> None:
-    """Note beside a recording what its columns are likely called, where nothing has named them: programs say it."""
+    """Add the likely names of unnamed columns to the note; other programs read them there."""
     try:
         content = json.loads((folder / NAME).read_bytes())
     except (OSError, ValueError, RecursionError):
@@ -51,7 +51,7 @@ def _put(folder: Path, content: dict[str, object]) -> None:
 
 
 def noted(folder: Path, last_change: datetime) -> tuple[datetime, datetime, Outcome]:
-    """When a recording began and ended, and by what; where nothing tells, at its file's last change, `recovered`."""
+    """When a recording began and ended, and why; without a note, the file's last change and `recovered`."""
     try:
         content = json.loads((folder / NAME).read_bytes())
         began = datetime.fromisoformat(content["started_utc"]).astimezone(UTC)

@@ -1,4 +1,4 @@
-"""What is said before a recording begins into a folder whose string nobody has described: a slip of the hand, often."""
+"""The warning before a recording begins in a folder without a described string, often a slip of the hand."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Whether what came before an early end can be used, by a reading of the run that all who tell of it share."""
+"""Whether samples before an early end can be used, by one reading of the run for all who report on it."""
 
 import io
 from contextlib import redirect_stderr
@@ -15,7 +15,7 @@ from ..string.jumps_beside import Reader
 
 
 def once(folder: Path) -> Reader:
-    """A reader of runs that reads and cuts the run in `folder` once, and keeps no other."""
+    """A reader of runs that reads and cuts the run in `folder` once; it stores no other run."""
     own = cache(read)
 
     def reader(place: Path) -> Recorded:
@@ -25,7 +25,7 @@ def once(folder: Path) -> Reader:
 
 
 def strokes_of_use(folder: Path, reader: Reader) -> int:
-    """Say of a run that a fault ended that it can be used; how many strokes. Raises BadInput if it cannot."""
+    """The number of strokes of a run that a fault ended; raises BadInput if it cannot be used."""
     with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
         recorded = reader(folder)
     count = int(recorded.strokes["stroke"].max())
@@ -35,7 +35,7 @@ def strokes_of_use(folder: Path, reader: Reader) -> int:
 
 
 def strokes_unwound(folder: Path, reader: Reader) -> int:
-    """How many strokes of a run that ended on request unwound; raises BadInput where it cannot be used as described."""
+    """How many strokes of a run that ended on request unwound; raises BadInput where the run cannot be used."""
     with redirect_stderr(io.StringIO()):
         strokes = reader(folder).strokes
     unwound = set(strokes.loc[strokes["complete"] & (strokes["stroke"] > 0), "stroke"])

@@ -1,4 +1,4 @@
-"""The winding under way: the displacement along it, from where the twist last turned back."""
+"""The current winding: the displacement along it, from the point where the twist last turned back."""
 
 import math
 from itertools import pairwise
@@ -9,7 +9,7 @@ MOST_POINTS = 2000  # then every second is left out
 
 
 class Sweep:
-    """Points of the winding that goes on, each the mean displacement within a small step of the twist."""
+    """Points of the current winding, each the mean displacement within a small step of the twist."""
 
     def __init__(self) -> None:
         self.forward = True  # whether it winds in the sense of positive turns
@@ -20,11 +20,11 @@ class Sweep:
 
     @property
     def wound(self) -> float:
-        """How many turns it winds so far."""
+        """How many turns it has wound so far."""
         return self._turns[-1] - self._turns[0] if self._turns else 0.0
 
     def take(self, turns: float, measured_mm: float) -> bool:
-        """Take note of a sample; whether the winding has a point more."""
+        """Take note of a sample, and say whether the winding has a new point."""
         amount, forward = abs(turns), turns >= 0
         if not self._turns or amount < self._turns[-1] - BACK_TURNS or amount < self._turns[0]:
             self._begin(amount, measured_mm, forward)
@@ -52,7 +52,7 @@ class Sweep:
         return len(self._turns)
 
     def noise_mm(self) -> float:
-        """How far a point lies beside the line through its neighbours, as a standard deviation in mm."""
+        """The standard deviation in mm of a point from the line through its neighbours."""
         before, middle, after = self._measured_mm[:-2], self._measured_mm[1:-1], self._measured_mm[2:]
         bends = [a - 2.0 * b + c for a, b, c in zip(before, middle, after, strict=True)]
         return math.sqrt(sum(bend * bend for bend in bends) / (6.0 * max(len(bends), 1)))

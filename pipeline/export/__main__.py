@@ -61,7 +61,7 @@ def arguments(words: list[str]) -> argparse.Namespace:
 
 
 def usual_folder(file: Path) -> Path:
-    """Where an export of a model goes that is told no place: into the reports of its material, else beside it."""
+    """The place of an export without one: in the reports of the model's material, else beside the model."""
     folder = Path(os.path.abspath(file)).parent
     if folder.parents[1:2] and folder.parents[1].name == "processed":
         folder = folder.parents[1].parent / "reports" / folder.parent.name / folder.name
@@ -73,7 +73,7 @@ HEADERS = (".h", ".c")  # what an existing file must end in to be replaced
 
 @contextmanager
 def writable(file: Path) -> Iterator[None]:
-    """Raise BadInput where a model that could be loaded and asked holds what no export can be made of."""
+    """Raise BadInput for a model that loads and answers, but has content that cannot be exported."""
     try:
         yield
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError) as error:
@@ -132,7 +132,7 @@ def _is_of_all(file: Path, name: str | None) -> bool:
 
 
 def _exported(options: argparse.Namespace, out: Path, is_folder: bool, string: str | None) -> list[str]:
-    """Write the export of one string, or of all, into a folder or as a header; lines that say what it is."""
+    """Write the export of one string, or of all, into a folder or as a header; returns lines that tell its content."""
     beside = Beside(options.dataset, options.split, string)
     if options.format == "c":
         if is_folder:

@@ -19,13 +19,13 @@ STEM, OF_ONE = "all-0", "all-of-"  # of the file that is written beside the save
 
 
 def string_alone(file: Path) -> str:
-    """The string that a file's model was fitted to alone, as `fitted_to_all` names the file; empty of any other."""
+    """The string that alone a file's model was fitted to, from the file's name; empty for any other file."""
     stem = file.resolve().stem
     return stem.removeprefix(OF_ONE) if stem.startswith(OF_ONE) else ""
 
 
 def fitted_to_all(file: Path, name: str | None, beside: Beside) -> Path:
-    """The file of the model that was fitted to all points, of the string that is named if one is.
+    """The file of the model fitted to all points, or to those of one string if named.
 
     Raises BadInput as the export of the saved one does, and for a string that the dataset does not have.
     """

@@ -1,4 +1,4 @@
-"""Questions answered by a saved model in Python, within the ranges of its export: what header and graphs say.
+"""Questions answered by a saved model in Python, within the ranges of its export: the answers of header and graphs.
 
 They check each number alone. A pair of numbers around which nothing was recorded they answer, and so they do a stroke
 that is further ahead than errors were measured: both are flagged here.
@@ -85,7 +85,7 @@ def answers(
 
 
 def _too_far(source: Source, points: pd.DataFrame, strokes: Mapping[str, int]) -> Iterator[tuple[int, str]]:
-    """Places and reasons of the questions further ahead than errors were measured, by a model of its last stroke."""
+    """Places and reasons of the questions further ahead than errors were measured."""
     if source.foreseen is None:
         return
     trained, ahead = source.inputs.last_stroke, source.foreseen[1]
@@ -104,7 +104,7 @@ def _reason(source: Source, field: Field, value: object) -> str:
 
 
 def _limit(field: Field, number: float) -> str:
-    """Where the end of a range that a number passes comes from: not all recorded points, as where it is fitted anew."""
+    """The origin of a range's end that a number exceeds: not always all recorded points, as for a new fit."""
     if field.name == "stroke":
         return f"{'twice the last' if number > field.high else 'the first'} stroke that it was fitted to"
     spare = f", with {MARGIN[field.name]:.0%} to spare" if field.name in MARGIN else ""
@@ -112,7 +112,7 @@ def _limit(field: Field, number: float) -> str:
 
 
 def _baked(source: Source) -> dict[str, float]:
-    """What the export has baked in and a question may tell otherwise; a calibrated string's dimensions are its own."""
+    """Values that are fixed in the export but may be given otherwise; a calibrated string has its own dimensions."""
     apart = about(source.name).each_string_apart
     kept = {name: value for name, value in source.inputs.baked.items() if name not in source.inputs.unread}
     return {name: value for name, value in kept.items() if name == "load_n" or not apart}
@@ -128,7 +128,7 @@ def _outside(source: Source, field: Field, points: pd.DataFrame, file: Path) -> 
 
 
 def _held(source: Source, points: pd.DataFrame, turns: Array) -> NDArray[np.bool_]:
-    """Which twists the export holds at an end of its range, as none within gives the contraction; shape (points,)."""
+    """Which twists are held at an end of the range, since none inside gives the contraction; shape (points,)."""
     low, high = source.inputs.motor_turns
     at_end = (turns <= low + NEAR * (high - low)) | (turns >= high - NEAR * (high - low))
     return (turns < low) | (turns > high) | (at_end & unreached(source.model, points, (low, high)))

@@ -30,7 +30,7 @@ def keeps_strings_apart(file: Path) -> bool:
 
 
 def saved_answers(file: Path, dataset: pd.DataFrame, questions: Questions, dataset_file: Path) -> pd.DataFrame:
-    """Questions beside the answers of a file's model; one that keeps strings apart answers for each of them.
+    """Questions beside the answers of a file's model; a model with separate strings answers for each of them.
 
     `dataset` are the points of the `dataset_file`. Raises BadInput where the file was fitted to another dataset, or
     holds no model that can be asked.

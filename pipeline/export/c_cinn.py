@@ -1,4 +1,4 @@
-"""The conditional INN in C: from root to root of contractions over eq. 4, and back by steps of the secant."""
+"""The conditional INN in C: from the root of eq. 4's contraction to the answer's root, and back by secant steps."""
 
 from ..models.parts.networks import secant
 from .c_coupling import chain_of, four_others, restored, scaled

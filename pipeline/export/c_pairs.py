@@ -1,4 +1,4 @@
-"""Whether a twist was recorded around a load, or what else the state tells, and a stroke around a load, in C.
+"""In C: whether a twist was recorded around a load, or another condition, and a stroke around a load.
 
 Half-planes of each hull.
 """
@@ -21,7 +21,7 @@ USAGE = (
 
 
 def checked_pairs(source: Source) -> str:
-    """The function, or nothing where what was recorded together is not known; it refuses what the others refuse."""
+    """The check function, or nothing if recorded combinations are unknown; it refuses like the other functions."""
     if source.pairs is None:
         return ""
     lines = [
@@ -50,7 +50,7 @@ def checked_pairs(source: Source) -> str:
 
 
 def _refused_as_far(under: Under) -> list[str]:
-    """Lines that refuse a stroke that was not wound so far under its load; a load beyond a hull counts as its end."""
+    """Lines that refuse a stroke that was not wound that far under its load; a load beyond a hull counts as its end."""
     lines = []
     for level, hull in zip(under.levels[1:].tolist(), under.hulls[1:], strict=True):
         low, high = real(hull[0][0, 0]), real(hull[0][-1, 0])
@@ -62,7 +62,7 @@ def _refused_as_far(under: Under) -> list[str]:
 
 
 def _refused_beyond(paired: Paired | Under, hull: tuple[Array, Array], what: str, at: str = "") -> list[str]:
-    """Lines that refuse a number, of this name in C, which lies beyond an edge of a hull; `at` is the condition in C.
+    """Lines that refuse a number, of this name in C, beyond an edge of a hull; `at` is the condition in C.
 
     Where nothing else is said it is the state's.
     """

@@ -1,4 +1,4 @@
-"""What whoever loads an export must know of it and its numbers cannot say: the zero, the strokes ahead, the fit.
+"""Facts on an export that its numbers cannot tell: the zero, the strokes ahead, the fit.
 
 The header's first comment and the graphs' metadata hold the same sentences.
 """
@@ -24,14 +24,14 @@ MOST_STRINGS = 3  # whose zero is named
 
 
 def facts(source: Source) -> dict[str, str]:
-    """Sentences by what they are of: `zero`, `strokes`, `fit`; if any `errors`, `trained`, `recorded`, `unread`."""
+    """Sentences by topic: `zero`, `strokes`, `fit`; if any `errors`, `trained`, `recorded`, `unread`."""
     always = {"zero": _zero(source), "strokes": _strokes(source), "fit": fit(source.name, source.model)}
     more = {"errors": source.errors, "trained": source.trained, "recorded": recorded(source), "unread": unread(source)}
     return always | {name: text for name, text in more.items() if text}
 
 
 def zeroed_runs(dataset: Path, string: str = "") -> tuple[str, ...]:
-    """Of each string of a dataset the run in whose first rest its sensor's zero was taken; none where it has many.
+    """For each string of a dataset, the run whose first rest set its sensor's zero; none if there are too many strings.
 
     Of a `string` that is named its run alone. None as well where no such dataset is there.
     """
@@ -47,7 +47,7 @@ def zeroed_runs(dataset: Path, string: str = "") -> tuple[str, ...]:
 
 
 def _zero(source: Source) -> str:
-    """What contraction 0 is, and of which runs."""
+    """The meaning of contraction 0, and for which runs."""
     inputs, baked = source.inputs, source.inputs.baked
     if inputs.pair:
         value = "0 mm at 0 turns"
@@ -66,7 +66,7 @@ def _zero(source: Source) -> str:
 
 
 def _strokes(source: Source) -> str:
-    """How far ahead of the training strokes an error was ever measured."""
+    """How many strokes after the training strokes errors were measured."""
     trained = f"Strokes to {source.inputs.last_stroke} were trained on."
     trained += "" if "stroke" in source.deaf else " Beyond, the model's law of n goes on."
     if source.foreseen is None:
@@ -78,7 +78,7 @@ def _strokes(source: Source) -> str:
 
 
 def fit(name: str, model: Any) -> str:
-    """Whether a fitted model's own settings are the usual ones, and where they are not, whether it is a small fit."""
+    """Whether a fitted model's settings are the usual ones, and if not, whether it is a small fit."""
     settings, same = settings_of(name), "" if about(name).needs_torch else f" {SAME}"
     if settings is None:
         return f"This model has no settings.{same}"
@@ -92,5 +92,5 @@ def fit(name: str, model: Any) -> str:
 
 
 def _less(mine: JsonValue, usual: JsonValue) -> bool:
-    """Whether a setting asks for less than is usual."""
+    """Whether a setting is smaller than usual."""
     return isinstance(mine, int | float) and isinstance(usual, int | float) and mine < usual

@@ -1,4 +1,4 @@
-"""What the screen says after an export: where it lies, how large its error is, how to try it; the file has the rest."""
+"""The screen's words after an export: its place, its error, and how to try it; the file has the rest."""
 
 import re
 import shlex
@@ -19,7 +19,7 @@ SENTENCE = re.compile(r"(?<=\.) (?=[A-Z])")
 
 
 def lines(source: Source) -> list[str]:
-    """How large the error is, a line each split; which strings have one answer; that no string is real; a small fit."""
+    """The error, a line each split; strings with one answer; a remark on synthetic strings; a remark on a small fit."""
     sentences = facts(source)
     errors = [text for text in SENTENCE.split((source.errors or "").replace(ANEW, "").strip()) if text]
     together = [text for text in SENTENCE.split(source.trained or "") if text.endswith(ALIKE)]
@@ -47,7 +47,7 @@ def columns(source: Source, from_column: str) -> str:
 
 
 def in_python(source: Source, file: Path) -> str:
-    """How the same answers are had in Python: other commands fit the model anew, to more points.
+    """How to get the same answers in Python: other commands fit the model anew, to more points.
 
     Where no dataset lies beside the model, a notebook asks it.
     """

@@ -1,4 +1,4 @@
-"""How a model errs on points that no fit has seen, in a sentence: those of its own split, and whole later strokes.
+"""The errors of a model on unseen points, in a sentence: those of its own split, and on whole later strokes.
 
 The fit of the split `later` beside the model answers for strokes ahead: the same model, fitted without the last ones.
 """
@@ -29,7 +29,7 @@ UNKNOWN = (
 
 
 def errors_of(file: Path, name: str, model: Model, dataset: Path, string: str | None) -> str:
-    """What a model of a file errs on the held-out points of its dataset, and its like on later strokes.
+    """The errors of a file's model on the held-out points of its dataset, and those of its kind on later strokes.
 
     `string` is the one that alone is asked, None where all are. Raises nothing for what is not there: that is said.
     """

@@ -1,4 +1,4 @@
-"""What an exported model is asked with: its fields, the range of each, and what is constant and so baked in."""
+"""The inputs of an exported model: its fields, the range of each, and constants, which are fixed in the export."""
 
 from dataclasses import dataclass, field
 
@@ -44,7 +44,7 @@ class Field:
 
 @dataclass(frozen=True)
 class Inputs:
-    """Fields beside twist or contraction, the ranges of these two, and what is the same in all training points."""
+    """Fields beside twist or contraction, the ranges of these two, and the constants of all training points."""
 
     motor_turns: tuple[float, float]
     displacement_mm: tuple[float, float]
@@ -92,7 +92,7 @@ class Inputs:
 
     @property
     def assumed(self) -> dict[str, str]:
-        """What is baked in though nobody measured it, and where it comes from: a stiffness that is the usual one."""
+        """Constants that nobody measured, and their origin, such as a usual stiffness."""
         names = ("radius_mm", "length_mm", "stiffness_n_per_mm")
         if not all(name in self.baked for name in names):
             return {}
@@ -116,7 +116,7 @@ class Inputs:
         return (Field(from_column, *getattr(self, from_column)), *self.fields)
 
     def points(self, from_column: str, queries: Array) -> pd.DataFrame:
-        """Queries of shape (points, columns) as the Python model's points, with what is baked in and no answer.
+        """Queries of shape (points, columns) as the Python model's points, with the constants and without an answer.
 
         Each column in its field's unit.
         """
@@ -150,7 +150,7 @@ def _whole(field: Field, rng: np.random.Generator, count: int) -> Array:
 
 
 def _least_turns(box: Box) -> float:
-    """Twist below which the string would wind up again the other way round, the analytic curve's lowest point."""
+    """The twist below which the string would wind the other way round: the analytic curve's lowest point."""
     if "separator_mm" not in box.low:
         return 0.0
     return -box.low["separator_mm"] / (RAD_PER_TURN * box.high["radius_mm"])

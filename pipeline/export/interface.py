@@ -1,4 +1,4 @@
-"""What an exporter of a model is: a file of `exporters/` with the model's name, found by being there."""
+"""The interface of an exporter: a file of `exporters/` with the model's name, found by being there."""
 
 import importlib
 from collections.abc import Callable
@@ -46,17 +46,17 @@ class Source:
 
     @property
     def errors(self) -> str:
-        """What the model errs on points that it has not seen, in a sentence."""
+        """The errors of the model on unseen points, in a sentence."""
         return self.on_unseen()
 
 
 class Exporter(Protocol):
-    """What a file of `exporters/` holds; one that gives ONNX too holds what `onnx_model.OnnxExporter` asks as well."""
+    """The content of a file in `exporters/`; for ONNX, also that of `onnx_model.OnnxExporter`."""
 
     READS: tuple[str, ...]  # the measured columns that the model reads whether or not they vary; conditions come on top
 
     def body(self, source: Source) -> Body:
-        """The text of the C functions `tsa_raw_forward` and `tsa_raw_inverse`, and what they need."""
+        """The text of the C functions `tsa_raw_forward` and `tsa_raw_inverse`, with their helpers."""
 
 
 @cache

@@ -119,12 +119,12 @@ class _Bin:
         return g.add("Add", g.add("Add", self.at, g.add("Mul", share, self.width)), beyond)
 
     def _slope(self, side: str) -> str:
-        """The slope of the straight line on the side that a number's sign tells."""
+        """The slope of the straight line on the side given by a number's sign."""
         return self.g.add("Where", self.g.add("Less", side, 0.0), self.left, self.right)
 
 
 def _features(query: Query, source: Source) -> str:
-    """What the knots depend on, in `Spline`'s order, shape (points, features)."""
+    """The inputs of the knots, in `Spline`'s order, shape (points, features)."""
     g, model = query.graph, source.model
     grown = _grown(g, query.read("stroke"), model.law)
     first = g.number(g.add("Equal", query.read("stroke"), 1.0))

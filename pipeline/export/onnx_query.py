@@ -43,7 +43,7 @@ class Query:
         return g.all(truths)
 
     def held(self, turns: str, inside: str) -> tuple[str, str]:
-        """Twist brought into its range, and whether the query is inside and needed no bringing."""
+        """Twist limited to its range, and whether the query is inside and needed no limiting."""
         g, (low, high) = self.graph, self.inputs.motor_turns
         reached = [g.add("GreaterOrEqual", turns, low), g.add("LessOrEqual", turns, high)]
         return g.clipped(turns, low, high), g.all([inside, *reached])

@@ -1,4 +1,4 @@
-"""What was recorded of each condition, for whoever loads an export: its range is wider, and is checked alone.
+"""The recorded values of each condition, for the user of an export: its ranges are wider, and are checked one by one.
 
 The header's first comment and the graphs' metadata hold the same sentences.
 """
@@ -35,7 +35,7 @@ def twists_recorded(dataset: Path, last_stroke: int, string: str = "") -> pd.Dat
 
 
 def values_recorded(points: pd.DataFrame) -> dict[str, str]:
-    """Of each measured column of `twists_recorded` that differs, its values with their twists, in words."""
+    """For each measured column of `twists_recorded` that varies, its values with their twists, in words."""
     words = {}
     for name in MEASURED if len(points) else ():
         values = points[name].to_numpy(float)
@@ -45,12 +45,12 @@ def values_recorded(points: pd.DataFrame) -> dict[str, str]:
 
 
 def pairs_recorded(points: pd.DataFrame) -> tuple[Paired, ...] | None:
-    """Which twists of `twists_recorded` there are around which conditions; None where no dataset was there."""
+    """The recorded twists around each condition, from `twists_recorded`; None without a dataset."""
     return pairs_of(points) if len(points) else None
 
 
 def strokes_foreseen(dataset: Path, string: str = "") -> tuple[int, int] | None:
-    """How many strokes a dataset's longest string has, and how many ahead errors are measured; None where unknown.
+    """The strokes of a dataset's longest string, and for how many ahead errors are measured; None where unknown.
 
     Of a `string` that is named it is that one's strokes.
     """
@@ -62,7 +62,7 @@ def strokes_foreseen(dataset: Path, string: str = "") -> tuple[int, int] | None:
 
 
 def recorded(source: Source) -> str:
-    """A sentence for each condition that the export is told or does not read: what was recorded of it."""
+    """A sentence for each condition that the export takes or does not read: its recorded values."""
     ranges = {field.name: (field.low, field.high) for field in source.inputs.fields if field.name in MEASURED}
     sentences = [
         f"{name}: recorded were {source.values.get(name) or _unwidened(name, *ends)}{_room(name)}."
@@ -72,7 +72,7 @@ def recorded(source: Source) -> str:
 
 
 def unread(source: Source) -> str:
-    """What varied in training and the model does not read, with what was recorded of it; empty for nothing."""
+    """Conditions that varied in training and that the model does not read, with their recorded values; else empty."""
     varied = source.inputs.unread.items()
     words = [f"{name}, {source.values.get(name) or _unwidened(name, *ends)}" for name, ends in varied]
     sentences = [f"Varied in training, and this model does not read it: {'; '.join(words)}."] if words else []
@@ -104,7 +104,7 @@ def _columns(dataset: Path, names: list[str], string: str = "") -> pd.DataFrame:
 
 
 def _in_words(values: Array, points: pd.DataFrame, name: str) -> str:
-    """Values that lie together, and the twists that were recorded with them; all of them where these are too many.
+    """Values that lie together, and the twists recorded with them; all in one where they are too many.
 
     Of loads also the strokes.
     """

@@ -1,4 +1,4 @@
-"""A saved model as the exporters want it: loaded, with its inputs, and refused in one line where it cannot be."""
+"""A saved model for the exporters: loaded, with its inputs, and refused in one line where it cannot be exported."""
 
 import os
 from dataclasses import dataclass, replace
@@ -31,7 +31,7 @@ TRIED = 20  # queries that a model must answer before it is exported
 
 @dataclass(frozen=True)
 class Beside:
-    """Where to look for what a model's file does not hold; None: where the pipeline puts it."""
+    """Where to look for data that a model's file lacks; None: where the pipeline puts it."""
 
     dataset: Path | None = None
     split: str | None = None
@@ -71,7 +71,7 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
 
 
 def strings_apart(file: Path, name: str | None) -> list[str]:
-    """The strings that a file's model keeps apart, each with an export of its own; none of any other model or file."""
+    """The strings that a file's model keeps apart, each with its own export; none for any other model or file."""
     name = name or Path(os.path.realpath(file)).parent.name
     if name not in names() or not about(name).each_string_apart or not file.is_file():
         return []
@@ -84,7 +84,7 @@ def strings_apart(file: Path, name: str | None) -> list[str]:
 
 
 def _loaded(file: Path, name: str, beside: Beside) -> Source:
-    """The model of a file; raises BadInput for one that cannot be exported, anything for a file of no model."""
+    """The model of a file; raises BadInput if it cannot be exported, and any error for another file."""
     model: Any = make_model(name)
     model.load(file)
     box, zero_mm = getattr(model, "box", None), 0.0
@@ -120,7 +120,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
 
 
 def _try(source: Source) -> None:
-    """Ask a model both ways within its ranges; raises what it raises, and ValueError where an answer is no number."""
+    """Ask a model both ways within its ranges; passes errors on, and raises ValueError if an answer is no number."""
     rng = np.random.default_rng(0)
     for ask, from_column in ((source.model.forward, "motor_turns"), (source.model.inverse, "displacement_mm")):
         if not np.isfinite(ask(source.inputs.points(from_column, source.inputs.drawn(from_column, TRIED, rng)))).all():
@@ -128,7 +128,7 @@ def _try(source: Source) -> None:
 
 
 def _deaf(source: Source) -> tuple[str, ...]:
-    """Of stroke and direction those on which no answer depends, among queries within the ranges."""
+    """Which of stroke and direction no answer depends on, among queries within the ranges."""
     inputs, rng, deaf = source.inputs, np.random.default_rng(0), []
     for field in inputs.fields[:2]:
         answers = []
@@ -148,7 +148,7 @@ def dataset_of(file: Path, beside: Beside) -> Path:
 
 
 def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tuple[Box, float]:
-    """The box of a model that keeps none: that of its training points; and the zero of a string of its own, in mm."""
+    """The box of a model without one: that of its training points; and the zero of its own string, in mm."""
     path = dataset_of(file, beside)
     split = beside.split or file.name.split("-")[0]
     if not path.is_file():

@@ -1,4 +1,4 @@
-"""A state to begin with that was recorded: a stroke with the load, and whatever else differs, that it was made under.
+"""A recorded state to begin with: a stroke with the load, and the other conditions, of its recording.
 
 The middles of the ranges are no such state: of stroke 1 under 20 N and stroke 5 under 30 N nothing lies at 25 N.
 """
@@ -50,7 +50,7 @@ def start_state(source: Source) -> str:
 
 
 def _value(field: Field, start: dict[str, float]) -> str:
-    """A field's number in C: the recorded one within its range, else the first stroke, winding, the range's middle."""
+    """A field's number in C: the recorded one if in its range; else the first stroke, winding, or the middle."""
     if field.name == "direction":
         return "TSA_DIRECTION_MAX"
     if field.name not in start:

@@ -39,7 +39,7 @@ def trained_on(dataset: Path, last_stroke: int, string: str = "") -> str:
 
 
 def one_answer_of(dataset: Path, last_stroke: int) -> str:
-    """Which strings of a dataset a model that reads their sizes does not tell apart; empty where it does."""
+    """The strings of a dataset that a model with their sizes cannot tell apart; empty where it can."""
     points = points_to(dataset, last_stroke, ["string", *SIZES])
     groups = dict.fromkeys(strings_alike(points).values()) if len(points) else {}
     return " ".join(f"Strings {strings}{ALIKE}" for strings in groups)

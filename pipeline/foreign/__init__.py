@@ -1,1 +1,1 @@
-"""What importing a foreign recording needs beside the readers: its clock mended, its axes parted, a mapping drafted."""
+"""The import of a foreign recording, beside the readers: its clock mended, its axes separated, a mapping drafted."""

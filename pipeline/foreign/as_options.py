@@ -1,4 +1,4 @@
-"""The options by which `new_run` reads a log, as far as the log tells them: they take the place of a mapping."""
+"""The options of `new_run` for reading a log, as far as the log tells them: they replace a mapping."""
 
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ GAP = "…"
 
 
 def _channel(channel: str, role: Role | None) -> Any:
-    """A channel as a column's name where that says it all, else with its keys, and a gap for what the log hides."""
+    """A channel as a column's name if that is enough, else with its keys, and a gap for what the log does not tell."""
     if role is None:
         return GAP
     whole: dict[str, object] = {"column": role.column, "unit": role.unit or GAP}
@@ -30,7 +30,7 @@ def _channel(channel: str, role: Role | None) -> Any:
 
 
 def options(path: Path, run: Run) -> str:
-    """`--file` and `--channels` for a log, each where what a run says of it does not fit; raises BadInput."""
+    """`--file` and `--channels` for a log, each where the run's description does not fit; raises BadInput."""
     seen, system, option_words = recognise(path, run.system), run.system, []
     if seen.layout != run.file:
         option_words.append(f"--file {quoted(layout_yaml(seen.layout) or '{}')}")
@@ -42,14 +42,14 @@ def options(path: Path, run: Run) -> str:
 
 
 def _has_columns(seen: Recognised, run: Run) -> bool:
-    """Whether a log has the columns that a run's channels name, and those that have their channels' names."""
+    """Whether a log has the columns that a run's channels name, and the channels with a column of their own name."""
     channels = dict.fromkeys(run.system.columns[:3], Channel.model_validate({})) | run.channels
     columns = [name if each.column is None else each.column for name, each in channels.items() if each.step_s is None]
     return all(column in seen.columns for column in columns if isinstance(column, str))
 
 
 def by_look(error: BadInput, path: Path, run: Run) -> BadInput | None:
-    """The error of a log that is written otherwise, or has other columns, with the options for it as its mend.
+    """The error on a log with another form or other columns, with the fitting options as its mend.
 
     None where it says something else, or the log does not tell them.
     """

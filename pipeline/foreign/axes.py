@@ -1,4 +1,4 @@
-"""A mapping of a file with several axes: what all share, and what each says for itself, as one mapping an axis."""
+"""A mapping of a file with several axes: the shared keys and the keys of each axis, as one mapping an axis."""
 
 import re
 from pathlib import Path
@@ -12,19 +12,19 @@ AXIS_NAME = re.compile(r"[a-z0-9][a-z0-9-]*")
 
 
 def _with_keys(mapping: dict[str, object]) -> dict[str, object]:
-    """A mapping whose channels all have keys, so that an axis can say a part of one."""
+    """A mapping whose channels are written out with keys, so that an axis can change some of them."""
     return {key: all_written_out(value) if key == "channels" else value for key, value in mapping.items()}
 
 
 def _over(whole: Any, own: Any) -> Any:
-    """What an axis says over what all share, key by key."""
+    """An axis' keys laid over the shared ones."""
     if not isinstance(whole, dict) or not isinstance(own, dict):
         return own
     return {**whole, **{key: _over(whole.get(key), value) for key, value in own.items()}}
 
 
 def _named(mapping: dict[str, object], string_id: str, path: Path) -> dict[str, object]:
-    """A mapping of this very string; raises BadInput where it has none."""
+    """A mapping with the name of the individual string; raises BadInput where it has none."""
     string = mapping.get("string")
     if not isinstance(string, dict):
         raise BadInput(path, "string", "is not there, and --string-id names one", "leave --string-id out")

@@ -1,4 +1,4 @@
-"""What the import will do about cells of a foreign file that are no numbers, said when its mapping is drafted."""
+"""The remark on cells of a foreign file that are no numbers: how the import will treat them."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,7 +14,7 @@ from ..run.table.no_number import are_few
 
 
 def damaged_rows(path: Path, layout: TextFile, by_column: Mapping[str | int, Array]) -> list[str]:
-    """Sentences on the rows that lack a number in a column of numbers, or in one that has too many of them.
+    """Sentences on rows without a number in a column of numbers, or on a column with too many such rows.
 
     `by_column` has the columns, each of shape (rows,) and in its own unit.
     """

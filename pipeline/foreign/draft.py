@@ -1,4 +1,4 @@
-"""A mapping drafted from a foreign file: what its header and numbers tell, and what a person has to fill in."""
+"""A mapping drafted from a foreign file: the facts in its header and numbers, and gaps for a person to fill in."""
 
 from pathlib import Path
 
@@ -38,13 +38,13 @@ def _filled(key: str, what: str, indent: int = 2) -> str:
 
 
 def _actuator(name: str, is_told: bool) -> str:
-    """The kind of rig: no file tells it, so it is a guess where no person does."""
+    """The kind of rig: no file tells it, so it is a guess unless a person gives it."""
     check = "  # check: a guess; without a separator draft anew with --actuator twisted_pair"
     return f"actuator: {name}{'' if is_told else check}"
 
 
 def _rig(system: System, has_load: bool) -> list[str]:
-    """The sections that no file tells: the string, the rig's dimensions, and a string's load where no column is one."""
+    """The sections that no file tells: the string, the rig's dimensions, and a string's load if no column has it."""
     lines = []
     if system.needs_string:
         keys = ("material", "radius_mm", "length_mm")
@@ -93,7 +93,7 @@ def _in_our_units(channel: str, role: Role) -> Array | None:
 def _preview(
     path: Path, kind: str, roles: dict[str, Role], columns: dict[str | int, Array], words: dict[str, str]
 ) -> str:
-    """The first rows as they would be read, and the columns that nothing is read from."""
+    """The first rows as they would be read, and the columns that are not used."""
     read = {channel: values for channel, role in roles.items() if (values := _in_our_units(channel, role)) is not None}
     count = max((len(values) for values in columns.values()), default=0)
     lines = [f"{path}: {kind} with {counted(count, 'row')} of {counted(len(columns), 'column')} of numbers"]

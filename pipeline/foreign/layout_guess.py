@@ -1,4 +1,4 @@
-"""How a text file or a workbook is written, guessed from its first rows: what parts them, what stands above them."""
+"""The form of a text file or a workbook, guessed from its first rows: its delimiter, and the lines above its table."""
 
 import codecs
 import gzip
@@ -49,7 +49,7 @@ def _decoded(path: Path) -> tuple[list[str], str]:
 
 
 def _above(rows: Rows, places: set[int]) -> tuple[int, bool, int, list[str]]:
-    """`skip`, `header`, `skip_below` and the cells of the row of units above the numbers, if there is one."""
+    """`skip`, `header`, `skip_below` and the cells of the row of units, from the rows above the numbers."""
     first = next((index for index, (_, row) in enumerate(rows) if of_recording(row, places)), None)
     if first is None:
         return 0, True, 0, []
@@ -60,7 +60,7 @@ def _above(rows: Rows, places: set[int]) -> tuple[int, bool, int, list[str]]:
 
 
 def _without_ends(parted: Rows, first: int) -> Rows:
-    """The rows without the empty cells at their ends where the rows of numbers have those, and the names above not."""
+    """The rows without empty cells at their ends, where rows of numbers have such cells and the names above do not."""
     over = len(parted[first][1]) - len(parted[first - 1][1]) if first > 0 else 0
     if over <= 0 or any(parted[first][1][-over:]):
         return parted
@@ -120,7 +120,7 @@ def _of_text(path: Path) -> Guessed:
 
 
 def _behind(line: str, comment: str | None, delimiter: str, width: int) -> list[str]:
-    """The names of so many columns where they stand in a line behind the sign of a remark; else nothing."""
+    """The names of that many columns in a line after a remark's sign; else nothing."""
     remark = line.lstrip()
     if not comment or not remark.startswith(comment):
         return []

@@ -1,4 +1,4 @@
-"""What was measured, and a recording if there is one → a run folder, checked before anything is written."""
+"""Measured dimensions, and a recording if there is one → a run folder, checked before anything is written."""
 
 import sys
 from pathlib import Path
@@ -25,14 +25,14 @@ from .as_options import by_look
 
 
 def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool, where: Where) -> pd.DataFrame:
-    """The samples that count; raises BadInput where ingest would, and, unless `sure`, for what is likely a mistake."""
+    """The samples that count; raises BadInput as ingest does, and, unless `sure`, for a likely mistake."""
     checked_samples, _ = check(run, samples, path, where)
     _question(questions(run, checked_samples, path), sure)
     return checked_samples
 
 
 def _question(doubts: list[BadInput], sure: bool) -> None:
-    """Refuse what is likely a mistake, or say it where a person is `sure`; raises BadInput."""
+    """Refuse a likely mistake, or tell it where a person is `sure`; raises BadInput."""
     for question in doubts:
         if not sure:
             mend = f"{question.mend}; if it is right as it is, add --sure"

@@ -1,4 +1,4 @@
-"""A foreign clock, mended where single stamps are wrong, and refused where the clock itself is."""
+"""A foreign clock: single wrong stamps are mended, and a clock that is wrong as a whole is refused."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Which rows of a foreign table are its recording, though words stand among the numbers, and which row names them."""
+"""The rows of a foreign table that are its recording, with words among the numbers, and the row of their names."""
 
 import re
 from typing import Any
@@ -23,7 +23,7 @@ def _full(cell: Any) -> bool:
 
 
 def places_of_numbers(rows: Rows) -> set[int]:
-    """Places at which most rows have a number, of those rows that have three, or two and no more words than those."""
+    """Places at which most rows have a number, for rows with three, or with two and no more words than numbers."""
     likely = []
     for _, row in rows:
         count, full = sum(is_number(cell) for cell in row if _full(cell)), sum(map(_full, row))
@@ -45,13 +45,13 @@ def of_recording(row: list[Any], places: set[int]) -> bool:
 
 
 def share(row: list[Any]) -> float:
-    """Which part of a row's cells are numbers: a delimiter that parts numbers in two leaves words."""
+    """The share of a row's cells that are numbers: a delimiter that splits numbers leaves words."""
     full = [cell for cell in row if _full(cell)]
     return sum(map(is_number, full)) / len(full)
 
 
 def names_told(row: list[Any]) -> int:
-    """How many channels the cells of a row call by their names; 0 for a row of numbers or of units."""
+    """How many channels the cells of a row name; 0 for a row of numbers or of units."""
     words = [str(cell) for cell in row if _full(cell)]
     if any(map(is_number, words)) or all(unit_word(word) and not header_unit(word) for word in words):
         return 0

@@ -8,7 +8,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 
 
 def origin(file: Path, mapping: Path) -> str:
-    """Where a run came from, as comments of YAML: both files and their check sums; the project's by its place in it."""
+    """The origin of a run as comments of YAML: both files and their check sums; the project's own by its place."""
     origins = (("imported from", file), ("through the mapping", mapping))
     return "".join(f"# {what} {str(_shown(path))!a}, sha256 {sha256(path)}\n" for what, path in origins)
 

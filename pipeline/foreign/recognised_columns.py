@@ -1,4 +1,4 @@
-"""What a foreign file holds, as far as its header and numbers tell: how it is written, and which column is what."""
+"""The content of a foreign file, as far as its header and numbers tell: its form, and the channel of each column."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -105,7 +105,7 @@ def _foot(path: Path, layout: TextFile, end: int, rows: int) -> str:
 
 
 def _words(table: pd.DataFrame, columns: Collection[str | int], end: int) -> dict[str, str]:
-    """What stands in each column of a table that is none of numbers, in its rows up to `end`."""
+    """The content of each column that is none of numbers, in the table's rows up to `end`."""
     words = {}
     for place, name in enumerate(table.columns):
         if name not in columns and place not in columns:
@@ -118,7 +118,7 @@ def _words(table: pd.DataFrame, columns: Collection[str | int], end: int) -> dic
 def _roles(
     system: System, columns: dict[str | int, Array], units: dict[str | int, str], behind: list[str]
 ) -> dict[str, Role]:
-    """The channels that were found; `behind` are names of columns that the file has by their places alone."""
+    """The channels that were found; `behind` are names of columns that the file has only by place."""
     if not behind:
         return find_roles(system, columns, units)
     place_by_name = {behind[place]: place for place in columns if isinstance(place, int) and place < len(behind)}

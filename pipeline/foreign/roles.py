@@ -1,4 +1,4 @@
-"""Which column of a foreign table is which channel, by its name, its unit and its numbers; what is unclear is left."""
+"""The channel of each column of a foreign table, by its name, its unit and its numbers; unclear ones stay open."""
 
 import re
 from dataclasses import dataclass, field
@@ -38,7 +38,7 @@ SPARSE = 0.05  # of its cells are filled: a column with fewer is marks and remar
 
 @dataclass
 class Role:
-    """Where a channel was found: a column's name or index, how it reads, and what of that is a guess."""
+    """The place of a channel: a column's name or index, its reading, and which of that is a guess."""
 
     column: str | int
     values: Array  # (rows,), in `unit`, the column's own unit
@@ -73,7 +73,7 @@ def _unit(column: str | int, units: dict[str | int, str]) -> str | None:
 
 
 def _named_by_unit(name: str) -> str | None:
-    """The unit of a column that is called by it alone, such as newton; None where it may be a count or an input."""
+    """The unit of a column that is named by a unit alone, such as newton; None if it may be a count or an input."""
     unit = unit_word(name) if len(name.strip()) > 1 else None
     return None if unit == "count" or name.strip().lower() == "in" else unit
 
@@ -103,7 +103,7 @@ def _score(channel: str, column: str | int, values: Array, unit: str | None) -> 
 
 
 def _is_rate(values: Array, unit: str) -> bool:
-    """Whether time stamps in this unit are those of a rig, 10 Hz to 10 kHz."""
+    """Whether time stamps in this unit have a rig's rate, 10 Hz to 10 kHz."""
     return STEP_S[0] <= float(np.median(np.diff(values))) * SECONDS[unit] <= STEP_S[1]
 
 
@@ -134,13 +134,13 @@ def _sign(role: Role, other: Role | None) -> None:
 
 
 def _wrapped(role: Role, unit: str | None) -> None:
-    """Say of an angle that it wraps; no unit is guessed from its size then, and nothing of the reading's sign."""
+    """Mark an angle that wraps; its unit is then not guessed from its size, and nor is the reading's sign."""
     role.unit = unit or unit_of_turn(role.values)
     role.why = [f"it jumps by its range again and again and goes on: it wraps; {unwrapping(role.unit)}"]
 
 
 def _role(channel: str, column: str | int, values: Array, unit: str | None) -> Role:
-    """How a column reads as a channel: in the unit that it is told in, else in the one that its numbers make likely."""
+    """The reading of a column as a channel: in its stated unit, else in the one that its numbers make likely."""
     likely = _by_size(channel, values)
     span = f"{np.nanmin(values):.6g} to {np.nanmax(values):.6g}"
     if channel == "time_s" and unit and likely and not _is_rate(values, unit):

@@ -1,4 +1,4 @@
-"""The one door for a foreign recording: its format is told by its content or its name, and its reader is asked."""
+"""The one door for a foreign recording: its format is found from its content or its name, and its reader is called."""
 
 import importlib
 import pkgutil

@@ -24,7 +24,7 @@ class _Elements(list[Any]):
 
 
 class _Reader:
-    """Values of one open file; counts what it has read, so that no file stands for more than a recording can have."""
+    """Values of one open file; it counts the values read, so that no file exceeds the size of a recording."""
 
     def __init__(self, path: Path, file: Any) -> None:
         self.path, self.file, self.bytes = path, file, 0
@@ -32,7 +32,7 @@ class _Reader:
         self.matlab = path.suffix.lower() == ".mat"
 
     def dataset(self, item: Any, depth: int) -> Any:
-        """Content of a data set: an array, a list of what it refers to, or None for what holds no numbers."""
+        """Content of a data set: an array, a list of its references' targets, or None if it holds no numbers."""
         import h5py
 
         if item.is_virtual or item.external or item.shape is None or item.attrs.get("MATLAB_empty"):

@@ -1,4 +1,4 @@
-"""What a format is: how its files are told by their first bytes or their name, and the function that reads one."""
+"""The interface of a format: the first bytes or names of its files, and the function that reads one."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -22,7 +22,7 @@ TOLD = 3  # exit status where the library said what is wrong
 
 
 def _is_object(name: str, value: Any) -> bool:
-    """Whether a variable is one of MATLAB's own objects, such as a table, which only MATLAB reads."""
+    """Whether a variable is one of MATLAB's own objects, such as a table, which only MATLAB can read."""
     return name in ("None", "") or type(value).__name__ == "MatlabOpaque"
 
 
@@ -36,7 +36,7 @@ def pack(columns: Columns, objects: bool) -> bytes:
 
 
 def unpack(content: bytes) -> tuple[Columns, bool]:
-    """What `pack` packed."""
+    """The inverse of `pack`."""
     with np.load(io.BytesIO(content), allow_pickle=False) as arrays:
         outline = json.loads(arrays["arr_0"].tobytes())
         return {name: arrays[f"arr_{1 + index}"] for index, name in enumerate(outline["names"])}, outline["objects"]

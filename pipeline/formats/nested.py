@@ -45,7 +45,7 @@ def records(rows: Sequence[Any], name: str = "") -> Columns:
 
 
 def _holds_series(value: Any, depth: int = 0) -> bool:
-    """Whether a value is, or holds, more than one reading of a kind, so that it is a run and not a sample."""
+    """Whether a value is or holds more than one reading of a kind, so that it is a run and not a sample."""
     if isinstance(value, dict):
         return depth < DEEPEST and any(_holds_series(part, depth + 1) for part in value.values())
     return isinstance(value, list | np.ndarray) and len(np.atleast_1d(np.asarray(value, object)).ravel()) > SHOWN
@@ -68,7 +68,7 @@ def _of_list(values: list[Any], name: str, depth: int) -> Iterator[tuple[str, np
 
 
 def columns_of(value: Any, name: str = "", depth: int = 0) -> Iterator[tuple[str, np.ndarray]]:
-    """Every series in a value of dicts, lists and arrays, with its name; what is one number or one word is none.
+    """Every series in a value of dicts, lists and arrays, with its name; single numbers and words are left out.
 
     Each of shape (rows,) or (rows, columns), in the file's own unit.
     """

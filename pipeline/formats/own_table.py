@@ -1,4 +1,4 @@
-"""The table of a run folder's own recording, which is Parquet or text; what else there is, `import_run` reads."""
+"""The table of a run folder's own recording, Parquet or text; `import_run` reads all other formats."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,5 +16,5 @@ def read_table(path: Path, layout: TextFile) -> pd.DataFrame:
 
 
 def table_pieces(path: Path, layout: TextFile) -> Iterator[pd.DataFrame]:
-    """What `read_table` gives, in pieces of some rows, at least one; raises BadInput as it does."""
+    """The table of `read_table` in pieces of some rows, at least one; raises BadInput as it does."""
     return parquet_pieces(path) if path.suffix.lower() == ".parquet" else text_pieces(path, layout)

@@ -1,4 +1,4 @@
-"""What of a text recording is not as `file:` says: lines before the table, rows of another length, a cut end."""
+"""Deviations of a text recording from `file:`: lines before the table, rows of another length, a cut end."""
 
 import csv
 import re
@@ -41,7 +41,7 @@ def _of_numbers(line: str, delimiter: str) -> bool:
 
 
 def other_delimiter(lines: list[str], delimiter: str) -> str | None:
-    """Another delimiter that parts the first lines, or a later row of numbers, where the given does not."""
+    """Another delimiter that splits the first lines, or a later row of numbers, where the given one does not."""
     rows = [lines[:2], lines[-3:-1] if len(lines) > 3 else []]
     if any(_of_numbers(line, delimiter) for line in lines):
         return None

@@ -47,7 +47,7 @@ def _days(dates: list[str]) -> dict[str, float]:
 
 
 def _zone_s(zone: str) -> float:
-    """What a clock of a zone is ahead of universal time."""
+    """The offset of a zone's clock from universal time."""
     if zone == "Z":
         return 0.0
     minutes = 60 * int(zone[1:3]) + int(zone[-2:])
@@ -109,7 +109,7 @@ class Stamps:
 
 
 def _parts(column: pd.Series) -> pd.DataFrame:
-    """What a column of stamps is written of."""
+    """The parts of a column of stamps."""
     return column.astype("string").str.strip().str.extract(rf"^{STAMP.pattern}$")
 
 

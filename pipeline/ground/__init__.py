@@ -1,1 +1,1 @@
-"""What all the house stands on: errors, files, tables that pass a door, units, the paper's equations."""
+"""The base of all other rooms: errors, files, checked tables, units, the paper's equations."""

@@ -1,4 +1,4 @@
-"""How a person starts a program of ours: a checkout's by `python -m pipeline.diagnose`, an installed one's by name."""
+"""How a person starts a program of ours: in a checkout by `python -m pipeline.diagnose`, installed by its name."""
 
 import shlex
 from pathlib import Path
@@ -10,25 +10,25 @@ REMAKE = "make it again" if INSTALLED else "run snakemake: it is made again"  # 
 
 
 def program_name(program: str) -> str:
-    """What a sentence calls a program, such as `new_run`: pipeline.new_run, or installed twistbench new-run."""
+    """The name of a program such as `new_run` in a sentence: pipeline.new_run, or installed twistbench new-run."""
     return f"{HOUSE} {program.replace('_', '-')}" if INSTALLED else f"{HOUSE}.{program}"
 
 
 def command(program: str) -> str:
-    """What a person types to start a program, such as `new_run`, or `rig.record`, which has no short name."""
+    """The command that starts a program, such as `new_run`, or `rig.record`, which has no short name."""
     return program_name(program) if INSTALLED and "." not in program else f"python -m {HOUSE}.{program}"
 
 
 def recover_command(folder: Path) -> str:
-    """What a person types to make a recording usable, or to read its lines again."""
+    """The command that makes a recording usable, or reads its lines again."""
     return f"{command('capture')} --recover {shlex.quote(str(folder))}"
 
 
 def make_command(file: Path) -> str:
-    """What a person types in a checkout to make one file of the main job; empty where it is installed."""
+    """The command that makes one file of the main job in a checkout; empty in an installation."""
     return "" if INSTALLED else f"snakemake --cores 2 -- {shlex.quote(str(file))}"
 
 
 def quoted(text: str) -> str:
-    """A word of a command line in quotes, in double ones where it has single ones and nothing that a shell reads."""
+    """A word of a command line in quotes: double ones if it has single ones, and nothing that a shell interprets."""
     return f'"{text}"' if "'" in text and not set(text) & set('"$`\\!') else shlex.quote(text)

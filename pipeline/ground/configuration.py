@@ -1,4 +1,4 @@
-"""What the configuration says of each model, as `config/schema.yaml` checks it."""
+"""The configuration of each model, as `config/schema.yaml` checks it."""
 
 from typing import TypedDict
 

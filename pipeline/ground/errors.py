@@ -1,4 +1,4 @@
-"""Bad input, said so that a person can mend it."""
+"""Bad input, told so that a person can mend it."""
 
 import errno
 import functools
@@ -59,21 +59,21 @@ def _end_as_orphan(parent: int) -> None:
 
 
 def not_installed(error: ModuleNotFoundError) -> BadInput | None:
-    """What is said of a package that is left to choose and is not there; None of any other."""
+    """The message on an optional package that is not installed; None for any other package."""
     if error.name not in EXTRAS:
         return None
     return BadInput("python", error.name, "is not installed", f"pip install 'twistbench[{EXTRAS[error.name]}]'")
 
 
 def _unusable(error: OSError) -> BadInput:
-    """What the operating system refused, in words."""
+    """The refusal of the operating system, in words."""
     name = os.fsdecode(error.filename) if isinstance(error.filename, str | bytes) else "a file"
     mend = "check the path, its rights and the space on its disk"
     return BadInput(name if len(name) <= 200 else f"{name[:80]}…", "file", os.strerror(error.errno or 0), mend)
 
 
 def _status(main: Callable[[], int | None]) -> int | None:
-    """What `main` gives, or 2 where it is told bad input, or lacks a package that is left to choose; that is said."""
+    """The status of `main`; 2, with a message, on bad input or if it lacks an optional package."""
     try:
         return main()
     except BadInput as error:
@@ -90,7 +90,7 @@ def _status(main: Callable[[], int | None]) -> int | None:
 
 
 def _say_no_more() -> None:
-    """Let whatever is still printed vanish: nobody reads it, and Python would complain of that at its end."""
+    """Drop everything that is still printed: nobody reads it, and Python would complain about that at its end."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for number in (1, 2):
         os.dup2(nowhere, number)

@@ -1,4 +1,4 @@
-"""The errors of models that a models.csv holds, and which model to take by them.
+"""The errors of models in a models.csv, and the model to take by them.
 
 Errors are RMSEs on all points of a split, `within` or `later`, by model and split: forward ones in mm.
 """
@@ -23,7 +23,7 @@ def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
 
 
 def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
-    """Which of some models to take; empty where there is none.
+    """The model to take among some; empty where there is none.
 
     It is the one of the least error on later strokes, or on held-out points where no later stroke is left out; the
     spline, if its error is at most `LESS` times that. Without errors it is the spline, if it is among them.

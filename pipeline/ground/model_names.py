@@ -1,4 +1,4 @@
-"""The models that pages and programs treat in a way of their own, by the names of their modules."""
+"""The names of models that pages and programs treat specially."""
 
 PAPER = "inn"  # the paper's own, held against each of the others
 NOMINAL = "traditional"  # the paper's equations, which learn nothing: last in every table

@@ -1,4 +1,4 @@
-"""The one check of names: what comes in by `run.yaml` or a command line and becomes part of a path, a rule or a page.
+"""The one check of names from `run.yaml` or a command line that become part of a path, a rule or a page.
 
 Each check returns the name, or raises ValueError with `problem; mend`.
 """
@@ -94,7 +94,7 @@ def _text(name: str) -> str:
 
 
 def string_id(name: str) -> str:
-    """The name of one very string, such as `spool 3, end A`: any letters, but nothing that a path or a shell reads."""
+    """The name of one individual string, such as `spool 3, end A`: any letters, except those of paths and shells."""
     name = _text(name)
     for sign in sorted(NOT_IN_TEXT.intersection(name)):
         raise ValueError(f"holds {sign!r}; write it with letters, digits, spaces and signs such as - _ . , # ( )")
@@ -106,12 +106,12 @@ def string_id(name: str) -> str:
 
 
 def column(name: str) -> str:
-    """The name of a column or channel of a recording: one line of text that can be seen."""
+    """The name of a recording's column or channel: one line of visible text."""
     return _text(name)
 
 
 def checked(check: Callable[[str], str], name: str, file: Path | str, field: str) -> str:
-    """The name that one of the checks above lets pass; raises BadInput for file and field."""
+    """The name, if one of the checks above accepts it; else raises BadInput for file and field."""
     try:
         return check(name)
     except ValueError as error:

@@ -1,6 +1,6 @@
-"""Ids of physics that the library of known physics does not hold: of mechanisms and of concealed effects."""
+"""Ids of physics outside the library of known physics: of mechanisms and of concealed effects."""
 
 
 def is_outside(id_: str) -> bool:
-    """Whether an id says by its beginning that no list of known physics holds it."""
+    """Whether the beginning of an id says that it is outside every library of known physics."""
     return id_.startswith("x_")

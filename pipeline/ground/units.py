@@ -1,4 +1,4 @@
-"""The units that our column names carry, and units of a recording to them."""
+"""The units in our column names, and conversions of a recording's units to them."""
 
 import difflib
 import math
@@ -41,7 +41,7 @@ def unit_of(column: str) -> str:
 
 
 def _near(unit: str) -> str:
-    """Which known units an unknown one may stand for, as a question; nothing where none is near."""
+    """Known units close to an unknown one, as a question; empty where none is close."""
     lower = {unit_name.lower(): unit_name for unit_name in UNITS} | SAID
     close = difflib.get_close_matches(unit.lower().removesuffix("s")[:40], lower, n=3, cutoff=0.6)
     close = [unit.lower()] if unit.lower() in lower else close
@@ -50,12 +50,12 @@ def _near(unit: str) -> str:
 
 
 def is_load_in_kg(column: str, unit: str | None) -> bool:
-    """Whether a force is said to be in kg, as a load cell shows it."""
+    """Whether a force is given in kg, as some load cells show it."""
     return unit == "kg" and unit_of(column) == "N"
 
 
 def conversion(column: str, unit: str | None, counts_per_turn: float | None = None) -> tuple[float, float]:
-    """Factor and shift that take a value in `unit` to the unit that `column` ends in.
+    """Factor and shift that convert a value in `unit` to the unit that `column` ends in.
 
     A reading in V has no unit of its own to convert: the channel's scale must have made it the column's.
     Raises ValueError, with the mend in its text, for a unit that is unknown or of another quantity.
@@ -82,7 +82,7 @@ def conversion(column: str, unit: str | None, counts_per_turn: float | None = No
 
 
 def ending_of(column: str, channel: str) -> str:
-    """The unit in which a foreign column such as `slide_cm` ends, if the channel converts from it; else its own."""
+    """The unit at the end of a foreign column such as `slide_cm`, if the channel converts from it; else its own."""
     suffix = column.rpartition("_")[2].lower()
     for unit in UNITS:
         if unit.lower() == suffix and unit not in ("V", "count", "in"):  # x_in is an input as likely

@@ -1,4 +1,4 @@
-"""What is said of a string's life as JSON, with units in the names."""
+"""The statements on a string's life as JSON, with units in the names."""
 
 from typing import TypedDict
 
@@ -48,7 +48,7 @@ class AnswerSaid(TypedDict):
 
 
 class JumpSaid(TypedDict):
-    """A jump of the zero between two runs: before which run, how far, and whether it was taken off."""
+    """A jump of the zero between two runs: before which run, how far, and whether it was subtracted."""
 
     run: str
     jump_mm: float | None

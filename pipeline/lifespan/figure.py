@@ -152,7 +152,7 @@ def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[floa
 
 
 def nothing(axes: Axes, answer: Answer) -> None:
-    """In place of an indicator that has no value yet: why, and from how many strokes on it has."""
+    """The panel of an indicator without a value yet: the reason, and from how many strokes on it has one."""
     words = (
         f"No {answer.what} yet: the first {REFERENCE} strokes set the reference.\n"
         f"It shows from {REFERENCE + 1} strokes on, and a forecast from {LEAST_STROKES} on."
@@ -163,7 +163,7 @@ def nothing(axes: Axes, answer: Answer) -> None:
 
 
 def farthest(high: float, seen: float, horizon: float) -> float:
-    """Strokes ahead that are drawn: all of an interval that has an end, else as far as the forecast looks."""
+    """How many strokes ahead are drawn: the whole interval if it ends, else to the horizon of the forecast."""
     return max(1.15 * high, 0.375 * seen) if np.isfinite(high) else horizon
 
 

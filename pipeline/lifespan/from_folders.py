@@ -27,7 +27,7 @@ def strings(folders: list[Path], scratch: Path | None = None) -> list[Health]:
 
 
 def others_beside(string: str, folders: list[Path]) -> list[Path]:
-    """Runs of a string that lie beside the given ones and were not given: their strokes are missing in what is said."""
+    """Runs of a string beside the given ones that were left out: their strokes are missing in the answer."""
     own_folders = {folder.resolve() for folder in folders}
     places = {folder.resolve().parent: folder.parent for folder in folders}
     return [

@@ -1,4 +1,4 @@
-"""The files of one string's answer: lifespan.json and lifespan.png, and which older answer they take the place of."""
+"""The files of one string's answer: lifespan.json and lifespan.png, and the older answer that they replace."""
 
 import json
 from pathlib import Path
@@ -30,7 +30,7 @@ def write(health: Health, answers: list[Answer], level: float, out: Path) -> lis
 
 
 def runs_of(path: Path) -> list[str]:
-    """The runs that an older answer was made from; none where there is none that can be read."""
+    """The runs of an older answer; none where there is no readable one."""
     try:
         runs = json.loads(read_regular(path, LARGEST))["runs"] if path.is_file() else []
     except (BadInput, OSError, ValueError, KeyError, TypeError, RecursionError):

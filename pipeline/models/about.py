@@ -1,11 +1,11 @@
-"""What else a model's file may say of its model, under `ABOUT`: what programs ask, so that they name no model."""
+"""Further facts on a model, in its file under `ABOUT`: programs read them, so that they need not name models."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class About:
-    """What a model can be asked and shown; the defaults are those of most models.
+    """What a model can be asked and shown; the defaults fit most models.
 
     `needs_motion`: its answer depends on the whole motion before, so that single questions cannot be asked.
     `each_string_apart`: it has numbers of its own for every string and none for all: nothing goes over to a new string.

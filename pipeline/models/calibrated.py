@@ -63,7 +63,7 @@ class Calibrated:
         self.moves = read_json(path)
 
     def _fitted(self, rows: pd.DataFrame) -> dict[str, float]:
-        """Most probable moves of one string: Gaussian errors of the contraction, Gaussian priors of each move.
+        """The most probable changes of one string's dimensions: Gaussian errors of the contraction, Gaussian priors.
 
         The error's size is not known beforehand: it is re-estimated from what the fit leaves, because a size
         too small would let missing physics push a dimension to its bound.
@@ -92,11 +92,11 @@ class Calibrated:
         return {**dict(zip(names, map(float, state[:-1] * sigmas_mm), strict=True)), "zero_mm": float(state[-1])}
 
     def _moved(self, points: pd.DataFrame, move: dict[str, float]) -> pd.DataFrame:
-        """Points of one string with its dimensions moved, in mm."""
+        """Points of one string with its changed dimensions, in mm."""
         return points.assign(**{name: points[name] + by for name, by in move.items() if name in points.columns})
 
     def _moved_strings(self, points: pd.DataFrame) -> tuple[pd.DataFrame, Array]:
-        """Points with the dimensions of every known string moved, and the sensor's zero of each, in mm."""
+        """Points with the changed dimensions of every known string, and the sensor's zero of each, in mm."""
         moved, zero_mm = points.copy(), np.zeros(len(points))
         strings = points["string"].astype(str).to_numpy()
         for string in np.unique(strings):

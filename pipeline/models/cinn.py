@@ -143,11 +143,11 @@ class Cinn:
         return np.column_stack([self._root(measured_mm), conditions(points, log_stroke=True)])
 
     def _root(self, contraction_mm: Array) -> Array:
-        """√(x + c); what lies below −c, beyond the box, is taken as −c."""
+        """√(x + c); values below −c, beyond the box, are taken as −c."""
         return np.sqrt(np.maximum(contraction_mm + self.shift_mm, 0.0))
 
     def _given(self, points: pd.DataFrame) -> Array:
-        """The conditions that the blocks read, shape (points, conditions): direction, then what varies besides."""
+        """The conditions of the blocks, shape (points, conditions): direction, then the other conditions that vary."""
         way = points["direction"].to_numpy(float)[:, None]
         others = self.conditions.table(points)
         return np.column_stack([way, others]) if self.settings.direction else others

@@ -48,7 +48,7 @@ TOLERANCES = {
 
 @checked
 class Settings:
-    """What the library shall lack.
+    """Settings: which mechanisms the library shall lack.
 
     Heat follows the whole motion: where an inverse seeks a part of it, each error of the part feeds the next.
     """
@@ -65,7 +65,7 @@ class Settings:
 
 
 class Diagnosed:
-    """A simulator for every run of a string that was seen, by run and string; it names none of the ids in `without`."""
+    """A simulator for every known run of a string, by run and string; it never names an id in `without`."""
 
     def __init__(self, **settings: object) -> None:
         self.without = frozenset(Settings(**settings).without)  # type: ignore[arg-type]
@@ -85,7 +85,7 @@ class Diagnosed:
         return self._each(points, Simulator.inverse, point_motor_turns)
 
     def save(self, path: Path) -> None:
-        """Write all simulators as JSON: what each names, its numbers, and the motion that it was seen in."""
+        """Write all simulators as JSON: the effects that each names, its numbers, and its training motion."""
         saved = [{"string": string, **simulator.saved()} for (_, string), simulator in self.simulators.items()]
         write_json(path, {"without": sorted(self.without), "simulators": saved})
 
@@ -101,7 +101,7 @@ class Diagnosed:
         self, points: pd.DataFrame, by_simulator: Callable[[Simulator, pd.DataFrame], Array],
         by_nominal: Callable[[pd.DataFrame], Array],
     ) -> Array:  # fmt: skip
-        """What each run's simulator says of its points, or the nominal equations, shape (points,)."""
+        """The prediction of each run's simulator for its points, or of the nominal equations, shape (points,)."""
         answer = np.empty(len(points))
         for key, rows in _by_run(points):
             group_points, simulator = points.iloc[rows], self.simulators.get(key)
@@ -116,7 +116,7 @@ def _by_run(points: pd.DataFrame) -> list[tuple[tuple[str, str], Array]]:
 
 
 def run_of(points: pd.DataFrame) -> Run:
-    """What `run.yaml` says of a run, of which the points' columns tell all that a diagnosis needs."""
+    """The `run.yaml` of a run, as far as a diagnosis needs it, from the points' columns."""
     row = points.iloc[0]
     rig = {name: float(row[name]) for name in ("torsion_zone_mm", "separator_mm") if np.isfinite(row[name])}
     tolerance = {key: float(row[name]) for key, name in TOLERANCES.items()}
@@ -126,7 +126,7 @@ def run_of(points: pd.DataFrame) -> Run:
 
 
 def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
-    """The simulator that the training points of one run of a string make, whatever they can show."""
+    """The simulator of one string's run, fitted to its training points, however little they show."""
     ordered = points.sort_values("time_s", kind="stable").drop_duplicates("time_s").reset_index(drop=True)
     run, samples = run_of(ordered), ordered[SAMPLES]
     try:
@@ -159,7 +159,7 @@ def simulator_of(points: pd.DataFrame, without: frozenset[str]) -> Simulator:
 
 
 def undone(simulator: Simulator) -> float:
-    """How far the inverse is from undoing the forward map where a part of each motion is held back, rms in turns.
+    """The rms difference in turns between the motion and its inverse after forward, on parts of each motion held back.
 
     What acts by a motor's speed, or by the heat of its work, needs a motion that is known better than its ends tell.
     """
@@ -176,7 +176,7 @@ def undone(simulator: Simulator) -> float:
 
 
 def foreseeing(studied: outcome.Study) -> Iterator[State]:
-    """The simulators that best foresee stretches left out of their fit, of what ties and the best of every size.
+    """The simulators that best predict left-out stretches, chosen from the tied explanations and the best of each size.
 
     A name should be as simple as a recording allows; a prediction need not.
     """

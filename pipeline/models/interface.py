@@ -1,4 +1,4 @@
-"""What a kinematic model is: fitted on points, it maps twist to contraction and back."""
+"""The interface of a kinematic model: it is fitted on points, and maps twist to contraction and back."""
 
 import importlib
 from functools import cache
@@ -35,20 +35,20 @@ class Model(Protocol):
 
 
 class StringsApart(Protocol):
-    """A model that has numbers of its own for every string, as its `ABOUT` says (`each_string_apart`)."""
+    """A model with separate numbers for every string, as its `ABOUT` says (`each_string_apart`)."""
 
     moves: dict[str, dict[str, float]]  # by string: what each dimension is moved by, and `zero_mm`; all in mm
 
 
 @cache
 def names() -> tuple[str, ...]:
-    """Names of all models: of the files beside this one that hold a MODEL."""
+    """Names of all models: of the files in this folder that define MODEL."""
     return holding(Path(__file__).parent, r"MODEL\b")
 
 
 @cache
 def usual() -> str:
-    """Name of the model that is taken where none is named: of the one file that says `USUAL = True`."""
+    """Name of the default model: of the one file that says `USUAL = True`."""
     (name,) = holding(Path(__file__).parent, r"USUAL = True\b")
     return name
 
@@ -60,7 +60,7 @@ def settings_of(name: str) -> type | None:
 
 
 def about(name: str) -> About:
-    """What a model's file says of it under `ABOUT`; the usual where it says nothing."""
+    """The entry `ABOUT` of a model's file; the defaults where it has none."""
     about_model: About = getattr(importlib.import_module(f"{__package__}.{name}"), "ABOUT", About())
     return about_model
 

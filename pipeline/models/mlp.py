@@ -1,4 +1,4 @@
-"""A pair of small multilayer perceptrons, one forward and one inverse, that know the direction of motion.
+"""A pair of small multilayer perceptrons, one forward and one inverse, that are told the direction of motion.
 
 Each is the plain regression of its own output, so the two are not exact inverses of each other. Load, torsion zone,
 stiffness and material are inputs where they vary.

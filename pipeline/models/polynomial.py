@@ -73,7 +73,7 @@ class Polynomial:
         self.weights = {from_column: np.array(weights) for from_column, weights in content["weights"].items()}
 
     def _terms(self, points: pd.DataFrame, from_column: str) -> Array:
-        """The products that a map is a sum of, shape (points, terms)."""
+        """The products in the sum of a map, shape (points, terms)."""
         s = self.settings
         powers = legvander(self._within(from_column, points[from_column].to_numpy(float)), s.degree)
         grown = legvander(self._grown(points["stroke"].to_numpy(float)), s.stroke_degree)
@@ -89,7 +89,7 @@ class Polynomial:
         return np.clip(2.0 * (values - low) / ((high - low) or 1.0) - 1.0, -1.0, 1.0)
 
     def _grown(self, stroke: Array) -> Array:
-        """log(1 + n) as −1 to 1 over the training strokes, and on in the same measure beyond them."""
+        """log(1 + n) scaled to −1…1 over the training strokes, continued with the same scale beyond them."""
         low, high = np.log1p(self.box.low["stroke"]), np.log1p(self.box.high["stroke"])
         return 2.0 * (np.log1p(stroke) - low) / max(high - low, np.log(2.0)) - 1.0
 

@@ -101,7 +101,7 @@ class Spline:
         return point_contraction_mm(points) / _zone_mm(points)
 
     def _features(self, points: pd.DataFrame, law: Law) -> Array:
-        """What the knots depend on, shape (points, features); the first is 1."""
+        """The inputs of the knots, shape (points, features); the first is 1."""
         ones, grown = np.ones(len(points)), law.of(points["stroke"].to_numpy())
         first = points["stroke"].to_numpy() == 1  # a new string beds in while it is wound for the first time
         base = np.column_stack([ones, grown, first])
@@ -117,7 +117,7 @@ class Spline:
         return self._knots_of(self._features(points, law), _zone_mm(points), weights)
 
     def _knots_of(self, features: Array, zone_mm: Array, weights: Array) -> rational.Knots:
-        """Knots of points by what they depend on."""
+        """Knots of points from their features."""
         bins, linear = self.settings.bins, features @ weights.T
         linear[:, 1:] = np.clip(linear[:, 1:], -MOST, MOST)
         rise = np.diff(self.knots_at) * np.exp(linear[:, 1 : bins + 1])
@@ -150,7 +150,7 @@ class Spline:
 
 
 def _zone_mm(points: pd.DataFrame) -> Array:
-    """Length that contractions are taken relative to: the torsion zone, or a pair's whole length."""
+    """The length that contractions are relative to: the torsion zone, or a pair's whole length."""
     return points["torsion_zone_mm"].fillna(points["length_mm"]).to_numpy(np.float64)
 
 

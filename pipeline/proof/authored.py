@@ -1,4 +1,4 @@
-"""A concealed case by an author: what the plan leaves open is drawn, and the answer is told as the rig's own is."""
+"""A concealed case by an author: the plan's open choices are drawn, and the answer has the form of the rig's own."""
 
 from typing import cast
 
@@ -17,7 +17,7 @@ HIDES = {"none": 0, "single": 1, "pair": 2, "open": 1}  # effects in a case, by 
 
 
 def asked_of(planned: Planned, known_effects: list[str]) -> Asked:
-    """What a plan asks of an author who knows these effects; those that the plan does not name are drawn.
+    """The choices of a plan for an author who knows these effects; effects that the plan does not name are drawn.
 
     Effects of docs/physics.md serve all strata but `open`, for which there are the author's own under `x_`.
     """

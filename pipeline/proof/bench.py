@@ -1,4 +1,4 @@
-"""A rig and a string as they truly are, and as somebody measured them: drawn from a seed."""
+"""A rig and a string with their true dimensions, and the dimensions that somebody measured: drawn from a seed."""
 
 import math
 from dataclasses import dataclass, replace
@@ -20,7 +20,7 @@ DIMENSION = {
 
 @dataclass(frozen=True)
 class Bench:
-    """One string on one rig; what `measured` and `true` say differs by the errors of measuring."""
+    """One string on one rig; `measured` and `true` differ by the errors of measuring."""
 
     material: str
     true: Geometry
@@ -43,14 +43,14 @@ class Bench:
         return float(self.loads_n[0] * self.true.radius_mm * open_mm / math.hypot(self.true.torsion_zone_mm, open_mm))
 
     def errors(self) -> dict[str, float]:
-        """What was measured less what is true, in sigma of the tolerance; by the tolerance's key."""
+        """Measured minus true values, in sigma of the tolerance; by the tolerance's key."""
         return {key: self._error(key) / _sigma(self.true, key) for key in DIMENSION}
 
     def _error(self, key: str) -> float:
         return float(getattr(self.measured, DIMENSION[key]) - getattr(self.true, DIMENSION[key]))
 
     def described(self, run: str, load: bool) -> RunYaml:
-        """Content of run.yaml; with `load` the rig has no load cell and says the middle load instead."""
+        """Content of run.yaml; with `load` the rig has no load cell, and run.yaml gives the middle load."""
         measured = self.measured
         rig = {"torsion_zone_mm": measured.torsion_zone_mm, "separator_mm": measured.separator_mm}
         string: StringYaml = {
@@ -68,7 +68,7 @@ def _sigma(geometry: Geometry, key: str) -> float:
 
 
 def draw_bench(rng: np.random.Generator) -> Bench:
-    """A bench whose dimensions are those that were measured, to what a caliper shows."""
+    """A bench whose true dimensions equal the measured ones, to the resolution of a caliper."""
     material = str(rng.choice(list(MATERIALS)))
     geometry = Geometry(
         "separator",
@@ -87,7 +87,7 @@ def draw_bench(rng: np.random.Generator) -> Bench:
 
 
 def mismeasure(bench: Bench, rng: np.random.Generator, sigmas: tuple[float, float]) -> Bench:
-    """The same measurements of a string and a rig that truly are otherwise.
+    """The same measured values for a string and a rig whose true dimensions differ.
 
     Each error's size is drawn as a normal's between two numbers of sigma; the sensor's scale and zero are drawn
     as well. The true dimensions move, since the measured ones are round numbers.

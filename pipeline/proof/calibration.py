@@ -1,4 +1,4 @@
-"""What calibration alone can make of a recording: the analytic model with its dimensions moved within tolerance."""
+"""The best fit of a recording by calibration alone: the analytic model with its dimensions moved within tolerance."""
 
 from dataclasses import dataclass, replace
 
@@ -15,7 +15,7 @@ MOST_SAMPLES = 4000
 
 @dataclass(frozen=True)
 class Calibrated:
-    """A calibration and what it leaves over."""
+    """A calibration and its residual."""
 
     sigmas: dict[str, float]  # how far each dimension moved, in sigma of its tolerance
     residual_mm: Array  # (samples,): recording less model

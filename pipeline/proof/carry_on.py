@@ -53,7 +53,7 @@ class Continued(Protocol):
 
 
 def same_again(protocol: Protocol, seconds: float) -> tuple[Leg, ...]:
-    """The last stroke as it was, as often as fits into about so many seconds, once at least."""
+    """The last stroke again, as often as fits into about that many seconds, at least once."""
     stroke = protocol.motion.each()[-1]
     way_s = (stroke.top_turns - stroke.bottom_turns) / stroke.speed_turns_per_s
     legs = [Leg(way_s, stroke.top_turns, stroke.load_n), Leg(stroke.hold_s, stroke.top_turns, stroke.load_n)]

@@ -24,7 +24,7 @@ def drawn(planned: Planned) -> Case:
 
 
 def concealed(planned: Planned, runs: Path) -> Answer:
-    """Write one case's run folder and return its answer; what cannot be made is an answer too, with its reason."""
+    """Write one case's run folder and return its answer; if the case cannot be made, the answer says why."""
     wanted: Any = asdict(planned)
     question: Answer = {"run": planned.run, "asked": wanted}
     try:

@@ -1,4 +1,4 @@
-"""Which effects look alike to any diagnosis: the best copy of one that another can make, once calibration is free."""
+"""Which effects look alike to any diagnosis: the best copy of an effect by another one, with calibration free."""
 
 from collections.abc import Iterable, Mapping
 
@@ -22,7 +22,7 @@ Copies = Mapping[str, Array]  # by effect: what calibration leaves of its shapes
 
 
 def copies(case: Case, names: Iterable[str] = NAMED, shapes: int = SHAPES) -> Copies:
-    """What calibration leaves of every effect on a case's bench and protocol, each about a noise floor large."""
+    """The residual after calibration of every effect on a case's bench, each about one noise floor large."""
     rng = np.random.default_rng([case.seed, 2])
     bench, protocol, floor_mm = case.bench, case.protocol, case.nuisance.floor_mm
     # what calibration leaves of nothing is no copy: the limits of the dimensions show in it

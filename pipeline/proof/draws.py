@@ -29,7 +29,7 @@ TOGETHER = (
 def draw_effect(
     name: str, bench: Bench, protocol: Protocol, rng: np.random.Generator, steady: bool = False
 ) -> Strength:
-    """Parameters of an effect by its strength, its shape and sign being drawn; unless `steady`, some wander."""
+    """Parameters of an effect by its strength, with shape and sign drawn; unless `steady`, some strengths wander."""
     scene, hidden = _scene(bench, protocol, rng), effects.concealed(name)
     drawn = {each: effects.concealed(each).draw(scene, rng) for each in (TOGETHER if name in TOGETHER else (name,))}
     shape = drawn[name]

@@ -14,13 +14,13 @@ from .verdict_json import VerdictJson
 
 
 def named_beside(verdict: VerdictJson, truth: tuple[str, ...]) -> list[str]:
-    """Effects that a verdict names or cannot rule out, the true ones left out."""
+    """Effects that a verdict names or cannot rule out, without the true ones."""
     sets = [[mechanism["id"] for mechanism in verdict.get("mechanisms", [])], *verdict.get("alternatives", [])]
     return sorted({name for ids in sets for name in ids if name in NAMED} - {*truth})
 
 
 def left(planned: Planned, path: Path) -> dict[str, float]:
-    """By effect: noise floors that its best copy of a single hidden effect leaves, calibration free."""
+    """By effect: the noise floors that its best copy leaves of a single hidden effect, calibration free."""
     if planned.stratum != "single" or planned.author or not path.is_file():  # the rig's effects copy the rig's alone
         return {}
     names = named_beside(json.loads(path.read_text(encoding="utf-8")), planned.effects)

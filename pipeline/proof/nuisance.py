@@ -1,4 +1,4 @@
-"""What every recording has and no diagnosis may call physics: coloured noise, quanta, jitter, outliers, gaps."""
+"""Disturbances of every recording that are no physics: coloured noise, quanta, jitter, outliers, gaps."""
 
 from dataclasses import asdict, dataclass, replace
 
@@ -74,7 +74,7 @@ def noise_mm(nuisance: Nuisance, rate_hz: float, count: int, rng: np.random.Gene
 
 @dataclass(frozen=True)
 class Recorded:
-    """A recording, and of each of its samples what nobody can know who has only the recording."""
+    """A recording, and for each sample the truth that the recording does not show."""
 
     table: pd.DataFrame
     error_mm: Array  # (rows,): what the displacement says less what it truly was
@@ -90,7 +90,7 @@ def record(
     thermocouple: bool,
     rng: np.random.Generator,
 ) -> Recorded:
-    """The recording: what was performed as such sensors and such a logger keep it."""
+    """The recording: the performed motion as such sensors and such a logger keep it."""
     count = len(performed.time_s)
     measured_mm = performed.displacement_mm + noise_mm(nuisance, rate_hz, count, rng)
     wild = rng.random(count) < nuisance.outliers
@@ -112,7 +112,7 @@ def record(
 
 
 def _kept(nuisance: Nuisance, count: int, rng: np.random.Generator) -> NDArray[np.bool_]:
-    """Which samples are there: all but those in gaps of up to twelve."""
+    """Which samples are kept: all but those in gaps of up to twelve."""
     kept = np.ones(count, bool)
     while 1.0 - kept.mean() < nuisance.dropouts:
         first = int(rng.integers(1, count - 13))

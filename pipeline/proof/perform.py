@@ -1,4 +1,4 @@
-"""A bench performs a motion, and its sensors would say without noise: the rig run once, sampled where asked."""
+"""A bench performs a motion: the rig is run once, and its noise-free sensor readings are sampled."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ Hidden = Mapping[str, Parameters]  # parameters by effect
 
 @dataclass(frozen=True)
 class Performed:
-    """What was truly done and said, in equal samples; arrays of shape (samples,)."""
+    """The true motion and the noise-free readings in equal samples; arrays of shape (samples,)."""
 
     time_s: Array
     motor_turns: Array

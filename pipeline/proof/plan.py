@@ -1,4 +1,4 @@
-"""Which cases the concealed proof is made of: every mix of the configuration, spread over a block of seeds."""
+"""The cases of the concealed proof: every mix of the configuration, spread over a block of seeds."""
 
 import itertools
 import json
@@ -17,7 +17,7 @@ BY_AUTHORS = ("none", "single", "pair", "open")  # strata that an author can mak
 
 
 class Mix(TypedDict):
-    """Cases of one kind, as the configuration asks for them: `count` drawn ones, or `each` of every effect."""
+    """Cases of one kind, as the configuration asks for them: `count` drawn cases, or `each` of every effect."""
 
     stratum: str
     protocol: str
@@ -31,7 +31,7 @@ class Mix(TypedDict):
 
 
 class ProofSettings(TypedDict):
-    """What the configuration says of the proof: the first seed, how many cases go into a batch, and which they are."""
+    """The configuration of the proof: the first seed, the number of cases in a batch, and the mixes."""
 
     seed: int
     batch: int
@@ -40,7 +40,7 @@ class ProofSettings(TypedDict):
 
 @dataclass(frozen=True)
 class Planned:
-    """What a case is asked to be; the seed draws the rest. Its run's name says nothing of it."""
+    """The choices for a case; the seed draws the rest. The name of its run tells nothing of it."""
 
     run: str
     seed: int
@@ -60,7 +60,7 @@ def effect_names(open_set: bool) -> list[str]:
 
 
 def _check_hand(mix: Mix) -> None:
-    """Raise BadInput for an author that is not there, and for what its maker, author or rig, cannot make."""
+    """Raise BadInput for an unknown author, and for a case that its maker, author or rig, cannot make."""
     author_names = sorted(path.parent.name for path in AUTHORS.glob("*/__init__.py"))
     for author in mix.get("authors", []):
         if author not in author_names:
@@ -75,7 +75,7 @@ def _check_hand(mix: Mix) -> None:
 
 
 def _of_mix(mix: Mix) -> Iterator[Planned]:
-    """Cases of one mix, nameless and seedless: `count` drawn ones, or `each` of every effect at every kappa."""
+    """Cases of one mix without names and seeds: `count` drawn ones, or `each` of every effect at every kappa."""
     _check_hand(mix)
     bare = Planned("", 0, mix["stratum"], mix["protocol"], baselines=mix.get("baselines", False))
     sizes = [() if kappa is None else (float(kappa),) for kappa in mix.get("kappas", [None])]

@@ -1,4 +1,4 @@
-"""What a concealed rig is made to do: a rich protocol that parts the drivers, and a poor one that does not."""
+"""The motion of a concealed rig: a rich protocol that separates the drivers, or a poor one that does not."""
 
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,4 +1,4 @@
-"""The referee of purity: an effect is what its name says when it stands still as soon as its driver does.
+"""The referee of purity: an effect deserves its name if it stands still as soon as its driver does.
 
 It reruns the rig with the declared driver frozen, where little of the effect may be left, and with other things
 changed, where little of it may change.
@@ -22,7 +22,7 @@ MOST_CHANGED = 0.10
 
 @dataclass(frozen=True)
 class Ruling:
-    """What the referee saw."""
+    """The findings of the referee."""
 
     driver: str
     carried: float  # share of the effect that goes when its driver stands still
@@ -55,7 +55,7 @@ def rule(name: str, parameters: Parameters, bench: Bench, protocol: Protocol) ->
 
 
 def _does(name: str, parameters: Parameters, bench: Bench, commands: Commands, step_s: float) -> Array:
-    """What the steady effect does to the quantity that it acts on, of shape (steps,): rad, a factor, or mm."""
+    """What the steady effect does to its quantity, of shape (steps,): rad, a factor, or mm."""
     effect = effects.make(name, {key: value for key, value in parameters.items() if key != "unsteady"})
     with_it = String(bench.true, [effect], step_s).live(commands.motor_turns, commands.load_n)
     without = String(bench.true, [], step_s).live(commands.motor_turns, commands.load_n)

@@ -1,4 +1,4 @@
-"""What the sealed answer of a concealed case says; an author's says less of each part than the project's own rig."""
+"""The content of a case's sealed answer; an author's answer says less than that of the project's own rig."""
 
 from collections.abc import Mapping
 from typing import TypedDict
@@ -15,7 +15,7 @@ class Box(TypedDict, total=False):
 
 
 class SizeJson(TypedDict, total=False):
-    """How large an effect is: in noise floors after calibration, rms in mm before, and the share that it takes up."""
+    """The size of an effect: in noise floors after calibration, rms in mm before, and the absorbed share."""
 
     kappa: float
     raw_mm: float
@@ -24,7 +24,7 @@ class SizeJson(TypedDict, total=False):
 
 
 class RulingJson(TypedDict):
-    """What the referee saw of an effect: shares that go with its driver, and that change with each other thing."""
+    """The referee's findings on an effect: the shares that go with its driver, and that change with other things."""
 
     driver: str
     driver_carries: float
@@ -48,7 +48,7 @@ class EffectJson(TypedDict, total=False):
 
 
 class AskedJson(TypedDict):
-    """What a case was asked to be, as `plan.Planned` has it."""
+    """The choices for a case, as `plan.Planned` has them."""
 
     run: str
     seed: int
@@ -83,7 +83,7 @@ class MotionJson(TypedDict):
 
 
 class Answer(TypedDict, total=False):
-    """All of it; a case that could not be made has `skipped`, the reason, beside what was asked."""
+    """The whole answer; for a case that could not be made, `skipped` holds the reason, beside the plan."""
 
     run: str
     asked: AskedJson

@@ -1,4 +1,4 @@
-"""The size of an effect: what calibration cannot absorb of it, in noise floors, and the strength that has that size."""
+"""The size of an effect: the part that calibration cannot absorb, in noise floors, and the strength with that size."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ PASSES = 30
 
 
 class OutOfReach(ValueError):
-    """No strength that a rig can have leaves so much."""
+    """Raised if no strength that a rig can have leaves so much."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ def rms(values: Array) -> float:
 
 
 def calibrated(bench: Bench, performed: Performed, floor_mm: float) -> Calibrated:
-    """What calibration makes of a noise-free performance, from the measured dimensions."""
+    """The calibration of a noise-free performance, from the measured dimensions."""
     return calibrate(bench.measured, performed.motor_turns, performed.load_n, performed.displacement_mm, floor_mm)
 
 

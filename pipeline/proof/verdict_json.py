@@ -1,4 +1,4 @@
-"""What the proof reads of a verdict's diagnosis.json: the proof's rigs have a reading in mm."""
+"""The parts of a verdict's diagnosis.json that the proof reads; its rigs have a reading in mm."""
 
 from typing import NotRequired, TypedDict
 

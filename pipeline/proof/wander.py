@@ -1,4 +1,4 @@
-"""How slowly the strength of an effect wanders; how far, its own file says."""
+"""How slowly the strength of an effect wanders; the effect's own file says how far."""
 
 import numpy as np
 

@@ -1,1 +1,1 @@
-"""Public recordings of rigs that nobody here built: found, imported, diagnosed, and set beside black boxes."""
+"""Public recordings of rigs that others built: found, imported, diagnosed, and compared with black boxes."""

@@ -1,4 +1,4 @@
-"""A recording of a real rig that others are asked about and learn from, as a simulator's problem."""
+"""A recording of a real rig as a simulator's problem, for questions and for learning."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,7 +20,7 @@ from ..string.history import Recorded
 
 @dataclass(frozen=True, eq=False)
 class About:
-    """A recording that others are asked about and learn from: read and cut once, and one problem for all diagnoses."""
+    """A recording for questions and for learning: read and cut once, and one problem for all diagnoses."""
 
     recorded: Recorded
 
@@ -41,11 +41,11 @@ class About:
 
     @property
     def another(self) -> bool:
-        """Whether nothing says that it is of the same string as others, whose motor counts its turns from there."""
+        """Whether no file says that it is of the same string as others, so that its motor counts turns anew."""
         return not one_string([self.run])
 
     def simulated(self, content: Simulated, path: Path) -> tuple[Array, Array, Array]:
-        """Prediction of a diagnosis, what the recording measured, and its time; its zero is left open.
+        """Prediction of a diagnosis, the measured values, and their time; the zero is left open.
 
         Of the diagnosis that part is taken which holds on the first stroke, the motor homed there where it may count
         its turns from elsewhere. Of the same string all of it is taken.

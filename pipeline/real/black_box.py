@@ -1,4 +1,4 @@
-"""What learns without physics, on the strokes that the diagnosis is judged on; the methods are in `black_boxes`."""
+"""Methods that learn without physics, on the strokes that the diagnosis is scored on; they are in `black_boxes`."""
 
 import argparse
 import json
@@ -22,7 +22,7 @@ LAST, LEAST_TRAINING = 0.3, 0.4  # of the strokes, of the samples: the diagnosis
 
 @dataclass(frozen=True)
 class Asked:
-    """Recordings as they are compared: features and reading at the rate at which the diagnosis works, and the clock.
+    """Recordings in compared form: features and reading at the working rate of the diagnosis, and the clock.
 
     Rows that share a number in `zero` share the reading's zero.
     """
@@ -34,7 +34,7 @@ class Asked:
 
     @classmethod
     def of(cls, run: Run, samples: pd.DataFrame, span: float) -> "Asked":
-        """The recording of a run, its memory in shares of `span`."""
+        """The recording of a run, with its memory in shares of `span`."""
         width, step_s = 1, float(np.median(np.diff(samples["time_s"])))
         if run.system.working_hz is not None:
             width = max(1, round(1.0 / (run.system.working_hz * step_s)))
@@ -44,7 +44,7 @@ class Asked:
 
     @classmethod
     def joined(cls, parts: list["Asked"], free_zero: bool) -> "Asked":
-        """Several recordings one after the other, over the columns that all have; with `free_zero` each has its own."""
+        """Several recordings one after the other, over their common columns; with `free_zero` each has its own zero."""
         table = pd.concat([part.table for part in parts], join="inner", ignore_index=True)
         number = [np.full(len(part.measured), at if free_zero else 0, np.intp) for at, part in enumerate(parts)]
         measured, time_s = (np.concatenate([getattr(part, name) for part in parts]) for name in ("measured", "time_s"))
@@ -53,7 +53,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Learnt:
-    """A method after it learnt: one predictor a seed, which improve a straight line over the standardised columns."""
+    """A method after learning: one predictor per seed, which improves a straight line over the standardised columns."""
 
     predictors: tuple[Predict, ...]
     columns: list[str]

@@ -1,4 +1,4 @@
-"""Samples → what a method without physics may regress the reading on: motion, its rates, its memory, load, delays."""
+"""Samples → inputs for a method without physics: motion, its rates, its memory, load, delays."""
 
 import numpy as np
 import pandas as pd
@@ -23,7 +23,7 @@ def low_pass(signal: Array, step_s: float, band_hz: float) -> Array:
 
 
 def memory(motion: Array, width: float) -> Array:
-    """Which way the motion came, between -1 and 1: it takes `width` of travel to turn from zero to either end.
+    """The direction of the motion so far, between -1 and 1: it takes `width` of travel to go from zero to either end.
 
     Shape (samples,), without a unit; motion and width in one unit.
     """
@@ -54,7 +54,7 @@ def features(samples: pd.DataFrame, span: float, smoothed: bool = True) -> pd.Da
 
 
 def averaged(table: pd.DataFrame, width: int) -> pd.DataFrame:
-    """Means of every `width` rows, the last of which may be of fewer."""
+    """Means of every `width` rows; the last one may be of fewer."""
     return table.groupby(np.arange(len(table)) // width).mean()
 
 

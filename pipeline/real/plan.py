@@ -1,4 +1,4 @@
-"""A folder of downloaded files → the runs to make of them: which rig each shows, and which belong together."""
+"""A folder of downloaded files → the runs to make: the rig of each, and which runs belong together."""
 
 import re
 from collections import Counter
@@ -18,7 +18,7 @@ NONE_GIVEN = "give the folder with the downloaded files: --config recordings=DIR
 
 
 class RealConfig(TypedDict, total=False):
-    """What the configuration says of public recordings: the folder where a person put them."""
+    """The configuration of public recordings: the folder where a person put them."""
 
     recordings: str | None
 
@@ -64,7 +64,7 @@ class RealPlan:
 
     @property
     def said(self) -> str:
-        """Which files were passed over and why, in one sentence; nothing where none was."""
+        """The files that were passed over and the reasons, in one sentence; empty where there were none."""
         if not self.passed_over:
             return ""
         first = ", ".join(map(ascii, self.passed_over[:SHOWN]))
@@ -74,26 +74,26 @@ class RealPlan:
 
     @property
     def shown(self) -> list[str]:
-        """Files passed over as a page lists them, each no text that a command takes for an option."""
+        """The passed-over files for a page, in a form that no command takes for an option."""
         more = len(self.passed_over) - MOST_LISTED
         return [f"./{name}" for name in self.passed_over[:MOST_LISTED]] + [f"and {more} more"] * (more > 0)
 
     def tables(self, _: object) -> list[str]:
-        """What the page over all rigs is made of; raises BadInput when no recordings are given."""
+        """The sources of the page over all rigs; raises BadInput without recordings."""
         if not self.recordings:
             raise BadInput("configuration", "recordings", "is not given", NONE_GIVEN)
         return [f"processed/real/table/{rig}.csv" for rig in self.rigs]
 
 
 def _known(pattern: str, file: Path) -> re.Match[str] | None:
-    """How a pattern matches the name of a file without .gz, or that name behind its folder's."""
+    """How a pattern matches the name of a file without .gz, or that name with its folder's."""
     plain = re.sub(r"\.gz$", "", file.name, flags=re.I)
     names = (plain, f"{file.parent.name}/{plain}")
     return next((match for name in names if (match := re.fullmatch(pattern, name, re.I))), None)
 
 
 def make_real_plan(folder: Path, rigs: dict[str, Rig]) -> RealPlan:
-    """Plan for every file below a folder that a rig's pattern knows.
+    """The plan for every file below a folder whose name fits a rig's pattern.
 
     Raises BadInput when the folder is not there, holds no such file, or holds one twice.
     """

@@ -1,4 +1,4 @@
-"""What is known of each public rig: how its files are called, what its literature says, and where to get it."""
+"""The known facts on each public rig: the names of its files, its literature, and where to get it."""
 
 import re
 from pathlib import Path
@@ -38,7 +38,7 @@ class Files(_Section):
 
 
 class Expected(_Section):
-    """What the literature says of recordings whose run's name matches; nothing where it says nothing."""
+    """The literature's statement on recordings whose run has a matching name; nothing where it has none."""
 
     runs: Pattern = ".*"
     names: list[list[str]] | None = Field(None, description="one id of each list must be named")
@@ -55,7 +55,7 @@ class Published(_Section):
 
 
 class Answer(_Section):
-    """A parameter that the literature knows, and where a diagnosis says it."""
+    """A parameter known from the literature, and its place in a diagnosis."""
 
     what: str
     value: float
@@ -81,7 +81,7 @@ class Rig(_Section):
 
 
 def read_rigs(path: Path = RIGS) -> dict[str, Rig]:
-    """The public rigs by name; raises BadInput for a file that is not one of rigs, or that names a missing mapping."""
+    """The public rigs by name; raises BadInput for a file without rigs, or one that names a missing mapping."""
     try:
         content = yaml.safe_load(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:

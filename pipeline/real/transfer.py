@@ -1,4 +1,4 @@
-"""What was learnt on recordings, asked about others of the same thing: the diagnosis and the black boxes."""
+"""The diagnosis and the black boxes, learnt on some recordings and asked about others of the same thing."""
 
 import argparse
 from pathlib import Path
@@ -49,7 +49,7 @@ class Source:
         self._learnt: dict[tuple[str, ...], Learnt] = {}
 
     def learnt(self, method: str, columns: list[str]) -> Learnt:
-        """A black box that knows all of the recording, over some columns; fitted once."""
+        """A black box that learnt all of the recording, over some columns; fitted once."""
         key = (method, *columns)
         if key not in self._learnt:
             self._learnt[key] = learn(method, self.seen, len(self.seen.table), columns)
@@ -126,7 +126,7 @@ def left_out(runs: dict[str, About], out: Path) -> list[Row]:
 
 
 def _read(folder: Path) -> About | None:
-    """A run as it was recorded, or None when it is not usable, for which the report has the reason."""
+    """A recorded run, or None when it is not usable, with the reason in the report."""
     try:
         return About(read(folder)) if usable(folder) else None
     except BadInput:

@@ -34,7 +34,7 @@ def _end(number: int, frame: FrameType | None) -> None:
 
 
 def paced(pace: float, rate_hz: float) -> str:
-    """How fast the rig is, and how many samples a second the host therefore sees."""
+    """The speed of the rig, and how many samples a second the host therefore gets."""
     if math.isinf(pace):
         return "without any waiting"
     faster = "" if pace == 1.0 else f", so its {rate_hz:g} samples a second come as {pace * rate_hz:g}"
@@ -42,7 +42,7 @@ def paced(pace: float, rate_hz: float) -> str:
 
 
 def strokes_of(count: int) -> str:
-    """How many strokes a recording has, and how it has another number."""
+    """How many strokes a recording has, and how to change that."""
     sentence = f"every recording has {count} stroke{'s' if count != 1 else ''}; --strokes N is for another number"
     return (
         f"{sentence} ({called.program_name('lifespan')} needs {FORECAST} to foretell)" if count < FORECAST else sentence
@@ -50,7 +50,7 @@ def strokes_of(count: int) -> str:
 
 
 def others(seed: int) -> str:
-    """How a person gets other strings than those of a seed that he did not give."""
+    """How to get other strings than those of the default seed."""
     return f"; seed {seed}: another --seed gives other strings"
 
 

@@ -16,7 +16,7 @@ Paced = tuple[Commands, float]  # what is commanded, and how long a step of it l
 
 @dataclass(frozen=True)
 class Otherwise:
-    """One such motion: its name, as a case's answer has it, and what it makes of commands and of a step's length."""
+    """An altered motion: its name in a case's answer, and its changes to commands and to a step's length."""
 
     name: str
     made: Callable[[Commands, float], Paced]
@@ -38,7 +38,7 @@ def load(name: str, to_load_n: Callable[[Array], Array]) -> Otherwise:
 
 
 def pace(name: str, times: float) -> Otherwise:
-    """The same motion, so many times as fast."""
+    """The same motion, that many times as fast."""
     return Otherwise(name, lambda commands, step_s: (commands, step_s / times))
 
 

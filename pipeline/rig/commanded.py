@@ -1,4 +1,4 @@
-"""A device that follows programs: it takes one as a whole, refuses what it cannot do, and stops when alone."""
+"""A device that follows programs: it takes a program as a whole, refuses an impossible one, and stops when alone."""
 
 import math
 
@@ -43,7 +43,7 @@ class Commanded(Device):
         super()._obey(frame)
 
     def _weigh(self, count: int, crc: int) -> bytes:
-        """The answer to a program that the host says is whole."""
+        """The answer to a program that the host has sent completely."""
         if self.recording or self.waiting:
             return _taken(count, crc, Answer.BUSY)
         kept = [payload for number, payload in sorted(self.legs.items()) if number < count]
@@ -58,7 +58,7 @@ class Commanded(Device):
         return _taken(count, crc, Answer.TAKEN)
 
     def speak(self, until_s: float = math.inf) -> bytes:
-        """As any device; a motor that stalls ends the recording as a fault."""
+        """The next bytes, as for any device; a motor that stalls ends the recording as a fault."""
         frames = super().speak(until_s)
         if self.program and self.recording and self.stalls_at is not None:
             sent = self.simulated.truth["motor_turns"][: self._sample]

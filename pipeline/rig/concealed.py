@@ -1,4 +1,4 @@
-"""How a bench conceals an effect: what is drawn of it, how it grows, and what its name claims."""
+"""How a bench conceals an effect: its drawn parameters, its growth with strength, and the claims of its name."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Parameters = dict[str, Parameter]
 
 @dataclass(frozen=True)
 class Claim:
-    """What an effect says of itself: its driver, a motion in which that stands still, motions that change nothing."""
+    """The claims of an effect: its driver, a motion in which the effect stands still, motions that change nothing."""
 
     driver: str
     frozen: Otherwise
@@ -75,7 +75,7 @@ class Concealed(ABC):
         """Parameters at a strength of 1; what is left out stays at the effect's own default."""
 
     def at(self, drawn: Parameters, strength: float, scene: Scene) -> Parameters:
-        """Parameters at a strength, negative where the effect goes the other way."""
+        """Parameters at a strength, which is negative where the effect goes the other way."""
         parameters = dict(drawn)
         for key in self.grows:
             parameters[key] = np.minimum(np.multiply(np.asarray(drawn[key]), strength), self.most).tolist()

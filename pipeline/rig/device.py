@@ -35,12 +35,12 @@ class Device:
 
     @property
     def recording(self) -> bool:
-        """Whether it was started and has not come to its END."""
+        """Whether the recording was started and has not come to its END."""
         return self._sample is not None
 
     @property
     def waiting(self) -> bool:
-        """Whether the END was sent and is not acknowledged: it is to be sent again."""
+        """Whether the END was sent but is not acknowledged, so that it must be sent again."""
         return self._end is not None and not self.acknowledged
 
     def again(self) -> bytes:
@@ -48,7 +48,7 @@ class Device:
         return self._end or b""
 
     def hear(self, data: bytes) -> None:
-        """Take bytes from the host; whatever is no frame of the protocol is left unheard."""
+        """Take bytes from the host; bytes that are no frame of the protocol are ignored."""
         for heard in self.heard.feed(data):
             self._obey(heard.frame)
 

@@ -1,4 +1,4 @@
-"""What an effect is: a small machine with a state, stepped in time, that acts on one quantity of the rig."""
+"""The interface of an effect: a small machine with a state, stepped in time, that acts on one quantity of the rig."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ compiled = njit(cache=True)  # for loops over the steps; compiled once a machine
 
 @dataclass(slots=True)
 class Lived:
-    """A stretch of time as the rig lives it: arrays of shape (steps,), filled in the order of their fields."""
+    """A stretch of time on the rig: arrays of shape (steps,), filled in the order of their fields."""
 
     geometry: Geometry  # the true dimensions, scalars
     step_s: float

@@ -48,18 +48,18 @@ class Standing:
         self._rehearse()
 
     def _rehearse(self) -> None:
-        """Let what is loaded and made at the first motion be there before a host waits for it."""
+        """Run a first motion, so that compiling and loading are done before a host waits."""
         still = followed([Leg(1.0, self.at_turns)], self.at_turns, self.hangs_n, self._limits.turns_per_s2, self.step_s)
         sampled(self.setup, still, copy.deepcopy(self.string), self.seed)
 
     @property
     def limits(self) -> Limits:
-        """What a program may ask for, from where the motor stands now."""
+        """The limits for a program, from the motor's present place."""
         return replace(self._limits, at_turns=self.at_turns)
 
     @property
     def declared(self) -> Simulated:
-        """What its HELLO says, and no samples yet."""
+        """The HELLO, without samples yet."""
         nonce = f"{np.random.default_rng(self.seed).integers(1 << 32):08x}"
         hello = hello_of(self.setup, nonce, self.strokes, self.limits)
         return Simulated(hello, np.zeros(0, hello.sample_type), [], np.zeros(0), {})
@@ -69,7 +69,7 @@ class Standing:
         return self._performed(commands(self.setup.motion, self.step_s))
 
     def perform(self, legs: Sequence[Leg]) -> Simulated:
-        """A program that is within the limits."""
+        """Follow a program that is within the limits."""
         return self._performed(followed(legs, self.at_turns, self.hangs_n, self._limits.turns_per_s2, self.step_s))
 
     def _performed(self, commands: Commands) -> Simulated:
@@ -85,7 +85,7 @@ class Standing:
         return simulated
 
     def stopped(self, samples: int) -> None:
-        """The recording ended after so many samples: the string has undergone no more, and the motor stands there."""
+        """The recording ended after that many samples: the string has undergone no more, and the motor stands there."""
         if self._before is None:
             return
         self.string, commands = self._before

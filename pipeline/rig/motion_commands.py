@@ -1,4 +1,4 @@
-"""What the rig is told to do: strokes, speeds, holds, rests and loads, as twist and load over time."""
+"""The commanded motion of the rig: strokes, speeds, holds, rests and loads, as twist and load over time."""
 
 from dataclasses import dataclass
 from itertools import cycle, islice
@@ -46,7 +46,7 @@ class Motion(BaseModel):
         return [stroke for strokes in self.strokes for stroke in [strokes] * strokes.repeat]
 
     def of_strokes(self, count: int) -> "Motion":
-        """The same motion with so many strokes: its own, one after the other, from the first again where it ends."""
+        """The same motion with that many strokes: its own in order, from the first again after the last."""
         each = (stroke.model_copy(update={"repeat": 1}) for stroke in cycle(self.each()))
         return self.model_copy(update={"strokes": list(islice(each, count))})
 

@@ -1,4 +1,4 @@
-"""A set-up's string and rig as a command line of `pipeline.new_run`, for a person who records it as one of his own."""
+"""A set-up's string and rig as a command line of `pipeline.new_run`, for a person who records it as an own run."""
 
 import os
 import re
@@ -18,7 +18,7 @@ RIG = ("torsion_zone_mm", "separator_mm", "load_n")
 
 
 def base_of(link: Path) -> str:
-    """What a rig's runs are called before their number: after its port, where that is called rig and more.
+    """The base name of a rig's runs, before their number: from its port's name, if that is more than rig.
 
     So two rigs that serve at once, at /tmp/rig and /tmp/rig2, name runs of their own.
     """
@@ -27,7 +27,7 @@ def base_of(link: Path) -> str:
 
 
 def seed_of(link: Path) -> int:
-    """The seed of a rig that is given none: 0, or another one for each port that names its runs.
+    """The seed of a rig without a given one: 0, or another one for each port whose name names runs.
 
     Two rigs at once have two strings, and a rig that is started again has those that it had.
     """
@@ -36,7 +36,7 @@ def seed_of(link: Path) -> int:
 
 
 def free_name(raw: Path, base: str = MATERIAL, number: int = 1) -> str:
-    """The first name from `base`-`number` on under which the folder `raw` holds nothing yet; it need not be there."""
+    """The first free name from `base`-`number` on in the folder `raw`, which need not exist."""
     names = (f"{base}-{at}" for at in count(number))
     return next(name for name in names if not os.path.lexists(raw / name))
 
@@ -52,13 +52,13 @@ def option(name: str) -> str:
 
 
 def material_of(which: str) -> str:
-    """A material for the string of a set-up's name or file: what acts in one set-up does not act in another."""
+    """A material for the string of a set-up's name or file, since effects differ from set-up to set-up."""
     own = re.sub(r"[^A-Za-z0-9_-]+", "-", Path(which).stem).strip("-")
     return MATERIAL if own in ("", USUAL) else f"{MATERIAL}-{own}"
 
 
 def command(setup: SetUp, run: str, which: str = USUAL) -> str:
-    """The command that makes a run folder of that name, with a string of its own; a dimension without value is left.
+    """The command that makes a run folder of that name, with a new string; dimensions without a value are left out.
 
     `which` is the set-up's name or file.
     """

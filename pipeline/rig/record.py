@@ -56,7 +56,7 @@ def record(which: str, folder: Path, seed: int) -> int:
 
 
 def _absent(ended: int | None) -> str:
-    """What became of a rig that was not there, from the exit status of its program; the mend."""
+    """The message on a rig that was not there, from the exit status of its program; with the mend."""
     if ended is not None:
         return f"the rig ended with status {ended} before it was there; run it alone to see why: {command('rig')}"
     return f"the rig was not there within {PATIENCE_S:g} s; run the command again when the machine is less busy"

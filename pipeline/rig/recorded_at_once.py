@@ -1,4 +1,4 @@
-"""A set-up and a seed → what the rig's device would measure and tell, all at once and in memory."""
+"""A set-up and a seed → the readings and the events of the rig's device, all at once and in memory."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -36,7 +36,7 @@ def simulate(setup: SetUp, seed: int) -> Simulated:
 
 
 def hello_of(setup: SetUp, nonce: str, strokes: int, program: Limits | None = None) -> Hello:
-    """What a set-up's device says of itself; `program`: what it takes of one."""
+    """The HELLO of a set-up's device; `program`: its limits for programs."""
     return Hello(DEVICE, FIRMWARE, nonce, setup.rate_hz, strokes, sensors.declare(setup.sensors), program=program)
 
 
@@ -54,7 +54,7 @@ def string_of(setup: SetUp) -> String:
 def sampled(
     setup: SetUp, commands: Commands, string: String, seed: int, zeros: dict[str, float] | None = None
 ) -> Simulated:
-    """What a set-up's sensors say while a string, which is not new afterwards, undergoes commanded steps.
+    """The readings of a set-up's sensors while a string undergoes commanded steps; the string is changed by them.
 
     `zeros` is where the channels' sensors were set to zero; one without a zero is set at the first sample.
     """

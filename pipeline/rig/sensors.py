@@ -1,4 +1,4 @@
-"""What the rig's sensors make of the truth: noise, then whole numbers of the sensor's quantum."""
+"""The rig's sensors: they add noise to the truth, and round to the sensor's quantum."""
 
 from typing import Annotated
 

@@ -1,4 +1,4 @@
-"""A set-up of the synthetic rig: what run.yaml will say of it, what it does, and what is hidden in it."""
+"""A set-up of the synthetic rig: its run.yaml, its motion, and its hidden effects."""
 
 from pathlib import Path
 from typing import Annotated
@@ -63,12 +63,12 @@ def read_setup(which: str) -> SetUp:
 
 
 def described(setup: SetUp, path: Path) -> Run:
-    """The run that the set-up describes, as `run.yaml` at `path` will; raises BadInput."""
+    """The run.yaml of the set-up at `path`, as a checked run; raises BadInput."""
     return parse_run({"run": path.parent.name, **setup.run}, path)
 
 
 def dimensions(run: Run) -> Geometry:
-    """The string's and the rig's dimensions, as measured; raises BadInput for what the rig cannot simulate."""
+    """The measured dimensions of string and rig; raises BadInput for dimensions that the rig cannot simulate."""
     if run.actuator != "separator" or run.string is None:
         mend = "use actuator: separator"
         raise BadInput("set-up", "run.actuator", f"is {run.actuator}, which the rig does not have", mend)

@@ -1,4 +1,4 @@
-"""What the synthetic rig records where a configuration names another set-up than the default one, in words."""
+"""The words on the synthetic rig's recordings, where a configuration names another set-up than the default one."""
 
 from collections.abc import Mapping
 from itertools import groupby
@@ -11,7 +11,7 @@ MOST = 3  # kinds of strokes that are said apart
 
 
 def strokes_of(setup: str) -> str:
-    """How many strokes a set-up winds, to which twist and under which load; empty for a file that cannot be read."""
+    """How many strokes a set-up winds, to which twist and under which load; empty for an unreadable file."""
     path = SHIPPED / f"{setup}.yaml"
     try:
         content = yaml.safe_load((path if path.is_file() else Path(setup)).read_text(encoding="utf-8"))
@@ -26,7 +26,7 @@ def strokes_of(setup: str) -> str:
 
 
 def other_rig(synthetic: Mapping[str, Mapping[str, object]], default: Mapping[str, Mapping[str, object]]) -> str:
-    """The set-ups of some runs that are none of the default's, each with its strokes; empty where there is none."""
+    """The set-ups of some runs that differ from the default's, each with its strokes; empty where none does."""
     usual = {str(run["setup"]) for run in default.values()}
     others = dict.fromkeys(str(run["setup"]) for run in synthetic.values() if str(run["setup"]) not in usual)
     words = [f"set-up {setup}" + (f" ({strokes})" if (strokes := strokes_of(setup)) else "") for setup in others]

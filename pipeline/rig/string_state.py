@@ -23,14 +23,14 @@ class String:
         self.helix_mm: float | None = None
 
     def pull(self, motor_turns: Array, load_n: Array) -> Array:
-        """What the displacement sensor says in mm after every step of commanded twist and load; all (steps,).
+        """The displacement sensor's reading in mm after every step of commanded twist and load; all (steps,).
 
         All have the shape (steps,).
         """
         return self.live(motor_turns, load_n).reading_mm
 
     def live(self, motor_turns: Array, load_n: Array) -> Lived:
-        """All that the rig undergoes in a stretch of time; twist in turns and load in N, both of shape (steps,)."""
+        """All quantities of the rig in a stretch of time; twist in turns and load in N, both of shape (steps,)."""
         geometry, motor_rad = self.geometry, motor_turns * RAD_PER_TURN
         turned_rad = np.diff(motor_rad, prepend=motor_rad[0] if self.motor_rad is None else self.motor_rad)
         self.motor_rad = float(motor_rad[-1])

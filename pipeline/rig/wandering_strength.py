@@ -1,4 +1,4 @@
-"""No effect is the same all day: its strength wanders by a few per cent, with air, dust and the string's lay."""
+"""The strength of an effect wanders by a few per cent, with air, dust and the string's lay."""
 
 from collections.abc import Sequence
 from typing import TypedDict
@@ -33,7 +33,7 @@ class Unsteady(Effect):
         self.time_s = 0.0
 
     def run(self, lived: Lived) -> Array:
-        """What the effect does, in its own unit; a factor on the radius wanders about 1."""
+        """The output of the effect, in its own unit; a factor on the radius wanders about 1."""
         does = self.effect.run(lived)
         time_s = self.time_s + lived.step_s * np.arange(len(does))
         self.time_s += lived.step_s * len(does)

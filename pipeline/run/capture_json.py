@@ -1,4 +1,4 @@
-"""What `capture.json` holds: the account of a recording that the capture program made."""
+"""The content of `capture.json`: the account of a recording that the capture program made."""
 
 from collections.abc import Sequence
 from typing import TypedDict
@@ -7,7 +7,7 @@ from ..wire.hello import HelloJson
 
 
 class Lost(TypedDict, total=False):
-    """Where something was lost: `frames` of a rig that speaks the protocol, or about so many samples of printed lines.
+    """A loss in one place: `frames` of a rig that speaks the protocol, or about that many printed samples.
 
     `after_samples` of the recording come before it, the last at `after_s` (None: it lies before the first sample), or
     at `after_time`, the device's own. `strokes` are those that it may touch.
@@ -22,7 +22,7 @@ class Lost(TypedDict, total=False):
 
 
 class Samples(TypedDict, total=False):
-    """How many samples were sent (None: the rig does not say) and received, and what their time stamps did."""
+    """The number of samples sent (None: the rig does not say) and received, and the faults of their time stamps."""
 
     sent: int | None
     received: int
@@ -32,7 +32,7 @@ class Samples(TypedDict, total=False):
 
 
 class Lines(TypedDict):
-    """What came of printed lines: counts, but for the numbers of the first bad ones and the first lines of text."""
+    """The kinds of printed lines: counts, the numbers of the first bad lines, and the first lines of text."""
 
     bad: int
     bad_at: list[int]

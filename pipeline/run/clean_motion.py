@@ -1,4 +1,4 @@
-"""A recording's motion without spikes and outliers, and its speed, in any part of it: no more than that is read."""
+"""A recording's motion without spikes and outliers, and its speed, for any part of it; only that part is read."""
 
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
@@ -65,11 +65,11 @@ class Motion:
 
     @cached_property
     def reach(self) -> int:
-        """Samples on either side over which the speed is taken."""
+        """Number of samples on either side over which the speed is taken."""
         return max(1, round(SPEED_WINDOW_S / 2 / self.step_s))
 
     def _speed(self, first: int, stop: int) -> Array:
-        """Size of the speed in the driver's unit a second; shape (stop - first,)."""
+        """The speed without its sign, in the driver's unit per second; shape (stop - first,)."""
         places, last = np.arange(first, stop), self.length - 1
         begin, end = max(first - self.reach, 0), min(stop + self.reach, self.length)
         ahead, behind = (np.clip(places + way, 0, last) - begin for way in (self.reach, -self.reach))

@@ -1,4 +1,4 @@
-"""A new run like another: its `run.yaml` says the same string on the same rig, but for what is given anew."""
+"""A new run like another: its `run.yaml` has the same string and rig, except for what the command line gives anew."""
 
 import shlex
 from pathlib import Path
@@ -15,7 +15,7 @@ SECTIONS = ("string", "rig")
 
 
 def as_in(folder: Path) -> RunYaml:
-    """The content of a run's `run.yaml` without what it says of that one recording, its string named; raises BadInput.
+    """The content of a run's `run.yaml` without the keys of that one recording, its string named; raises BadInput.
 
     The strokes that the string had done are left out too: runs of one string are counted on.
     """
@@ -28,7 +28,7 @@ def as_in(folder: Path) -> RunYaml:
 
 
 def with_given(content: RunYaml, from_options: RunYaml, source: Path) -> RunYaml:
-    """The content with what the command line gave in its place; raises BadInput for a string that is another's."""
+    """The content with the command line's values in place; raises BadInput for values of another string."""
     string: Any = content.get("string")
     for key, value in (from_options.get("string") or {}).items():
         if string is None or (key in ("id", "material") and value != string[key]):
@@ -45,7 +45,7 @@ def with_given(content: RunYaml, from_options: RunYaml, source: Path) -> RunYaml
 
 
 def _of_another(key: str, value: str, string: StringYaml | None, anew: str, source: Path) -> BadInput:
-    """That a name or material is given which the string of the run `source` does not have; `anew` gives all of it."""
+    """The error that a name or material was given that the string of run `source` does not have."""
     option, like = f"--{'string-id' if key == 'id' else key.replace('_', '-')}", f"--like {source}"
     if string is None:
         return BadInput(option, f"string.{key}", f"is {value}, but {like} has no string", f"leave {option} out")
@@ -55,7 +55,7 @@ def _of_another(key: str, value: str, string: StringYaml | None, anew: str, sour
 
 
 def _anew(content: RunYaml, from_options: RunYaml) -> str:
-    """The options that make a run of another string, with the sizes and the rig that the content has."""
+    """The options that make a run of another string with the sizes and the rig of the content."""
     own = from_options.get("string") or {}
     old_string = content.get("string")
     string = {**old_string, **own} if old_string else own

@@ -1,4 +1,4 @@
-"""What `run.yaml` may say: the string, the rig, the file and its channels, checked key by key."""
+"""The keys of `run.yaml`, checked one by one: the string, the rig, the file and its channels."""
 
 from pathlib import Path
 from typing import Annotated, Any, Literal, Required
@@ -30,7 +30,7 @@ class _Section(BaseModel):
 
 
 class String(_Section):
-    """The string of a run: what it is made of and what was measured on it."""
+    """The string of a run: its material and its measured dimensions."""
 
     material: Annotated[str, AfterValidator(names.material)] = Field(
         description="name of the material, letters, digits, _ and -", examples=["UHMWPE"]
@@ -60,14 +60,14 @@ class Included(TypedDict, total=False):
 
 
 class Fitted(_Section):
-    """A dimension as run.yaml had it when effects were adopted, and the value that was fitted together with them."""
+    """A dimension from run.yaml at the time of adopting, and the value fitted together with the effects."""
 
     nominal: Number
     fitted: Number
 
 
 class Adopted(_Section):
-    """What `pipeline.adopt` put into `simulation`: its effects, the verdict on them, and the sets that tied with it."""
+    """What `pipeline.adopt` put into `simulation`: the effects, the verdict on them, and the explanations that tied."""
 
     effects: list[str]
     verdict: Literal["explained", "ambiguous"]
@@ -140,7 +140,7 @@ class Run(_Section):
         return self
 
     def _as_share(self, key: str) -> str:
-        """How to write a tolerance under an unknown key, such as one in mm where a share belongs."""
+        """The mend of a tolerance under an unknown key, such as one in mm where a share is expected."""
         share, nominal, tolerances = key.removesuffix("_mm"), getattr(self.string, key, None), self.system.tolerance
         if share not in tolerances or not nominal:
             return meant(key, tolerances)
@@ -148,13 +148,13 @@ class Run(_Section):
 
     @property
     def _or_else(self) -> str:
-        """What to write for a rig that has no such part."""
+        """The mend for a key that this kind of rig does not have."""
         without = "; a rig without a separator is actuator: twisted_pair, as an option --actuator twisted_pair"
         return without if self.actuator == "separator" else ""
 
     @property
     def system(self) -> System:
-        """The base simulator of the rig, and what a recording of it holds."""
+        """The base simulator of the rig, which also names the channels of a recording."""
         return systems()[self.actuator]
 
     @property

@@ -1,4 +1,4 @@
-"""What a run folder is: `raw/<run>/` with `run.yaml` and one recording; find it, read it, check it."""
+"""A run folder, `raw/<run>/` with `run.yaml` and one recording: find it, read it, check it."""
 
 import json
 import os
@@ -33,7 +33,7 @@ def read_run(folder: Path | str) -> Run:
 
 
 def _of_another_rig(folder: Path) -> bool:
-    """Whether a run folder holds a recording that is not the synthetic rig's own."""
+    """Whether a run folder holds a recording of another rig than the synthetic one."""
     info = capture_info(folder)
     if not info:
         return any((folder / name).is_file() for name in RECORDINGS[1:])
@@ -42,7 +42,7 @@ def _of_another_rig(folder: Path) -> bool:
 
 
 def has_recording(folder: Path) -> bool:
-    """Whether a run folder holds anything by the name of a recording, whole or not."""
+    """Whether a run folder holds a file named like a recording, complete or not."""
     return any((folder / name).exists() for name in RECORDINGS)
 
 
@@ -67,7 +67,7 @@ def unfinished(folder: Path) -> bool:
 
 
 def capture_info(folder: Path | str) -> CaptureJson:
-    """Content of `capture.json`, or nothing for a run that the capture program did not record; raises BadInput."""
+    """Content of `capture.json`; empty for a run that the capture program did not record; raises BadInput."""
     path = Path(folder) / "capture.json"
     if not os.path.lexists(path):
         return {}
@@ -81,7 +81,7 @@ def capture_info(folder: Path | str) -> CaptureJson:
 
 
 def started_utc(folder: Path | str) -> str:
-    """When a run began, by the capture program, or nothing for a run that it did not record; raises BadInput."""
+    """The start of a run, from the capture program; None for a run that it did not record; raises BadInput."""
     return str(capture_info(folder).get("started_utc", ""))
 
 

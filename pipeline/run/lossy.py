@@ -1,4 +1,4 @@
-"""Strokes in whose movement the capture lost samples."""
+"""Strokes with lost samples in their movement, by the capture's account."""
 
 import numpy as np
 import pandas as pd
@@ -11,7 +11,7 @@ MOVING = ("winding", "unwinding")
 
 
 def touched(strokes: pd.DataFrame, info: CaptureJson) -> frozenset[int]:
-    """Strokes of a run, by their numbers in it, in whose movement samples are missing by its capture.json."""
+    """The numbers of a run's strokes with samples missing in their movement, by its capture.json."""
     gaps = [*info.get("gaps", []), *info.get("holes", [])]
     after = np.array([gap["after_samples"] for gap in gaps], np.int64)
     moving = strokes[strokes["phase"].isin(MOVING) & (strokes["stroke"] > 0)]
@@ -24,11 +24,11 @@ def touched(strokes: pd.DataFrame, info: CaptureJson) -> frozenset[int]:
 
 
 def moving_strokes(strokes: pd.DataFrame) -> frozenset[int]:
-    """Strokes of a run, by their numbers in it, in which anything moves."""
+    """The numbers of a run's strokes in which anything moves."""
     return frozenset(strokes.loc[strokes["phase"].isin(MOVING) & (strokes["stroke"] > 0), "stroke"])
 
 
 def all_lossy(run: str) -> BadInput:
-    """What is wrong with a run of whose strokes none can be used."""
+    """The message for a run without any usable stroke."""
     mend = "record it again, or set keep_lossy: true in the configuration (--keep-lossy of this program)"
     return BadInput(run, "strokes", "samples are missing in every one", mend)

@@ -1,4 +1,4 @@
-"""Which options a new run lacks, all named at once, and what is taken for a load that nobody gives."""
+"""The options that a new run lacks, all named at once, and the load that is assumed where none is given."""
 
 import argparse
 
@@ -10,7 +10,7 @@ OF_SEPARATOR = ("torsion-zone-mm", "separator-mm")
 
 
 def lacking(arguments: argparse.Namespace) -> str:
-    """The options that a run needs where no other run tells them, and that were not given, in words; else empty."""
+    """The options that a run still needs, as neither it nor another run gives them, in words; else empty."""
     if arguments.like:
         return ""
     has_separator = (arguments.actuator or STRING_ACTUATORS[0]) == STRING_ACTUATORS[0]
@@ -23,7 +23,7 @@ def lacking(arguments: argparse.Namespace) -> str:
 
 
 def load_taken(run: Run) -> str:
-    """What is taken for the load of a run into which nothing is recorded yet; empty where its description tells it."""
+    """The remark on the assumed load of a run without a recording; empty where its description gives the load."""
     if not has_no_load(run):
         return ""
     return (

@@ -1,4 +1,4 @@
-"""A mend for the command line, where the `run.yaml` that it names is not there yet."""
+"""A mend as a command line option, where the `run.yaml` that the mend names does not exist yet."""
 
 import ast
 import copy
@@ -19,7 +19,7 @@ VALUE = re.compile(r""" to ('[^'\n]*'|"[^"\n]*"|-?\d+(?:\.\d+)?)""")  # behind i
 
 
 def by_option(error: BadInput, content: RunYaml) -> BadInput:
-    """The error with a mend for the command line, where its mend names a key of a run.yaml that is not there yet.
+    """The error with its mend as an option, where the mend names a key of a run.yaml that does not exist yet.
 
     The option in it has all that `content` has for it too: what is typed as it stands replaces what was given.
     """
@@ -32,7 +32,7 @@ def by_option(error: BadInput, content: RunYaml) -> BadInput:
 
 
 def in_file(mend: str, content: RunYaml, path: Path) -> str:
-    """What a person types, or writes into the run.yaml at `path`, so that its `content` says what a mend asks for.
+    """The command or the line of text that changes `content`, the run.yaml at `path`, as a mend asks.
 
     Empty where the mend asks for no value of a key. A section that is there is written anew, with all it has.
     """
@@ -49,7 +49,7 @@ def in_file(mend: str, content: RunYaml, path: Path) -> str:
 
 
 def _section(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str] | None:
-    """The section that a mend asks for a change of, that section changed, and the mend up to that and after it."""
+    """The section that a mend changes, that section after the change, and the mend's text before and after it."""
     named = KEY.search(mend)
     if named is None:
         return None
@@ -67,7 +67,7 @@ def _section(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str
 
 
 def _with_value(own: list[str], value: Any, old_entry: Any, key: str) -> Any:
-    """What stands under a key, with the value that is to be given: as all of it, or under its own key `own`."""
+    """The entry of a key with a new value: as the whole entry, or under the entry's own key `own`."""
     new_entry = written_out(key, old_entry) if own else {}
     if own == ["column"] and not new_entry.keys() - {"column"}:
         own = []  # a column's name alone says it

@@ -1,4 +1,4 @@
-"""A recording that was read before its run was planned: its samples and strokes are kept until ingest takes them over.
+"""A recording that is read before its run is planned: samples and strokes are kept until ingest takes them over.
 
 So a new recording is decoded once. What is kept is bound to the recording's content and to the code that read it.
 """
@@ -41,7 +41,7 @@ def keep(run_dir: Path, place: Path, bound_to: str) -> None:
 
 
 def taken_over(run_dir: Path, place: Path, bound_to: str, temporary: Path) -> tuple[Run, Stored, pd.DataFrame] | None:
-    """What `stored_strokes` gives, of a reading that is kept and whole; None where there is none of this word."""
+    """The kept result of `stored_strokes`, if it is complete and of this reading; else None."""
     kept = place / run_dir.name
     try:
         if (kept / READ_OF).read_text(encoding="utf-8") != bound_to:
@@ -56,5 +56,5 @@ def taken_over(run_dir: Path, place: Path, bound_to: str, temporary: Path) -> tu
 
 
 def forget(run_dir: Path, place: Path) -> None:
-    """Remove what is kept of a run, which ingest has taken over or a newer reading replaces."""
+    """Remove the kept reading of a run that ingest has taken over or a newer reading replaces."""
     shutil.rmtree(place / run_dir.name, ignore_errors=True)

@@ -1,4 +1,4 @@
-"""What a person may write into `run.yaml`, key by key; `description` checks it."""
+"""The keys that a person may write into `run.yaml`; `description` checks them."""
 
 from typing import Literal, TypedDict
 

@@ -79,12 +79,12 @@ def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STE
 
 
 def _lasting(step_s: float) -> str:
-    """A time between two samples, in ms where it is short."""
+    """The time between two samples in words, in ms if it is short."""
     return f"{step_s:.4g} s" if step_s >= 0.1 else f"{1000.0 * step_s:.4g} ms"
 
 
 def _cut(run: Run, samples: Rows, path: Path, where: Where) -> pd.DataFrame:
-    """Strokes of finite samples; raises BadInput unless these can be what their names say and hold a stroke."""
+    """Strokes of finite samples; raises BadInput if a channel cannot be what its name says, or no stroke is there."""
     check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S, where)
     if run.actuator not in STRING_ACTUATORS and len(set(samples.extremes(run.system.channel))) == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
@@ -112,7 +112,7 @@ def check(run: Run, samples: pd.DataFrame, path: Path, where: Where = by_row) ->
 
 
 def _beyond(gone: Places, where: Where) -> Where:
-    """Where a row stands, of those that are left when the rows `gone` are taken out of a table."""
+    """Where a row stands in the table without the rows `gone`."""
     before = gone - np.arange(len(gone))  # how many rows are left before each that is gone
     return lambda row: where(row + int(np.searchsorted(before, row, side="right")))
 
@@ -123,7 +123,7 @@ def _warn(sentences: list[str]) -> None:
 
 
 def questions(run: Run, samples: pd.DataFrame | Rows, path: Path) -> list[BadInput]:
-    """What of checked samples is possible, but more likely a mistake: nothing to refuse, all to be said."""
+    """Likely mistakes in checked samples: they are no reason to refuse, and all are told."""
     return doubts(run, rows_of(samples), geometry(run), path) if run.actuator in STRING_ACTUATORS else []
 
 
@@ -144,7 +144,7 @@ def read_strokes(folder: Path | str) -> tuple[Run, pd.DataFrame, pd.DataFrame]:
 
 
 def stored_strokes(folder: Path, temporary: Path) -> tuple[Run, Stored, pd.DataFrame]:
-    """What `read_strokes` gives, but the samples in a file that is written and read by row groups.
+    """The result of `read_strokes`, but with the samples in a file that is written and read by row groups.
 
     However long the recording, no more than a few row groups are held. Raises BadInput.
     """

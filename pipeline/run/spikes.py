@@ -24,7 +24,7 @@ HALF = MEDIAN_SAMPLES // 2
 
 
 def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
-    """Samples that stand out by `least` from four neighbours which agree among themselves: spikes, not motion.
+    """Samples that differ by `least` from four neighbours which agree with each other: spikes, not motion.
 
     The mask and the signal have the shape (samples,); `least` is in the signal's unit.
     """
@@ -32,7 +32,7 @@ def lonely(signal: Array, least: float) -> NDArray[np.bool_]:
 
 
 def _lonely(padded: Array, least: float) -> NDArray[np.bool_]:
-    """The mask of a signal that has two samples more on either side."""
+    """The mask of lonely samples, for a signal with two more samples on either side."""
     is_lonely = np.zeros(len(padded) - 2 * HALF, np.bool_)
     for start, stop in blocks(0, len(is_lonely), BLOCK):
         part = padded[start + HALF : stop + HALF]
@@ -72,7 +72,7 @@ def spikes(rows: Rows, name: str) -> Places:
 
 
 def _hidden(rows: Rows, name: str, off: Callable[[int, int], Array], least: float) -> float:
-    """The noise that may hide in the steps of a coarse channel, by how far its samples are `off`; all in its unit.
+    """The noise that may hide below the resolution of a channel, from the samples' residuals `off`; all in its unit.
 
     A sample that stands alone is no step: steps are common, or small beside the reading.
     """
@@ -84,7 +84,7 @@ def _hidden(rows: Rows, name: str, off: Callable[[int, int], Array], least: floa
 
 
 def _alone(rows: Rows, name: str, first: int, stop: int, least: float) -> NDArray[np.bool_]:
-    """What `lonely` says of the samples from `first` until `stop`, by their neighbours beyond."""
+    """The result of `lonely` for the samples from `first` until `stop`, with neighbours outside that range."""
     begin, end = max(first - HALF, 0), min(stop + HALF, len(rows))
     missing = HALF - (first - begin), HALF - (end - stop)
     return _lonely(np.pad(rows.read(name, begin, end), missing, mode="reflect"), least)

@@ -1,4 +1,4 @@
-"""Where the motor stands: spans of a motion that are slower than a share of their leg's own speed, for long enough."""
+"""Where the motor stands: spans that are slower than a share of their leg's own speed, for long enough."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -22,7 +22,7 @@ def _speeds(motion: Motion, parts: list[tuple[int, int]]) -> Iterator[Array]:
 
 
 def _slow(motion: Motion, legs: Places) -> Spans:
-    """Where the motion is slower than a share of its leg's usual speed; where two legs meet, the second one's."""
+    """Where the motion is slower than a share of its leg's usual speed; where two legs meet, the second leg counts."""
     slow = []
     for first, last in pairwise(legs.tolist()):
         parts = spans.blocks(first, last + 1, schemas.ROW_GROUP)
@@ -36,7 +36,7 @@ def _slow(motion: Motion, legs: Places) -> Spans:
 
 
 def _jitter(motion: Motion, slow: Spans, legs: Places, span: float) -> Spans:
-    """What lies between slow spans and is no motion, unless its leg is made of such steps and moves all the same."""
+    """Short moves between slow spans that are no motion, unless the leg consists of such steps and still gets ahead."""
     fast, size = spans.between(slow, motion.length), schemas.ROW_GROUP
     low = spans.reduced(motion.smooth, fast, size, np.minimum, np.inf)
     high = spans.reduced(motion.smooth, fast, size, np.maximum, -np.inf)

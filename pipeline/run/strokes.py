@@ -1,4 +1,4 @@
-"""Samples → strokes: where the motor winds, holds, unwinds and rests, and which stroke that is.
+"""Samples → strokes: where the motor winds, holds, unwinds and rests, with the number of the stroke.
 
 A stroke is a winding and the unwinding after it. Reversals of at least a quarter of the run's twist range part
 windings from unwindings; smaller ones stay inside the stroke. What lies before the first winding is stroke 0. Samples
@@ -31,7 +31,7 @@ Phases = NDArray[np.object_]
 
 
 def _after_stands(points: Places, holding: Spans, reach: int, length: int) -> Places:
-    """Turning points moved to the end of the stand that they lie in, or within `reach` samples of.
+    """Turning points moved to the end of a stand, if they lie in it or within `reach` samples of it.
 
     The motor turns anywhere in a stand as far as the twist tells: what moves before it belongs to the leg before.
     """
@@ -43,7 +43,7 @@ def _after_stands(points: Places, holding: Spans, reach: int, length: int) -> Pl
 
 
 def _changes(stroke: Places, phase: Phases) -> NDArray[np.bool_]:
-    """Where another stroke or another phase begins, the first place too; shape (places,)."""
+    """Places where another stroke or phase begins, including the first place; shape (places,)."""
     return np.append(True, (np.diff(stroke) != 0) | (phase[1:] != phase[:-1]))[: len(stroke)]
 
 
@@ -85,7 +85,7 @@ def label(time_s: Array, motion: Array) -> tuple[Places, Phases]:
 
 
 def of_samples(strokes: pd.DataFrame) -> tuple[Places, Phases]:
-    """What `label` says of every sample, by the strokes that `segment` cut them into.
+    """Stroke and phase of every sample, as in `label`, from the strokes that `segment` made.
 
     The number of its stroke is a count, its phase a word; both of shape (samples,).
     """
@@ -94,7 +94,7 @@ def of_samples(strokes: pd.DataFrame) -> tuple[Places, Phases]:
 
 
 def stretches(stroke: Places, phase: Phases) -> pd.DataFrame:
-    """The strokes of samples whose stroke and phase are known: what `of_samples` gives back.
+    """The strokes of samples with known stroke and phase: the inverse of `of_samples`.
 
     The number of a sample's stroke is a count, its phase a word; both of shape (samples,). One row for each stretch,
     with the columns of `schemas.STROKES` that need no motion.

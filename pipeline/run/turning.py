@@ -1,4 +1,4 @@
-"""Where a motion turns by more than a reversal, however long it is: read once, piece by piece."""
+"""Where a motion turns by more than a reversal; read once, piece by piece, whatever its length."""
 
 from collections.abc import Iterable, Iterator
 
@@ -11,7 +11,7 @@ Indices = NDArray[np.intp]
 
 
 def _extremes(pieces: Iterable[Array]) -> Iterator[tuple[int, float]]:
-    """Places and values of the first sample, of every local extreme and of the last sample: nothing else can turn."""
+    """Places and values of the first sample, of every local extreme and of the last sample: only these can turn."""
     before, direction, at = np.zeros(0), 0.0, -1
     for piece in pieces:
         motion = np.concatenate([before, piece])

@@ -1,4 +1,4 @@
-"""What a person says elsewhere than in the terminal, as files of the loop's folder: approve a run, or stop everything.
+"""A person's answers given outside the terminal, as files in the loop's folder: approve a run, or stop everything.
 
 An approval names the question that the loop asks at that moment: one of an earlier question, or of an earlier start of
 the program, moves nothing.
@@ -18,7 +18,7 @@ LOOKS_S = 0.1
 
 
 class Question(TypedDict):
-    """What the loop asks, as its file has it: the step's number, and a text that no other question has."""
+    """A question of the loop, as its file has it: the step's number, and a text that no other question has."""
 
     step: int
     question: str
@@ -31,7 +31,7 @@ class Answers:
         self.out = out
 
     def begin(self) -> None:
-        """Forget what was said to an earlier start of the loop."""
+        """Forget the answers to an earlier start of the loop."""
         for name in (STOP, QUESTION, APPROVED):
             (self.out / name).unlink(missing_ok=True)
 
@@ -58,7 +58,7 @@ class Answers:
         return _read(self.out / QUESTION)
 
     def approve(self, question: str) -> bool:
-        """Say yes; False where this is not what the loop asks now."""
+        """Say yes; returns False if this is not the loop's present question."""
         pending = self.question()
         if pending is None or pending["question"] != question:
             return False

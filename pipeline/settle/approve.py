@@ -1,4 +1,4 @@
-"""Nothing moves before somebody approves it: a person who is asked, or the limits that she gave."""
+"""Nothing moves without approval: by a person who is asked, or by limits given in advance."""
 
 import sys
 
@@ -40,7 +40,7 @@ def approved(step: Step, way: str, answers: Answers) -> Step | None:
 
 
 def _yes() -> bool:
-    """Whether the person says yes; what is neither yes nor no is asked once more, and then is no."""
+    """Whether the person says yes; an answer other than yes or no is asked for once more, and then counts as no."""
     for question in (QUESTION, AGAIN):
         answer = input(question).strip().lower()
         if answer in YES or answer in NO:

@@ -1,4 +1,4 @@
-"""What came of a run beyond the simulator without a mechanism: what a figure and the page of it draw."""
+"""The samples of a made run beside the simulator without a mechanism: data for a figure and for the page."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ SMOOTH_S = 0.25  # over which a recording is averaged before the small differenc
 
 
 def zero_mm(turns: Array, reading_mm: Array) -> float:
-    """The reading while the motor had not begun to move: a first sample alone carries its noise into all others.
+    """The reading before the motor began to move: a single first sample would carry its noise into all others.
 
     Both of shape (samples,).
     """
@@ -19,7 +19,7 @@ def zero_mm(turns: Array, reading_mm: Array) -> float:
 
 
 def simulated_mm(curves: Curves, at_s: Array, turns: Array) -> Array:
-    """The simulator without a mechanism at the twist that the motor truly had, shape (samples,).
+    """The simulator without a mechanism at the motor's true twist, shape (samples,).
 
     Its curve over the twist is taken under the load that hangs then: a motor that runs a moment late is no effect.
     """

@@ -1,4 +1,4 @@
-"""Which run is proposed next, of those that the diagnosis tried; or why none is."""
+"""The run that is proposed next, among those that the diagnosis tried; or the reason why none is."""
 
 import math
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ SHOWN = 3  # runs that are named with a reason why they are not made
 
 
 def firm(verdicts: Sequence[tuple[str, Sequence[str]]], doubted: bool) -> bool:
-    """Whether the last verdict ends the loop; `verdicts` are it and the one before, each with the ids that it names.
+    """Whether the last verdict ends the loop; `verdicts` are the last two, each with the ids that it names.
 
     `doubted`: it holds one explanation, but not surely. Where the loop's own runs led to it, one more run has to name
     the same.
@@ -33,14 +33,14 @@ def firm(verdicts: Sequence[tuple[str, Sequence[str]]], doubted: bool) -> bool:
 
 @dataclass(frozen=True)
 class Budget:
-    """What may be spent in all; a first recording is not counted among the runs."""
+    """The budget for all runs; a first recording does not count as one."""
 
     runs: int
     minutes: float
     strokes: int
 
     def left(self, steps: Sequence[Step]) -> "Budget":
-        """What is left after so many steps."""
+        """The budget left after so many steps."""
         spent = [step for step in steps if step.state in ("recorded", "diagnosed")]
         seconds, strokes = sum(step.seconds for step in spent), sum(step.strokes for step in spent)
         return Budget(
@@ -48,7 +48,7 @@ class Budget:
         )
 
     def lacks(self, step: Step) -> str | None:
-        """What of a run is not left, in words."""
+        """Which parts of the budget a run exceeds, in words."""
         if self.runs < 1:
             return "as many runs as --runs allows are made"
         if step.seconds > 60.0 * self.minutes:
@@ -59,7 +59,7 @@ class Budget:
 
 
 def reachable(run: ProposedRun, limits: Limits | None) -> list[Leg]:
-    """Legs of a proposal as the rig can go them.
+    """Legs of a proposal in a form that the rig can follow.
 
     The first one is slow enough to get from where the motor stands to where the run begins; of the others one that is
     a little too fast takes as long as it must.
@@ -77,7 +77,7 @@ def reachable(run: ProposedRun, limits: Limits | None) -> list[Leg]:
 
 
 def passed_over(refused: Sequence[tuple[str, str]]) -> str:
-    """Runs that are not made, each a title and why not, in words: those of one reason together, a few by title."""
+    """Runs that are not made, each a title and a reason; runs with the same reason together, a few by title."""
     by_reason: dict[str, list[str]] = {}
     for title, reason in refused:
         by_reason.setdefault(reason, []).append(title)
@@ -103,7 +103,7 @@ def gaps(run: ProposedRun) -> tuple[float, float]:
 
 
 def apart(run: ProposedRun) -> str:
-    """How far apart a run puts the two closest explanations, in words; nothing where it parts none."""
+    """How far apart a run puts the two closest explanations, in words; empty where it separates none."""
     if "gap_then" not in run:
         return ""
     two = closest(run)
@@ -112,7 +112,7 @@ def apart(run: ProposedRun) -> str:
 
 
 def in_words(deviations: float) -> str:
-    """So many standard deviations, in words for a person."""
+    """A number of standard deviations in words for a person."""
     if deviations > MANY:
         return f"more than {MANY} standard deviations"
     size = f"{deviations:.0f}" if deviations >= 9.95 else f"{deviations:.1f}"
@@ -122,7 +122,7 @@ def in_words(deviations: float) -> str:
 def chosen(
     options: Sequence[ProposedRun], number: int, limits: Limits | None, budget_left: Budget
 ) -> tuple[Step | None, str]:
-    """The run that raises the gap most of those that limits and budget allow, and why it is no better one.
+    """The run with the largest gap within limits and budget, and why it is not a better one.
 
     Without such a run None, and the sentence that ends the loop.
     """

@@ -1,4 +1,4 @@
-"""How a loop ended: `settled.json`, and what a person reads and does next."""
+"""The end of a loop: `settled.json`, and the words and next steps for a person."""
 
 import json
 import shlex
@@ -20,7 +20,7 @@ BEFORE = "before adopting, "  # what the steps below it say by their order
 
 
 def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: Budget, why: str, sentence: str) -> None:
-    """Write why the loop ended, the verdict of its last step, the runs and what was spent; and say it."""
+    """Write why the loop ended, the verdict of its last step, the runs and the spent budget; and print it."""
     verdict, budget_left = place.diagnosis(steps[-1].number), budget.left(steps)
     mechanisms = [entry["id"] for entry in verdict["mechanisms"]]
     spent = {"runs": budget.runs - budget_left.runs, "strokes": budget.strokes - budget_left.strokes}
@@ -48,21 +48,21 @@ def settled(place: Place, steps: Sequence[Step], runs: Sequence[Path], budget: B
 
 
 def sure_and_large(verdict: StepVerdict) -> str:
-    """What a verdict names, with how probable and how large each is: `creep (94 %), 0.14 mm rms`."""
+    """The effects of a verdict with their probability and size: `creep (94 %), 0.14 mm rms`."""
     sizes = [(entry["id"], entry["rms_mm"]["value"]) for entry in verdict["mechanisms"] if "rms_mm" in entry]
     large = [f"{f'{id_} ' * (len(sizes) > 1)}{value:.2g} mm rms" for id_, value in sizes]
     return ", ".join([probable([entry["id"] for entry in verdict["mechanisms"]], verdict), *large])
 
 
 def going_on(sentence: str, budget: Budget) -> str:
-    """How the loop goes on where the budget ended it, by the option that the sentence names; else nothing."""
+    """How to go on where the budget ended the loop, by the option in the sentence; else nothing."""
     now = {"--runs": budget.runs, "--minutes": budget.minutes, "--strokes": budget.strokes}
     short = [f"{option} above {value:g}" for option, value in now.items() if option in sentence]
     return f"start it again with the same words and {' and '.join(short)}: it goes on from here" if short else ""
 
 
 def _recording(asked_for: str) -> str:
-    """The recording that a verdict's page asks for, or proposes where its step is optional."""
+    """The recording that a verdict's page asks for, or proposes as an optional step."""
     if asked_for.startswith(OPTIONAL):
         run = (asked_for.partition(": ")[2] or asked_for).replace(BEFORE, "")
         return f"optional, to be surer of a name: {run} (how: details.txt beside the last verdict)"

@@ -1,4 +1,4 @@
-"""By how much winding and unwinding will differ in a run, by each explanation: what a person sees at the rig."""
+"""By how much winding and unwinding will differ in a run, for each explanation: a person sees it at the rig."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ DIGITS = 2
 
 
 def expected_loops(step: Step, curves: Curves) -> list[str]:
-    """A line each stroke whose loop tells explanations apart, and before them what a loop is; else nothing."""
+    """A line for each stroke whose loop tells explanations apart, after a line on what a loop is; else nothing."""
     spans, lines = stroke_spans(step), []
     for number, span in enumerate(spans, start=1):
         widths = {name: loop_mm(curves, curve, span) for name, curve in curves["rivals"].items()}
@@ -25,7 +25,7 @@ def expected_loops(step: Step, curves: Curves) -> list[str]:
 
 
 def stroke_spans(step: Step) -> list[tuple[float, float, float, float]]:
-    """When each stroke winds and unwinds: from, to, from, to in s since the run began."""
+    """When each stroke winds and unwinds: start and end of each, in s since the run began."""
     spans, at, at_s = list[tuple[float, float, float, float]](), step.proposal.get("from", 0.0), 0.0
     wound: tuple[float, float] | None = None
     for leg in step.legs:
@@ -40,7 +40,7 @@ def stroke_spans(step: Step) -> list[tuple[float, float, float, float]]:
 
 
 def loop_mm(curves: Curves, curve: list[float], span: tuple[float, float, float, float]) -> float | None:
-    """The widest difference of a curve's two ways at one twist in mm; None where they share no twist."""
+    """The widest difference of a curve's two ways at one twist in mm; None where the ways share no twist."""
     time_s, turns, reading_mm = (np.array(each) for each in (curves["time_s"], curves["motor_turns"], curve))
     ways = [_way(time_s, turns, reading_mm, *span[:2]), _way(time_s, turns, reading_mm, *span[2:])]
     low, high = max(way[0].min() for way in ways), min(way[0].max() for way in ways)

@@ -1,4 +1,4 @@
-"""A first recording where there is none yet: equal strokes within the limits, and what the simulator foretells."""
+"""The first recording, if there is none yet: equal strokes within the limits, and the simulator's prediction."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -22,7 +22,7 @@ BY_HAND = "a first recording: at least four strokes from rest to rest"
 
 
 def strokes(limits: Limits, count: int, share: float) -> list[Leg]:
-    """Legs of so many equal strokes over the whole twist that is allowed, at a share of the speed that is.
+    """Legs of that many equal strokes over the whole allowed twist, at a share of the allowed speed.
 
     The load stays as it hangs.
     """
@@ -36,7 +36,7 @@ def strokes(limits: Limits, count: int, share: float) -> list[Leg]:
 
 
 def first_run(run: Run, limits: Limits | None, budget_left: Budget) -> ProposedRun:
-    """The first recording as an entry of `next_runs.json` has a run; without limits it is a person's, and has no legs.
+    """The first recording in the form of a run of `next_runs.json`; without limits a person makes it, without legs.
 
     Raises BadInput where the limits or the budget leave no room for it.
     """
@@ -62,7 +62,7 @@ def first_run(run: Run, limits: Limits | None, budget_left: Budget) -> ProposedR
 
 
 def foretold(run: Run, legs: list[Leg], limits: Limits) -> Curves:
-    """What the simulator of `run.yaml`, without a mechanism, foretells of legs: curves as `next_runs.json` has them."""
+    """The prediction for legs by `run.yaml`'s simulator without a mechanism: curves as in `next_runs.json`."""
     ends_s = np.cumsum([0.0, *(leg.seconds for leg in legs)])
     time_s = np.linspace(0.0, ends_s[-1], POINTS)
     turns = np.interp(time_s, ends_s, [limits.at_turns, *(leg.turns for leg in legs)])

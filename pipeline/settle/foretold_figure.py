@@ -1,4 +1,4 @@
-"""What each explanation that ties foretells of a run, before it is made; and what came, drawn over it."""
+"""The prediction of each tied explanation for a run before it is made, with the recorded samples drawn over it."""
 
 import textwrap
 from pathlib import Path
@@ -21,7 +21,7 @@ SIMULATOR = "#d6604d"  # of the simulator of run.yaml, as there
 
 
 def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = None) -> None:
-    """Draw a proposed run, and over it the samples that came, as PNG and PDF; `path` goes without an ending.
+    """Draw a proposed run, with the recorded samples over it, as PNG and PDF; `path` goes without an ending.
 
     One legend below all panels says what each colour is, since no panel has room for it where curves go everywhere.
     Where no explanations tie yet the simulator is drawn alone.
@@ -67,7 +67,7 @@ def draw(run: ProposedRun, path: Path, title: str, came: pd.DataFrame | None = N
 
 
 def changes(run: ProposedRun) -> bool:
-    """Whether the load of a run changes, in it or from what hung before it."""
+    """Whether the load changes within a run, or from the load before it."""
     before = run.get("load")
     loads_n = [*run["curves"]["load"], *([] if before is None else [before])]
     return max(loads_n) - min(loads_n) > SAME * max(map(abs, loads_n))

@@ -1,4 +1,4 @@
-"""What a person allows: how far, how fast, under which load and how long; and what the rig's own limits leave of it."""
+"""A person's limits: how far, how fast, under which load and how long; combined with the rig's own limits."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -25,7 +25,7 @@ class Given(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class Allowed:
-    """Limits that a person gave; an entry that is not there leaves the rig's own."""
+    """Limits given by a person; a missing entry leaves the rig's own limit."""
 
     given: Given
 
@@ -43,7 +43,7 @@ class Allowed:
         return Allowed(limits)
 
     def check_unattended(self, rig: Limits) -> None:
-        """Raise BadInput where something is missing that nothing may move unattended without."""
+        """Raise BadInput where a limit is missing that unattended motion needs."""
         needed = [*ALL, *(["load_n"] if rig.load_n else [])]
         missing = [key for key in needed if key not in self.given]
         if missing:
@@ -51,7 +51,7 @@ class Allowed:
             raise BadInput(OPTION, missing[0], problem, f"write it as in {EXAMPLE}, or use --approve ask")
 
     def within(self, rig: Limits) -> Limits:
-        """What both allow."""
+        """The limits that both allow."""
         own_limits = self.given
         turns, load = own_limits.get("turns", rig.turns), own_limits.get("load_n", rig.load_n)
         return replace(
@@ -64,7 +64,7 @@ class Allowed:
 
 
 class ByHand(Limits):
-    """What a person may do who moves the rig: where its motor stands, and its ramps, nobody knows."""
+    """The limits if a person moves the rig: its place and its ramps are unknown."""
 
 
 FREE = ByHand(10**6, (-1e6, 1e6), 1e6, 1e6, 1e9, 1.0, 0.0, (0.0, 1e9))  # where --limits say no less
@@ -75,7 +75,7 @@ def _number(value: Any) -> bool:
 
 
 def beyond(legs: list[Leg], limits: Limits | None) -> str | None:
-    """What of a run is beyond the limits, in words; None where nothing is, or there are none."""
+    """How a run exceeds the limits, in words; None where it does not, or there are no limits."""
     reason = refusal(legs, limits) if limits is not None else None
     if reason is None:
         return None

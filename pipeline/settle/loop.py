@@ -1,4 +1,4 @@
-"""The loop itself: each turn takes the last step one state further, so that it goes on wherever it was killed."""
+"""The loop: each turn advances the last step by one state, so that it can go on after a kill at any point."""
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -26,7 +26,7 @@ DONE, FAULT, STOPPED = 0, 1, 130
 
 @dataclass(frozen=True)
 class Loop:
-    """What the loop was asked for; the folder of its steps, and what may move and be spent.
+    """The arguments of the loop: the folder of its steps, the motor's limits, and the budget.
 
     By its `options` each recording is read once, however many steps are diagnosed with it.
     """
@@ -82,7 +82,7 @@ class Loop:
         return STOPPED
 
     def _begun(self) -> Step:
-        """Step 0: the runs that are there, or a first recording that is proposed."""
+        """Step 0: the existing runs, or a proposed first recording."""
         begun: ProposedRun = {"runs": [str(run) for run in self.runs]}
         if len(self.runs) > 1 or move.begun(self.runs[0]):
             return self.place.write(Step(0, "recorded", proposal=begun))
@@ -91,7 +91,7 @@ class Loop:
         return self._written(Step(0, "proposed", str(run_dir), {**without_curves(proposed), **begun}), proposed)
 
     def _written(self, step: Step, proposed: ProposedRun) -> Step:
-        """A proposed step with its run, drawn before it is made, and with the limits under which it was proposed."""
+        """A proposed step with its run, drawn before it is made, and the limits at that time."""
         step = step.at("proposed", proposal={**step.proposal, "limits": {**self.motor.allowed.given}})
         self.place.write_run(step.number, proposed)
         if "curves" in proposed:
@@ -102,7 +102,7 @@ class Loop:
         return [*self.runs, *(Path(step.run_dir or "") for step in steps[1:] if step.run_dir and step.used)]
 
     def _diagnosed(self, steps: list[Step]) -> Step:
-        """All runs so far in one diagnosis, and what came drawn over what was foretold."""
+        """All runs so far in one diagnosis, with the new samples drawn over their prediction."""
         step, folders = steps[-1], self._all_runs(steps)
         if step.number == 0 and not step.used:
             mend = "make another run's folder with new_run, and start settle with that one"
@@ -155,7 +155,7 @@ class Loop:
         settled(self.place, steps, self._all_runs(steps), self.budget, why, sentence)
 
     def _anew(self, steps: list[Step]) -> str | None:
-        """Why a run that was proposed earlier is not asked about: other limits are given now, or it is beyond them."""
+        """Why an earlier proposal is not asked about: limits changed, or it exceeds them."""
         step, budget_left = steps[-1], self.budget.left(steps[:-1])
         if step.proposal.get("limits", self.motor.allowed.given) != self.motor.allowed.given:
             return "--limits are others now"
@@ -169,7 +169,7 @@ class Loop:
         return self.place.write(yes) if yes else None
 
     def _recorded(self, step: Step) -> tuple[Step, int]:
-        """The run is made; the step, and an exit status where the loop is to end here."""
+        """Make the run; returns the step, and an exit status where the loop must end here."""
         folder = Path(step.run_dir or "")
         move.describe(folder, self.runs[-1], step)
         if move.begun(folder) and self.motor.port:

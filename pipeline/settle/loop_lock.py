@@ -1,4 +1,4 @@
-"""One loop at a time in a folder, where the system can lock a file; whether one is at work there."""
+"""A lock for one loop at a time in a folder, where the system can lock a file; and a check for a running loop."""
 
 import os
 import time

@@ -1,4 +1,4 @@
-"""What moves in a proposed run, leg by leg in numbers: seconds, turns, turns/s and load."""
+"""The motion of a proposed run, leg by leg in numbers: seconds, turns, turns/s and load."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -24,7 +24,7 @@ class Row(NamedTuple):
 
 
 def begins(step: Step) -> str:
-    """Where the motor stands before a run, and what hangs then."""
+    """The motor's place before a run, and the load at that time."""
     hangs = step.proposal.get("load")
     load = f", under {hangs:.4g} N" if hangs is not None else ""
     stands = f"Before it the motor stands at {step.proposal.get('from', 0.0):.2f} turns{load}."
@@ -35,7 +35,7 @@ def begins(step: Step) -> str:
 
 
 def size(step: Step) -> str:
-    """How long a run takes, as the verdict that proposes it says, with its strokes; and the way to where it begins."""
+    """The length of a run as its verdict says it, with its strokes, and the way to its beginning."""
     strokes = counted(step.strokes, "stroke")
     if not step.number or len(step.legs) < 2:
         return f"{step.seconds:.0f} s, {strokes}"
@@ -44,7 +44,7 @@ def size(step: Step) -> str:
 
 
 def table(step: Step) -> list[Row]:
-    """Legs of a run, those that repeat together in one row; the speed is the one between the ramps of this rig."""
+    """Legs of a run, with repeated ones in one row; the speed is that between this rig's ramps."""
     rows = _rows(step)
     short, at = list[Row](), 0
     while at < len(rows):
@@ -59,7 +59,7 @@ def table(step: Step) -> list[Row]:
 
 
 def lines(step: Step) -> list[str]:
-    """The same as lines of a terminal."""
+    """The same table as lines of a terminal."""
     rows = [HEAD, *table(step)]
     widths = [max(len(row[column]) for row in rows) for column in range(len(HEAD))]
     return ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
@@ -71,7 +71,7 @@ def winds(step: Step) -> int:
 
 
 def speed(way_turns: float, seconds: float, turns_per_s2: float | None) -> float:
-    """The highest speed of a leg in turns/s; the mean one where the ramps are not known."""
+    """The highest speed of a leg in turns/s; the mean speed where the ramps are unknown."""
     between_ramps = cruise(way_turns, seconds, turns_per_s2) if turns_per_s2 else None
     return abs(way_turns) / seconds if between_ramps is None else between_ramps
 
@@ -92,7 +92,7 @@ def _rows(step: Step) -> list[Row]:
 
 
 def _repeated(rows: Sequence[Row], at: int) -> tuple[int, int]:
-    """How many rows from `at` on repeat together, and how often, so that most are said at once."""
+    """How many rows from `at` on repeat together, and how often; the choice that saves most rows."""
     best, saves = (1, 1), 0
     for size in range(1, min(LONGEST, (len(rows) - at) // 2) + 1):
         times = 1

@@ -1,4 +1,4 @@
-"""The rig at a port and what a person allows of it: what it takes of a program now, and a program that it follows."""
+"""The rig at a port with a person's limits: its present limits for programs, and recording of a program."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ LONGER, AND_S = 2.0, 60.0  # than its legs take: then a recording is ended
 
 @dataclass(frozen=True)
 class Motor:
-    """`port` is None where a person moves the rig; with `all_limits` nothing moves before every limit is given."""
+    """`port` is None where a person moves the rig; with `all_limits` nothing moves until every limit is given."""
 
     port: str | None
     baud: int
@@ -26,9 +26,10 @@ class Motor:
     all_limits: bool
 
     def takes(self) -> Limits | None:
-        """What the rig takes of a program now; None where it takes none. Raises BadInput for no rig, or lack of limits.
+        """The rig's present limits for programs; None if it takes none.
 
-        It asks the device each time: where the motor stands is in its answer.
+        Raises BadInput if there is no rig, or a limit lacks. It asks the device each time: where the motor stands is in
+        its answer.
         """
         if not self.port:
             return None
@@ -44,12 +45,12 @@ class Motor:
         return self.allowed.within(rig) if rig else None
 
     def bounds(self) -> Limits | None:
-        """What no run that is proposed may go beyond: of a rig that takes no program what the person said, if any."""
+        """The limits of every proposed run; for a rig that takes no program, a person's own ones, if any."""
         limits = self.limits()
         return self.allowed.within(FREE) if limits is None and self.allowed.given else limits
 
     def follow(self, step: Step, place: Place, stopped: Callable[[], bool]) -> None:
-        """Make an approved run and record it; raises BadInput where the limits of now forbid it."""
+        """Make an approved run and record it; raises BadInput where the present limits forbid it."""
         why = beyond(as_legs(step.legs), self.limits())
         if why is not None:
             mend = f"widen --limits if that is safe, or remove {place.folder(step.number)} to have another proposed"

@@ -1,4 +1,4 @@
-"""The folder of a run that is made: named, described, waited for, and what came into it."""
+"""The folder of a made run: its name, its description, waiting for it, and its recording."""
 
 import time
 from collections.abc import Callable
@@ -22,7 +22,7 @@ LOOKS_S = 0.5
 
 
 def free_dir(first: Path, like: Path) -> Path:
-    """A run folder beside the first one that is not there yet; one that an earlier proposal left empty is removed."""
+    """A free run folder beside the first one; an empty one of an earlier proposal is removed."""
     number = 1
     while (folder := first.parent / f"{first.name}-s{number}").exists():
         if _is_left_empty(folder, like):
@@ -34,7 +34,7 @@ def free_dir(first: Path, like: Path) -> Path:
 
 
 def _is_left_empty(folder: Path, like: Path) -> bool:
-    """Whether a folder holds a run.yaml as this program writes it, whatever the load, and nothing else."""
+    """Whether a folder holds only a run.yaml that this program wrote, whatever its load."""
     if not folder.is_dir() or [path.name for path in folder.iterdir()] != [DESCRIBED]:
         return False
     with suppress(BadInput):
@@ -48,7 +48,7 @@ def _but_load(content: RunYaml) -> RunYaml:
 
 
 def waits_for_a_person(step: Step, makes: str) -> bool:
-    """Whether a run that was left to a person, who `makes` it, is not begun yet."""
+    """Whether a run that a person makes (`makes`) has not begun yet."""
     return step.state == "approved" and step.approved_by == makes and not begun(Path(step.run_dir or ""))
 
 
@@ -72,7 +72,7 @@ def begun(folder: Path) -> bool:
 
 
 def mended(folder: Path) -> bool:
-    """Make usable what an earlier start of this program left unfinished; False where it had not moved the rig yet.
+    """Repair a run that an earlier start of this program left unfinished; False where the rig had not moved yet.
 
     The capture writes HELLO before it says START. Raises BadInput where a program still records there.
     """
@@ -86,7 +86,7 @@ def mended(folder: Path) -> bool:
 
 
 def wait_for(folder: Path, stopped: Callable[[], bool]) -> bool:
-    """Wait until a person has recorded a run; False where somebody said stop before."""
+    """Wait until a person has recorded a run; False where somebody stopped the loop before."""
     while not begun(folder) or unfinished(folder):
         if stopped():
             return False
@@ -95,7 +95,7 @@ def wait_for(folder: Path, stopped: Callable[[], bool]) -> bool:
 
 
 def came(step: Step) -> tuple[Step, bool]:
-    """The step with how its recording ended, and whether a person ended it."""
+    """The step with the end of its recording, and whether a person ended it."""
     info = capture_info(Path(step.run_dir or ""))
     status = info.get("exit_status", "complete")
     if status == "complete":

@@ -1,4 +1,4 @@
-"""A run that could be made, and the verdict that it follows, as the files of a step hold them."""
+"""A possible run, and the verdict before it, in the form of a step's files."""
 
 from collections.abc import Sequence
 from typing import NotRequired, TypedDict, cast
@@ -10,7 +10,7 @@ from .limits import Given
 
 
 class Curves(TypedDict):
-    """What is foretold of a run, as lists of one length: time in s, motion in turns, load in N, readings in mm.
+    """The prediction for a run, as lists of one length: time in s, motion in turns, load in N, readings in mm.
 
     `calibrated` is the simulator without a mechanism, `rivals` what each explanation that ties foretells.
     """
@@ -34,7 +34,7 @@ class Pair(TypedDict):
 
 
 class ProposedRun(_Begins, total=False):
-    """A run of `next_runs.json`, as docs/diagnosis_json.md has `next_run`; of step 0 also `runs`, what was there."""
+    """A run of `next_runs.json`, as `next_run` in docs/diagnosis_json.md; in step 0 also `runs`, the existing ones."""
 
     title: str
     legs: list[LegJson]
@@ -54,33 +54,33 @@ class ProposedRun(_Begins, total=False):
 
 
 class Size(TypedDict):
-    """What is read of a size, in mm."""
+    """The parts of a size that this program reads, in mm."""
 
     value: float
 
 
 class NamedMechanism(TypedDict):
-    """What is read of an entry of `mechanisms`."""
+    """The parts of an entry of `mechanisms` that this program reads."""
 
     id: str
     rms_mm: NotRequired[Size]
 
 
 class Explanation(TypedDict):
-    """What is read of an entry of `explanations`."""
+    """The parts of an entry of `explanations` that this program reads."""
 
     ids: list[str]
     probability: float | None
 
 
 class Evidence(TypedDict, total=False):
-    """What is read of the `evidence`."""
+    """The parts of the `evidence` that this program reads."""
 
     explanations: list[Explanation]
 
 
 class StepVerdict(TypedDict):
-    """What is read of a step's `diagnosis.json`."""
+    """The parts of a step's `diagnosis.json` that this program reads."""
 
     verdict: str
     mechanisms: list[NamedMechanism]
@@ -89,7 +89,7 @@ class StepVerdict(TypedDict):
 
 
 def retimed(run: ProposedRun, legs: Sequence[LegJson]) -> ProposedRun:
-    """A run whose legs take as long as the rig needs; what is foretold is moved in time with them."""
+    """A run whose legs take as long as the rig needs, with its prediction shifted in time with them."""
     curves = run["curves"]
     before_s, after_s = (np.cumsum([0.0, *(leg["seconds"] for leg in each)]) for each in (run["legs"], legs))
     time_s = np.interp(curves["time_s"], before_s, after_s).tolist()
@@ -97,5 +97,5 @@ def retimed(run: ProposedRun, legs: Sequence[LegJson]) -> ProposedRun:
 
 
 def without_curves(run: ProposedRun) -> ProposedRun:
-    """A run that could be made, without what is foretold of it."""
+    """A possible run without its prediction."""
     return cast(ProposedRun, {key: value for key, value in run.items() if key != "curves"})

@@ -16,7 +16,7 @@ SAME_LOAD = 0.01  # share: less is no other load
 
 
 def hand_out(step: Step, place: Place, like: Path, why: str) -> str:
-    """Write the sheet of a run into its step's folder, with the loop that each explanation foretells; its text."""
+    """Write the sheet of a run into its step's folder, with each explanation's predicted loop; returns its text."""
     proposed = place.proposed_run(step.number)
     loops = expected_loops(step, proposed["curves"]) if "curves" in proposed else []
     text = sheet(step, like, why, loops)
@@ -45,7 +45,7 @@ def sheet(step: Step, like: Path, why: str, loops: Sequence[str] = ()) -> str:
 
 
 def steps(step: Step) -> list[str]:
-    """What a person does, in words: ways and pauses that nobody would see are none, and there is time to hang."""
+    """The steps for a person, in words: invisible ways and pauses are left out, and there is time to hang loads."""
     loads, at, stood_s = step.loads_n, step.proposal.get("from", 0.0), 0.0
     hangs_n = _first_load(step)
     lines = list[str]()
@@ -75,7 +75,7 @@ def steps(step: Step) -> list[str]:
 
 
 def before(step: Step) -> list[str]:
-    """What to hang before the motion begins, or that a recording needs a column of the load where that changes."""
+    """What to hang before the motion begins, or that a changing load needs a column in the recording."""
     if len(step.loads_n) == 1:
         return [f"Before it, hang {step.loads_n[0]:g} N, and leave it there."]
     if not step.loads_n:
@@ -87,7 +87,7 @@ def before(step: Step) -> list[str]:
 
 
 def hung_before(step: Step) -> Step:
-    """A step as a person makes it: she stands where the run begins, and its one load hangs from the beginning on."""
+    """A step for a person: it starts where the run begins, and a single load hangs from the beginning."""
     legs, stands = step.legs, step.proposal.get("from", 0.0)
     if legs and abs(legs[0]["motor_turns"] - stands) <= step.still_turns:
         step = step.at(step.state, proposal={**step.proposal, "from": legs[0]["motor_turns"]})

@@ -1,4 +1,4 @@
-"""One step of the loop as a file: what was proposed, and how far it is; it survives a kill at any moment."""
+"""One step of the loop as a file: its proposal and its progress; it survives a kill at any moment."""
 
 import json
 from dataclasses import asdict, dataclass, field, replace
@@ -17,7 +17,7 @@ NAME, PROPOSED = "state.json", "proposed.json"
 
 @dataclass(frozen=True)
 class Step:
-    """A step: step 0 is what was there, or the first recording; each further one is a run that was proposed.
+    """A step: step 0 is the existing runs or the first recording; each further one is a proposed run.
 
     `run_dir` is the folder of the run, `proposal` what `proposed.json` has of it without curves; `ended` says how its
     recording ended where that was not by itself.
@@ -33,7 +33,7 @@ class Step:
     verdict: str | None = None
 
     def at(self, state: str, **changes: Any) -> "Step":
-        """The same step further on."""
+        """The same step in a later state."""
         return replace(self, state=state, **changes)
 
     @property
@@ -48,7 +48,7 @@ class Step:
 
     @property
     def still_turns(self) -> float:
-        """In a way that is no longer the motor as good as stands."""
+        """A way that is short enough for the motor to count as standing."""
         places = [self.proposal.get("from", 0.0), *(leg["motor_turns"] for leg in self.legs)]
         return max(STANDS, STILL * (max(places) - min(places)))
 
@@ -61,7 +61,7 @@ class Step:
 
     @property
     def loads_n(self) -> list[float]:
-        """The loads under which it moves, in N, each once and in their order; none where it says nothing of a load."""
+        """The loads during its motion, in N, each once and in order; none if the run names no load."""
         before = [self.proposal.get("from", 0.0), *(leg["motor_turns"] for leg in self.legs)]
         moves = [
             leg for at, leg in zip(before, self.legs, strict=False) if abs(leg["motor_turns"] - at) > self.still_turns
@@ -100,20 +100,20 @@ class Place:
         return steps
 
     def write_run(self, number: int, run: ProposedRun) -> None:
-        """Write the run that a step proposes, with what is foretold of it."""
+        """Write the run that a step proposes, with its prediction."""
         write_text(self.folder(number) / PROPOSED, json.dumps(run, ensure_ascii=False) + "\n")
 
     def proposed_run(self, number: int) -> ProposedRun:
-        """The run that a step proposes, with what is foretold of it."""
+        """The run that a step proposes, with its prediction."""
         run: ProposedRun = json.loads((self.folder(number) / PROPOSED).read_text(encoding="utf-8"))
         return run
 
     def diagnosis(self, number: int) -> StepVerdict:
-        """What the diagnosis of a step says."""
+        """The diagnosis of a step."""
         verdict: StepVerdict = json.loads((self.folder(number) / "diagnosis.json").read_text(encoding="utf-8"))
         return verdict
 
     def next_runs(self, number: int) -> list[ProposedRun]:
-        """Runs that could be made after a step, the best first."""
+        """The possible runs after a step, the best first."""
         runs: list[ProposedRun] = json.loads((self.folder(number) / "next_runs.json").read_text(encoding="utf-8"))
         return runs

@@ -1,4 +1,4 @@
-"""What a person reads of the tie before a run that is to decide it: which explanations, how probable, and where."""
+"""The tie before its deciding run, for a person: the explanations, how probable they are, and where to read more."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ def probable(ids: Sequence[str], verdict: StepVerdict) -> str:
 
 
 def closest(run: ProposedRun) -> str:
-    """The two explanations that are the closest ones with a run, in words; empty where nothing says which."""
+    """The two explanations that stay closest with a run, in words; empty where no file tells them."""
     pairs = [pair for pair in run.get("pairs", []) if len(pair["ids"]) == 2]
     parts = run.get("parts", [])
     ids = min(pairs, key=lambda pair: pair["gap_then"])["ids"] if pairs else parts if len(parts) == 2 else []
@@ -30,7 +30,7 @@ def closest(run: ProposedRun) -> str:
 
 
 def tie(step: Step, place: Place) -> list[str]:
-    """Between what a step's run decides, each with its probability by the verdict before it, and that verdict's file.
+    """The explanations that a step's run decides between, with their probability by the verdict before, and its file.
 
     Nothing of a first recording, before which there is no verdict.
     """
@@ -47,6 +47,6 @@ def tie(step: Step, place: Place) -> list[str]:
 
 
 def so_far(step: Step, place: Place) -> str:
-    """Where the verdict stands that a step's run follows; empty before the first one."""
+    """The place of the verdict before a step's run; empty before the first one."""
     path = place.folder(step.number - 1) / "verdict.txt"
     return f"the verdict so far: {path}" if step.number and path.is_file() else ""

@@ -1,1 +1,1 @@
-"""One string over several runs: their order, its common tare, and what the zero did in between."""
+"""One string over several runs: their order, their common tare, and the changes of the zero between them."""

@@ -1,4 +1,4 @@
-"""What one string went through: its runs as the stages before left them, in order, and their common tare."""
+"""The history of one string: its runs from earlier stages, in order, and their common tare."""
 
 import re
 from collections.abc import Iterator
@@ -27,7 +27,7 @@ LEVEL = ("motor_turns", "load_n", "displacement_mm")
 
 @dataclass(frozen=True)
 class Recorded:
-    """One run as it reaches this stage: what it is, when it began, its samples, its strokes, and where it lies."""
+    """One run at this stage: its description, its start, its samples, its strokes, and its folder."""
 
     run: Run
     started_utc: str
@@ -52,7 +52,7 @@ class Recorded:
         return first, last
 
     def level_mm(self, first: int, stop: int) -> float:
-        """What the displacement reads more than the nominal model from a sample until another, the median."""
+        """The median of the displacement less the nominal model, from one sample to another."""
         nominal = geometry(self.run)
 
         def pieces() -> Iterator[Array]:
@@ -64,7 +64,7 @@ class Recorded:
 
 
 class Dated(Protocol):
-    """A run of which is known what tells when it was recorded."""
+    """A run with the facts that tell when it was recorded."""
 
     @property
     def run(self) -> Run: ...
@@ -110,7 +110,7 @@ def in_order(runs: list[OneRun]) -> list[OneRun]:
 
 
 def tare_mm(first: Recorded) -> float:
-    """What to add to a string's displacement so that it is the model's on the rest before the first stroke.
+    """The offset to a string's displacement that makes it equal the model on the rest before the first stroke.
 
     Without a rest there, its first sample serves. The median keeps outliers out.
     """
@@ -121,7 +121,7 @@ def tare_mm(first: Recorded) -> float:
 
 
 def read_recorded(run_dir: Path, processed: Path) -> Recorded:
-    """One run from its folder and from what the earlier stages made of it; raises BadInput or Refused."""
+    """One run from its folder and from the files of earlier stages; raises BadInput or Refused."""
     run = read_run(run_dir)
     samples = opened(processed / run.run / "samples.parquet")
     strokes = schemas.read(processed / run.run / "strokes.parquet", schemas.STROKES)
@@ -137,7 +137,7 @@ def by_string(recorded: list[Recorded]) -> list[list[Recorded]]:
 
 
 def read_usable(folders: list[Path], processed: Path) -> tuple[list[Recorded], list[LeftOut]]:
-    """Runs as the earlier stages left them, and those that they refused; raises BadInput when all are refused."""
+    """Runs from the earlier stages, and those that these refused; raises BadInput when all are refused."""
     recorded, refused = [], []
     for folder in folders:
         try:

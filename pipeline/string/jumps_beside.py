@@ -1,4 +1,4 @@
-"""What the zero did between the runs that are asked about and the other runs of the same string beside them."""
+"""Changes of the zero between given runs and the other runs of the same string beside them."""
 
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -17,7 +17,7 @@ Reader = Callable[[Path], Recorded]
 
 
 class Beside:
-    """The rests of the runs that lie beside others, each read once in a program; `known` ones are not read at all.
+    """The rests of the runs beside others, each read once in a program; `known` runs are not read.
 
     `reader` reads the others: a program that holds recordings gives its own.
     """
@@ -38,7 +38,7 @@ class Beside:
 
     @property
     def unreadable(self) -> set[Path]:
-        """The runs that were to be read and cannot be."""
+        """The runs that should be read but could not."""
         return {place for place, rests in self._rests.items() if rests is None}
 
     def of_strings(self, place: Path, strings: set[str], but: set[Path]) -> list[Rests]:
@@ -71,7 +71,7 @@ def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
 
 
 def advice_on(folder: Path, beside: Beside | None = None) -> list[str]:
-    """What a person should do about the zero of a run that was just recorded: a sentence for each jump into it.
+    """The advice on the zero of a run that was just recorded: a sentence for each jump into it.
 
     None where no other run of its string lies beside it, or where this one cannot be read. Of many others the last
     ones before it are read, so that nobody waits for a year of recordings.
@@ -91,7 +91,7 @@ def advice_on(folder: Path, beside: Beside | None = None) -> list[str]:
 
 
 def _last(folders: list[Path], until_utc: str) -> list[Path]:
-    """The last of some runs that were recorded before a time, or all where nothing tells their order; BadInput."""
+    """The last of some runs recorded before a time, or all where their order is unknown; BadInput."""
     if len(folders) <= LAST or not until_utc:
         return folders
     times = {folder: started_utc(folder) for folder in folders}

@@ -1,4 +1,4 @@
-"""Which recorded string a new run may be of: strings that are worked in several runs must share their name."""
+"""Which recorded string a new run may be of: runs of one string must share its name."""
 
 import shlex
 import sys
@@ -28,7 +28,7 @@ def alike(string: String, raw: Path, name: str) -> list[Run]:
 
 
 def asked(ids: list[str], ask: Callable[[str], str]) -> str | None:
-    """The string that a person says the new run is of, or None; `ask` puts a question and has the answer."""
+    """The string that a person names for the new run, or None; `ask` asks a question and returns the answer."""
     for id_ in ids:
         if ask(f"Is it the string {id_!r}, which is of the same material and size? [y/n] ").strip().lower() == "y":
             return id_
@@ -36,7 +36,7 @@ def asked(ids: list[str], ask: Callable[[str], str]) -> str | None:
 
 
 def string_id(string: String, raw: Path, name: str, ask: Callable[[str], str] | None) -> str | None:
-    """The string's name for a new run that was given none: asked for on a terminal, otherwise said how to give it."""
+    """The string's name for a new run without one: asked for on a terminal, else the message how to give it."""
     ids = list(dict.fromkeys(run.string_id for run in alike(string, raw, name)))
     if not ids:
         return None
@@ -52,7 +52,7 @@ def string_id(string: String, raw: Path, name: str, ask: Callable[[str], str] | 
 
 
 def imported_as_another(run: Run, raw: Path, apart: Collection[str] = ()) -> str:
-    """What is said of an imported run that names no string, where others of its material and size lie beside it.
+    """The remark on an imported run without a string's name, where runs of the same material and size lie beside it.
 
     The runs `apart` are known to be of other strings.
     """

@@ -1,4 +1,4 @@
-"""What comes next when a run was recorded: what the simulator leaves out, and the string's next run or its life."""
+"""The next steps after a recording: what the simulator leaves out, and the string's next run or its life."""
 
 import shlex
 from collections.abc import Container

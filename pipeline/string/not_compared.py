@@ -1,4 +1,4 @@
-"""Between which runs of one string the zero was not compared, and why: a jump between these is seen by no program."""
+"""Runs of one string between which the zero was not compared, and why: a jump there stays unseen."""
 
 from itertools import pairwise
 
@@ -10,7 +10,7 @@ from .zero import change_mm
 
 
 def not_compared(runs: list[Rests]) -> list[str]:
-    """Of runs, a sentence for each whose first rest does not compare with the last one of its string before it.
+    """A sentence for each run whose first rest cannot be compared with the last one of its string before it.
 
     None for a run of which `tare_notes` tells that already.
     """

@@ -1,4 +1,4 @@
-"""What a string took back between two runs and lost again with the first stroke: no wear, and no move of the zero.
+"""The length that a string recovers between two runs and loses with the first stroke: no wear, and no zero change.
 
 Under load a string creeps, at rest it takes some of it back. After the break its first stroke works that out again:
 the rest after the first stroke reads less than the one before it, by more than a stroke usually takes. Of a sensor that
@@ -21,7 +21,7 @@ def alike(turns: list[float], load_n: list[float], range_turns: float) -> bool:
 
 
 def recovered_mm(before: Rests, after: Rests) -> float:
-    """How much of what the first rest of a run reads was taken back in the break; 0 where the rests cannot tell.
+    """How much of a run's first rest was recovered in the break; 0 where the rests cannot tell.
 
     It takes two strokes of the run before and three of the run itself. No string takes back more than it had lost.
     """
@@ -35,13 +35,13 @@ def recovered_mm(before: Rests, after: Rests) -> float:
 
 
 def but_for(recovered: float) -> str:
-    """What is said, after what is taken off, of what is left in."""
+    """The remark on the part that is not subtracted."""
     back = f"the {recovered:.2g} mm that the string took back in the break and lost again with its first stroke"
     return f", but for {back}" if recovered else ""
 
 
 def _regular(before: Rests, after: Rests) -> bool:
-    """Whether a rest follows every stroke that is compared, all of them at one twist and under one load."""
+    """Whether a rest follows every compared stroke, all at one twist and under one load."""
     last, first = slice(-EITHER_SIDE - 1, None), slice(EITHER_SIDE + 2)
     strokes = before.after[last], after.after[first]
     turns, load_n = ([*getattr(before, name)[last], *getattr(after, name)[first]] for name in ("turns", "load_n"))

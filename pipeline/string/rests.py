@@ -1,4 +1,4 @@
-"""What a run tells of its zero: where its rests read, small enough to be kept when its samples are gone."""
+"""The readings of a run's rests, which tell its zero: small enough to be kept without the samples."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -53,7 +53,7 @@ class Rests:
 
 
 def rests_of(recorded: Recorded) -> list[Rest]:
-    """The rest before the first stroke, without one the first sample, and each rest after a stroke."""
+    """The rest before the first stroke, or else the first sample, and each rest after a stroke."""
     table = recorded.strokes[recorded.strokes["phase"] == "rest"]
     first, later = table[table["stroke"] == 0][-1:], table[table["stroke"] > 0]
     both = pd.concat([first, later])
@@ -62,7 +62,7 @@ def rests_of(recorded: Recorded) -> list[Rest]:
 
 
 def noise_mm(recorded: Recorded) -> float:
-    """Noise floor of a run's displacement in mm: the spread of what is not smooth, and of its rests if that is more."""
+    """Noise floor of a run's displacement in mm: the spread of its rough part, or of its rests if that is larger."""
     rows, name = recorded.rows, "displacement_mm"
     last = len(rows) - 2
     spans = [(first, min(stop, last)) for first, stop in rows.spans if first < last]

@@ -1,4 +1,4 @@
-"""The other runs of a run's string beside it: which they are, and what they say of their zero."""
+"""The other runs of a run's string beside it: their names, and their statements on the zero."""
 
 import re
 from pathlib import Path
@@ -35,7 +35,7 @@ def next_name(folder: Path) -> str:
 
 
 def tares(run: Run, others: list[Path]) -> str:
-    """What a new run and the others of its string say of their zero, and what to do if that is not so."""
+    """The statements of a new run and the others of its string on their zero, and what to do if they are wrong."""
     by_tare: dict[str, list[str]] = {}
     anew: list[str] = []
     for other in others:
@@ -57,7 +57,7 @@ def tares(run: Run, others: list[Path]) -> str:
 
 
 def _tare(run: Run) -> str:
-    """What a run says of its zero, and whether its run.yaml writes nothing of it."""
+    """The statement of a run on its zero, and whether its run.yaml leaves it out."""
     return f"`tare: {run.tare}`" + ("" if "tare" in run.model_fields_set else " (the default)")
 
 

@@ -1,4 +1,4 @@
-"""What a person should know of `tare` in the runs of one string where no jump of the zero is seen.
+"""Notes on `tare` in the runs of one string where no jump of the zero is seen.
 
 A jump that is smaller than what the string does by itself from stroke to stroke is not called one. Where another run of
 the string says `tare: run`, its sensor is likely set to zero at each start, and so may be this one's.
@@ -13,7 +13,7 @@ from .zero import change_mm, jumps_among
 
 
 def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
-    """Of runs of one string, the runs to which it matters, each with a sentence."""
+    """The runs of one string that `tare` matters to, each with a sentence."""
     ordered = in_order(runs)
     jumped = {jump.run for jump in jumps_among(ordered)}
     own_zero = [rests.run.run for rests in ordered[1:] if rests.run.tare == "run"]

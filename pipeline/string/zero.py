@@ -1,4 +1,4 @@
-"""What a sensor's zero did from one run of a string to the next, and what each run's displacement is tared by.
+"""Changes of a sensor's zero between runs of a string, and the tare of each run's displacement.
 
 A displacement's zero is arbitrary, and is thought to stay the same over all runs of a string. Between two runs nothing
 winds the string, so the rest before a run's first stroke should read what the last rest of the run before read, but for
@@ -22,7 +22,7 @@ LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
 
 @dataclass(frozen=True)
 class Jump:
-    """A run's rest that reads otherwise than the one before it: `jump_mm` more, with a noise floor of `floor_mm`.
+    """A run's rest that differs from the one before it: by `jump_mm`, with a noise floor of `floor_mm`.
 
     `unrecorded` strokes were done in between by what run.yaml says: the change may be theirs. `recovered_mm` of it the
     string took back in the break: the zero was moved by the rest.
@@ -38,12 +38,12 @@ class Jump:
 
     @property
     def entry(self) -> dict[str, str | float]:
-        """What a diagnosis' `zero_jumps` says of it."""
+        """The entry in a diagnosis' `zero_jumps`."""
         return {"before": self.before, "run": self.run, "jump_mm": self.jump_mm, "floor_mm": self.floor_mm}
 
     @property
     def may_be_wear(self) -> bool:
-        """Whether strokes that nobody recorded may have made the change."""
+        """Whether unrecorded strokes may have caused the change."""
         return self.unrecorded > 0 and not self.taken_off
 
     @property
@@ -53,7 +53,7 @@ class Jump:
 
     @property
     def sentence(self) -> str:
-        """What is seen, in words."""
+        """The observed change, in words."""
         more = f"{_two_digits(abs(self.jump_mm))} mm {'more' if self.jump_mm > 0 else 'less'}"
         floors = f"{_two_digits(abs(self.jump_mm) / self.floor_mm)} times the noise ({self.floor_mm:.2g} mm)"
         were = "was" if self.unrecorded == 1 else "were"
@@ -65,7 +65,7 @@ class Jump:
 
     @property
     def advice(self) -> str:
-        """What is seen, and what to do if the zero was moved, or that it was done."""
+        """The observed change, and what to do if the zero was moved, or that it was done."""
         if self.taken_off:
             return (
                 f"{self.sentence} run.yaml of {self.run} says `tare: run`: so this jump is taken off the displacement "
@@ -83,7 +83,7 @@ def _two_digits(value: float) -> str:
 
 
 def jumps_among(runs: list[Rests]) -> list[Jump]:
-    """The jumps of the zero among runs of one string, of which the rests are known, in their order."""
+    """The jumps of the zero among runs of one string with known rests, in their order."""
     runs, jumps_found, done = in_order(runs), [], 0
     for number, rests in enumerate(runs):
         assert rests.run.string is not None
@@ -96,7 +96,7 @@ def jumps_among(runs: list[Rests]) -> list[Jump]:
 
 
 def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> list[float]:
-    """What to add to the displacement of each run of one string, which are in order.
+    """The offset to the displacement of each run of one string, in the order of the runs.
 
     The first run's own tare holds for the others. A run whose run.yaml says `tare: run`, and one of those `moved`, is
     set by its own rest to what the string read at the end of the run before and what it took back since, and those
@@ -126,7 +126,7 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
 
 
 def change_mm(before: Rests, after: Rests) -> float | None:
-    """By how much a run's first rest reads more than the last rest of the run before, both against the model."""
+    """By how much a run's first rest exceeds the last rest of the run before, both relative to the model."""
     turns, load_n = [before.turns[-1], after.turns[0]], [before.load_n[-1], after.load_n[0]]
     if not alike(turns, load_n, before.range_turns):
         return None
@@ -134,6 +134,6 @@ def change_mm(before: Rests, after: Rests) -> float | None:
 
 
 def _usual_mm(*runs: Rests) -> float:
-    """How much the rest changes from one stroke to the next, the median over runs; 0 where none has two strokes."""
+    """The usual change of the rest per stroke, the median over runs; 0 where no run has two strokes."""
     every = np.abs(np.concatenate([np.diff(rests.levels_mm) for rests in runs]))
     return float(np.median(every)) if len(every) else 0.0

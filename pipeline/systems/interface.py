@@ -1,4 +1,4 @@
-"""What a system is: the base simulator of one kind of rig, and what a recording of that rig holds."""
+"""The interface of a system: the base simulator of one kind of rig, and the channels of its recordings."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class Parameter:
 
 
 class Described(Protocol):
-    """What a system reads of `run.yaml`: the string, the rig's dimensions, and how well each was measured."""
+    """The parts of `run.yaml` that a system reads: the string, the rig's dimensions, and their tolerances."""
 
     @property
     def string(self) -> Any:
@@ -40,7 +40,7 @@ class Described(Protocol):
 
 
 class Inputs(Protocol):
-    """What a system simulates from, one value a sample: motion in the driver's unit, load in the system's load unit."""
+    """The inputs of a system, one value a sample: motion in the driver's unit, load in the system's load unit."""
 
     @property
     def time_s(self) -> Array:
@@ -48,7 +48,7 @@ class Inputs(Protocol):
 
     @property
     def motion(self) -> Array:
-        """What the motor does. In the driver's unit, shape (samples,)."""
+        """The motion of the motor. In the driver's unit, shape (samples,)."""
 
     @property
     def rate(self) -> Array:
@@ -112,7 +112,7 @@ class System:
         raise NotImplementedError
 
     def simulate(self, values: Array, inputs: Inputs, acts: dict[str, Array]) -> Array:
-        """The reading without its zero, for values of the parameters and what acts at the ports.
+        """The reading without its zero, for values of the parameters and additions at the ports.
 
         `values` of shape (parameters,), in the order and the units of `parameters`; each of `acts` and the reading of
         shape (samples,).
@@ -120,7 +120,7 @@ class System:
         raise NotImplementedError
 
     def lever(self, values: Array, inputs: Inputs) -> tuple[Array, Array]:
-        """How much of a resisting torque reaches the output: sine and tangent of the helix angle; else ones.
+        """The share of a resisting torque that reaches the output: sine and tangent of the helix angle; else ones.
 
         Each of shape (samples,).
         """

@@ -13,7 +13,7 @@ from .interface import Described, Inputs, Parameter, System, sigma_of
 
 
 class MovingMass(System):
-    """Force = mass · acceleration + load, with a true zero; what is faster than 100 Hz tells nothing of it."""
+    """Force = mass · acceleration + load, with a true zero; changes faster than 100 Hz tell nothing of the mass."""
 
     name = "moving_mass"
     driver, channel, load, load_unit = "position_m", "force_n", "load_n", 10.0

@@ -1,4 +1,4 @@
-"""A tendon in a sheath: what is pulled in at one end turns a pulley at the other, in degrees.
+"""A tendon in a sheath: the pull at one end turns a pulley at the other end, in degrees.
 
 Source: Kaneko, Yamashita and Tanie, "Basic considerations on transmission characteristics for tendon drive robots",
 1991.

@@ -1,4 +1,4 @@
-"""The twisted string, with a separator (eqs 1–4) and as a pair without: twist, load and acts → displacement in mm.
+"""The twisted string, with a separator (eqs 1–4) or as a pair: twist, load and mechanisms → displacement in mm.
 
 Source: Liu, Wei, Gao and Gong, "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks" (eqs
 1–4); Würtz and others, "The twisted string actuation system: modeling and control", IEEE/ASME AIM 2010 (pair).
@@ -27,7 +27,7 @@ FLATTEST = 0.98  # of its length, that a pair can be wound
 
 
 class TwistedString(System):
-    """Stages: twist → radius → geometry → length → sensor scale. Acts enter at their stage."""
+    """Stages: twist → radius → geometry → length → sensor scale. Each mechanism enters at its stage."""
 
     driver, channel, load, load_unit = "motor_turns", "displacement_mm", "load_n", LOAD_UNIT_N
     turn, levered, needs_string, homed = 1.0, True, True, "angle_turns"
@@ -87,7 +87,7 @@ class TwistedString(System):
 
 
 class Pair(TwistedString):
-    """x = L - sqrt(L^2 - (theta r)^2); a separator's dimensions are read, and used for nothing."""
+    """x = L - sqrt(L^2 - (theta r)^2); a separator's dimensions are read, but not used."""
 
     name = "twisted_pair"
     optional_rig: Mapping[str, str] = {**TwistedString.optional_rig, **SEPARATOR}

@@ -20,13 +20,13 @@ EVERY_S = 0.5
 
 
 class Buttons:
-    """What the two buttons do: files that the loop reads, written one after the other."""
+    """The actions of the two buttons: they write files that the loop reads."""
 
     def __init__(self, settling: Settling) -> None:
         self._settling, self._lock = settling, threading.Lock()
 
     def __call__(self, button: str, message: dict[str, object]) -> str | None:
-        """Press one; why it did nothing, or None."""
+        """Press one; returns why it did nothing, or None."""
         with self._lock:
             state = self._settling.told(self._settling.step())
             if state is None or not state["at_work"]:
@@ -58,7 +58,7 @@ def follow(run_dir: Path, settling: Settling, page: Page) -> None:
 
 
 def real(path: Path) -> Path:
-    """Where a path leads, whatever becomes of the working folder; a link that leads to itself stays as it is."""
+    """The target of a path, whatever becomes of the working folder; a link that leads to itself stays as it is."""
     return Path(os.path.realpath(path))
 
 

@@ -22,7 +22,7 @@ LONGEST_STEP_US = 60_000_000  # a clock that goes on by more was set anew
 
 @dataclass(frozen=True)
 class Piece:
-    """Samples in the order in which they were read; `strokes` say before which of them a stroke begins."""
+    """Samples in the order of reading; `strokes` says before which of them a stroke begins."""
 
     rows: Array  # (samples, 1 + channels): time in s, then the channels
     strokes: list[int]
@@ -47,7 +47,7 @@ class Counts:
 
 
 class Source(Protocol):
-    """Bytes in, samples out; memory does not go by how much came. `rate_hz` is by the device's clock."""
+    """Bytes in, samples out; memory does not grow with their number. `rate_hz` is by the device's clock."""
 
     columns: tuple[str, ...]
     rate_hz: float | None
@@ -60,7 +60,7 @@ class Source(Protocol):
         """What was lost so far."""
 
     def why_none(self, folder: Path) -> str:
-        """Why nothing of what came is a sample, and what to do; empty where nothing tells."""
+        """Why none of the bytes is a sample, and what to do; empty if that is unknown."""
 
 
 class Frames:
@@ -91,7 +91,7 @@ class Frames:
         return Piece(rows, self._begins(numbers))
 
     def _clock(self, t_us: NDArray[np.uint32], usual_us: float) -> Array:
-        """Time in s since the first sample; a step that cannot be counts as a usual one."""
+        """Time in s since the first sample; an impossible step counts as a usual one."""
         before = int(t_us[0]) if self._stamp < 0 else self._stamp
         steps = steps_of(t_us, before).astype(np.float64)
         wrong = (steps < 0) | (steps > LONGEST_STEP_US)
@@ -102,13 +102,13 @@ class Frames:
         return np.asarray(time_us * 1e-6)
 
     def _begins(self, numbers: Whole) -> list[int]:
-        """Before which samples strokes begin that had not been told of."""
+        """Before which samples strokes begin that were not reported before."""
         new = [(number, code) for number, code, _ in self._ledger.tally().events if number > self._event]
         self._event = new[-1][0] if new else self._event
         return [int(np.searchsorted(numbers, number)) for number, code in new if code == Event.STROKE_START]
 
     def counts(self) -> Counts:
-        """Frames that are missing, and stretches that were none."""
+        """Frames that are missing, and byte stretches that were no frames."""
         tally, hello = self._ledger.tally(), self._ledger.hello
         marks = [(code, value) for _, code, value in tally.events if code in (Event.STROKE_START, Event.STROKE_END)]
         done = sum(code == Event.STROKE_END for code, _ in marks)
@@ -117,12 +117,12 @@ class Frames:
         return Counts(tally.bad, tally.lost, self._jumps, done, planned, begun=begun, is_open=is_open)
 
     def why_none(self, folder: Path) -> str:
-        """Nothing: frames name what they carry."""
+        """Empty: frames name their own channels."""
         return ""
 
 
 class Printed:
-    """`recording.lines` of a `run`, its columns named by `given`, or by the rig where nothing is given."""
+    """`recording.lines` of a `run`, its columns named by `given`, or by the rig where `given` is empty."""
 
     def __init__(self, column_names: tuple[str, ...] = (), run: Run | None = None) -> None:
         self.columns: tuple[str, ...] = ()

@@ -12,7 +12,7 @@ class Coming:
         self._looks: deque[tuple[float, int]] = deque()
 
     def look(self, now_s: float, samples: int, growing: bool) -> None:
-        """Take note of a look; one at a recording that is not followed to its end, or grows no more, begins anew."""
+        """Take note of a look; a look that did not reach the end of the recording, or found no growth, begins anew."""
         if not growing:
             self._looks.clear()
             return

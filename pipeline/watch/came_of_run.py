@@ -1,4 +1,4 @@
-"""What came of a run that settle makes, as means that a screen can show beside what was foretold of it."""
+"""The samples of a run that settle makes, as means that fit a screen, to show beside their prediction."""
 
 import numpy as np
 
@@ -51,7 +51,7 @@ class Means:
 
 
 def beyond(time_s: Array, turns: Array, reading_mm: Array, curves: Curves) -> dict[str, Array]:
-    """Where the reading was before the motor moved, and by how much it then differed from the simulator, in mm.
+    """The reading before the motor moved, and its later difference from the simulator, in mm.
 
     All of shape (means,), `zero_mm` of shape (1,); times in s since the run began.
     """

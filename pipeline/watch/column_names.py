@@ -1,4 +1,4 @@
-"""The names of a text recording's columns: those that capture stored, and what run.yaml reads them as."""
+"""The names of a text recording's columns: those that capture stored, and those in run.yaml."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ Scaled = tuple[str, float, float]  # a channel's name, and what makes a printed 
 
 
 def stored_columns(folder: Path) -> tuple[str, ...]:
-    """The names that --columns gave, also of a recording that is still made; none where the rig prints them itself."""
+    """The names that --columns gave, also for a recording under way; none where the rig prints them itself."""
     try:
         info = capture_info(folder)
     except (BadInput, OSError):
@@ -25,7 +25,7 @@ def stored_columns(folder: Path) -> tuple[str, ...]:
 
 
 def channel_of(run: Run | None, printed: tuple[str, ...], at: int) -> Scaled:
-    """What a printed column is in this run: a channel in our unit, or what it is called, as it was printed."""
+    """The channel of a printed column in this run: in our unit, or under its printed name."""
     for name in run.system.columns if run else ():
         channel = run.channels.get(name) if run else None
         if channel is None and name not in printed and (in_unit := in_its_unit(name, printed)):

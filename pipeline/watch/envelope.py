@@ -1,4 +1,4 @@
-"""What a screen can show of a signal of any length: the least and the greatest of each of a bounded number of parts."""
+"""A signal of any length for a screen: the least and the greatest value of each of a bounded number of parts."""
 
 import numpy as np
 
@@ -42,7 +42,7 @@ class _Extreme:
 
 
 class Envelope:
-    """Samples in at most `most` parts of equally many samples; when they are full, neighbours become one part.
+    """Samples in at most `most` parts of equal length; when they are full, neighbours become one part.
 
     `along`: the column over which the others are drawn, the time or another one.
     """
@@ -107,7 +107,7 @@ class Envelope:
         return np.asarray(self._high.beside[:, :, 0])
 
     def line(self, column: int) -> tuple[Array, Array]:
-        """The column `along`, and a column's least and greatest of each part, as they came; both of shape (points,).
+        """The column `along`, and a column's least and greatest of each part, in time order; both of shape (points,).
 
         Each in its own unit. Parts of one sample and of two give the samples themselves.
         """

@@ -126,14 +126,14 @@ class Followed:
             return None
 
     def simulated(self, rows: Array) -> Array | None:
-        """Nominal displacement at samples, shape (samples,), or None where the simulator cannot give it.
+        """Nominal displacement at samples, shape (samples,), or None where the simulator cannot compute it.
 
         In mm.
         """
         return self._nominal.at(rows) if self._nominal and self._nominal.usable and len(rows) else None
 
     def _waiting(self, age_s: float | None) -> str:
-        """How it stands while nobody wrote an end."""
+        """The state while the recording has no end."""
         if self._identity is None:
             return "no recording yet"
         if age_s is not None and age_s <= STALE_S:
@@ -154,7 +154,7 @@ class Followed:
         return ""
 
     def _whole_strokes(self, counts: Counts) -> int | None:
-        """The strokes of a recording that ended: a last one that unwinds counts, though nobody told of its end."""
+        """The strokes of a recording that ended: a last one that unwinds counts, although its end was not reported."""
         if counts.strokes is None or self.whole is None or DRIVER not in self.source.columns:
             return counts.strokes
         at, unwound = 1 + self.source.columns.index(DRIVER), Unwound()

@@ -1,4 +1,4 @@
-"""The workflow's jobs: done, running and failed, as its newest log tells; read on from where it was read last."""
+"""The workflow's jobs: done, running and failed, from its newest log; each look reads only new lines."""
 
 import os
 import re
@@ -81,7 +81,7 @@ class Jobs:
             self.ended = True
 
     def told(self) -> JobsJson | None:
-        """What the page is told; None where no job was planned."""
+        """The jobs for the page; None where none was planned."""
         if not self.total:
             return None
         running = [] if self.ended else [*self.running.values()]

@@ -1,4 +1,4 @@
-"""The strokes that a string has left by its newest forecast, in the words of the terminal: rounded down."""
+"""The strokes left of a string by its newest forecast, in the terminal's words: rounded down."""
 
 import json
 import math
@@ -16,7 +16,7 @@ LIMITS = {  # by the question of a forecast
 
 
 class Question(TypedDict, total=False):
-    """What is read of one question of a lifespan.json; `strokes_left` holds low, median and high."""
+    """The parts of one question of a lifespan.json that the page reads; `strokes_left` holds low, median and high."""
 
     limit: float
     unit: str
@@ -24,7 +24,7 @@ class Question(TypedDict, total=False):
 
 
 def _limit(question: str, content: Question) -> str:
-    """The limit that is asked about, in words."""
+    """The question's limit, in words."""
     limit = float(content["limit"]) * (100.0 if content["unit"] == "1" else 1.0)
     return LIMITS.get(question, f"{question} passes {{limit:g}}").format(limit=limit)
 
@@ -36,7 +36,7 @@ def _count(least: str, median: float | None, low: float | None) -> str:
 
 
 def _beside(questions: dict[str, Question], first: str, least: str) -> list[str]:
-    """What the other limits leave, each with its limit."""
+    """The strokes left by the other limits, each with its limit."""
     others = []
     for name, question in questions.items():
         strokes_span = question["strokes_left"]

@@ -1,4 +1,4 @@
-"""The displacement that the simulator of run.yaml gives at a recorded twist, its zero that of the recording."""
+"""The displacement of run.yaml's simulator at a recorded twist, with its zero set by the recording."""
 
 from types import SimpleNamespace
 
@@ -9,7 +9,7 @@ from ..run.description import Run
 
 
 class Nominal:
-    """A simulator without memory; `usable` says whether the recording's columns are enough for it."""
+    """A simulator without memory; `usable` says whether the recording has the columns that it needs."""
 
     def __init__(self, run: Run | None, columns: tuple[str, ...]) -> None:
         self._run, self._zero = run, float("nan")

@@ -1,4 +1,4 @@
-"""What the page is told each half second, part by part; it goes there as JSON."""
+"""The content of the page, sent as JSON each half second, part by part."""
 
 from typing import TypedDict
 
@@ -7,7 +7,7 @@ from ..settle.proposed import Curves
 
 
 class Moves(TypedDict):
-    """What moves in a proposed run, and what that is for, in words; `winds` is a count once it is approved."""
+    """The motion and the purpose of a proposed run, in words; `winds` is a count once it is approved."""
 
     begins: str
     head: tuple[str, ...]
@@ -17,7 +17,7 @@ class Moves(TypedDict):
 
 
 class Came(TypedDict, total=False):
-    """The newest drawing of what came over what was foretold; `page` is its path below reports/."""
+    """The newest drawing of recorded samples over their prediction; `page` is its path below reports/."""
 
     step: int
     file: str
@@ -25,14 +25,14 @@ class Came(TypedDict, total=False):
 
 
 class Foretold(Curves, total=False):
-    """What is foretold of a run; `alone` where no explanations tie, and what came of it: s, mm."""
+    """The prediction for a run; `alone` where no explanations tie, and the recorded samples: s, mm."""
 
     alone: bool
     came: dict[str, list[float | None]]
 
 
 class Loop(TypedDict):
-    """The loop that settles the run's tie: its first run, its step, and what it asks."""
+    """The loop that settles the run's tie: its first run, its step, and its question."""
 
     at_work: bool
     stopping: bool
@@ -63,14 +63,14 @@ class JobsJson(TypedDict):
 
 
 class Beside(TypedDict, total=False):
-    """What is shown of other things than the recording."""
+    """The parts of the page beside the recording."""
 
     loop: Loop | None
     jobs: JobsJson | None
 
 
 class State(TypedDict):
-    """How a recording stands: in words, rates in Hz, counts, bytes and its age in s."""
+    """The state of a recording: in words, rates in Hz, counts, bytes and its age in s."""
 
     state: str
     ended: bool
@@ -93,7 +93,7 @@ class State(TypedDict):
 
 
 class StrokeCurve(TypedDict):
-    """One stroke: displacement in mm over twist in turns, and the simulator's; None for what is no number."""
+    """One stroke: displacement in mm over twist in turns, and the simulator's; None for a value that is no number."""
 
     motor_turns: list[float | None]
     displacement_mm: list[float | None]

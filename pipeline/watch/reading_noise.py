@@ -1,4 +1,4 @@
-"""The noise of single readings, from a recording itself: second differences, which a motion hardly has."""
+"""The noise of single readings, from the recording itself: second differences, which a motion hardly has."""
 
 import math
 from collections import Counter

@@ -1,4 +1,4 @@
-"""What lies in reports/: the diagnosed runs with their pages, and the newest file of a name."""
+"""The files in reports/: the diagnosed runs with their pages, and the newest file of a name."""
 
 import contextlib
 import os
@@ -21,7 +21,7 @@ def text_of(path: Path) -> str:
 
 
 def names_in(folder: Path) -> list[str]:
-    """What lies in a folder, hidden ones left out, bounded; nothing where it cannot be read."""
+    """The names in a folder without hidden ones, bounded; nothing where it cannot be read."""
     try:
         return sorted(name for name in os.listdir(folder) if not name.startswith("."))[:MOST]
     except OSError:
@@ -29,7 +29,7 @@ def names_in(folder: Path) -> list[str]:
 
 
 def verdicts(reports: Path) -> list[dict[str, str]]:
-    """Each diagnosed run with the first words of its verdict, and where its page lies below reports/."""
+    """Each diagnosed run with the first words of its verdict, and the path of its page below reports/."""
     verdict_list = []
     for name in names_in(reports / "diagnosis"):
         folder = reports / "diagnosis" / name
@@ -50,5 +50,5 @@ def newest_first(reports: Path, *names: str) -> list[Path]:
 
 
 def page_of(folder: Path) -> Path:
-    """What of a diagnosis a person reads."""
+    """The page of a diagnosis for a person."""
     return next(folder / page for page in PAGES if (folder / page).is_file())

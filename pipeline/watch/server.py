@@ -36,7 +36,7 @@ Say = Callable[[str, dict[str, object]], str | None]  # a button and what came w
 
 
 class Page:
-    """What is served: `data` as it is now, `reports`, a folder with no links on its way, and what the buttons do.
+    """The content to serve: `data` of the moment, `reports`, a folder without links on its way, and the buttons.
 
     Reading needs the token unless `local`; a button always needs it, in a header and from this page alone.
     """
@@ -79,7 +79,7 @@ class Page:
         return hmac.compare_digest(token.encode(), self.token.encode())
 
     def _named(self) -> bool:
-        """Whether the page was asked for by a name of this machine; a name of elsewhere may lead here too."""
+        """Whether the request names this machine; names of other machines may lead here too."""
         host = bottle.request.get_header("Host", "")
         return not self.local or (host.rpartition(":")[0] if not host.endswith("]") and ":" in host else host) in LOCAL
 
@@ -89,7 +89,7 @@ class Page:
         return self.same(bottle.request.query.get("token", "")) or self.same(bottle.request.get_cookie(self.cookie, ""))
 
     def _report(self, name: str) -> bottle.HTTPResponse:
-        """A file below reports/; what leads out of it, or begins with a dot, is not there."""
+        """A file below reports/; a path that leaves that folder or has a hidden part does not exist."""
         path = Path(os.path.realpath(self.reports / name)) if "\0" not in name else self.reports
         inside = path.is_relative_to(self.reports) and not any(part.startswith(".") for part in name.split("/"))
         if not inside or not path.is_file():

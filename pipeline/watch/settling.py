@@ -1,4 +1,4 @@
-"""The loop that settles this run's tie, as its folder tells of it: the step, what it proposes, and what it asks."""
+"""The loop that settles this run's tie, from its folder: the step, its proposal, and its question."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ CAME = "came"  # the drawing of what came, without its ending
 
 
 def moves(step: Step) -> Moves | None:
-    """What moves in a run, leg by leg in numbers, and what it is for; None where nothing is proposed, or not whole."""
+    """The motion of a run, leg by leg in numbers, and its purpose; None without a complete proposal."""
     if step.state not in MOVES or not step.legs:
         return None
     try:
@@ -49,13 +49,13 @@ class Settling:
         return steps[-1] if steps else None
 
     def run_dir(self, step: Step | None) -> Path:
-        """The folder that is recorded now: the one of the last step's run, which lies beside the first run."""
+        """The folder that is recorded now: that of the last step's run, beside the first run."""
         name = Path(step.run_dir).name if step and step.run_dir else ""
         folder = self._first.parent / name
         return folder if RUN_NAME.fullmatch(name) and (folder / "run.yaml").is_file() else self._first
 
     def told(self, step: Step | None) -> Loop | None:
-        """What the page is told, or None where there is no loop."""
+        """The content for the page, or None where there is no loop."""
         if step is None:
             return None
         question = self.answers.question()  # before the proposal: of one that was replaced since nothing is approved
@@ -78,7 +78,7 @@ class Settling:
         }
 
     def _came(self, step: Step) -> Came | None:
-        """The newest drawing of what came over what was foretold: of which step, and its file; None where none is."""
+        """The newest drawing of recorded samples over their prediction: its step, and its file; None without one."""
         for number in range(step.number, -1, -1):
             path = self.place.folder(number) / f"{CAME}.png"
             if path.is_file():

@@ -1,4 +1,4 @@
-"""What the page is told each half second: state, curves that a screen can show, and what reports/ say, as JSON."""
+"""The page's content of each half second: state, curves that fit a screen, and news from reports/, as JSON."""
 
 import json
 import math
@@ -16,7 +16,7 @@ from .verdict_of_run import newest_verdict
 
 
 def numbers(values: Array) -> list[float | None]:
-    """Values with six digits, None for what is no number. Shape (values,), in any unit."""
+    """Values with six digits, None where a value is no number. Shape (values,), in any unit."""
     return [float(f"{value:.6g}") if math.isfinite(value) else None for value in values.tolist()]
 
 
@@ -33,7 +33,7 @@ def _loop(followed: Followed, part: Envelope, turns: int, mm: int) -> StrokeCurv
 
 
 def snapshot(followed: Followed, reports: Path, beside: Beside | None = None) -> bytes:
-    """All that the page shows, as JSON; never more than a few hundred kB, however long the recording is.
+    """The whole content of the page, as JSON; at most a few hundred kB, however long the recording is.
 
     `beside`: what is shown of other things than the recording.
     """

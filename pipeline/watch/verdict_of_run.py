@@ -1,4 +1,4 @@
-"""A run's newest verdict, wherever it stands in reports/: alone, together with others, or in a step of settle."""
+"""A run's newest verdict anywhere in reports/: alone, together with others, or in a step of settle."""
 
 import contextlib
 import os
@@ -26,7 +26,7 @@ def _runs_of(path: Path, _changed_ns: int) -> tuple[str, ...]:
 
 
 def _joint(reports: Path) -> Iterator[Path]:
-    """Where a diagnosis of several runs, or one of a step of settle, may lie."""
+    """The possible places of a diagnosis of several runs, or of a step of settle."""
     for name in names_in(reports):
         yield reports / name / FILE
         for below in names_in(reports / name):
@@ -44,7 +44,7 @@ def _dated(paths: Iterator[Path]) -> list[tuple[int, Path]]:
 
 
 def newest_verdict(reports: Path, run: str) -> dict[str, str] | None:
-    """The first words of a run's newest verdict, its page by its path below reports/, and of what it is, in words."""
+    """The first words of a run's newest verdict, its page as a path below reports/, and its runs, in words."""
     own = _dated(iter(newest_first(reports, run, FILE)))
     joint = [(changed, path) for changed, path in _dated(_joint(reports)) if run in _runs_of(path, changed)]
     for changed, path in sorted({*own, *joint}, reverse=True):
@@ -55,7 +55,7 @@ def newest_verdict(reports: Path, run: str) -> dict[str, str] | None:
 
 
 def _of(path: Path, runs: tuple[str, ...], run: str) -> str:
-    """In which step it stands, and with which other runs; empty for a diagnosis of this run alone."""
+    """The step of a diagnosis, and its other runs; empty for a diagnosis of this run alone."""
     step = path.parent.name
     words = [f"{run} in step {step.removeprefix('step-')} of settle"] if re.fullmatch(r"step-\d+", step) else []
     others = [each for each in runs if each != run]

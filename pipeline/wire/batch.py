@@ -131,7 +131,7 @@ def read_batch(data: bytes, protocol: int = PROTOCOL) -> Batch:
 
 
 def samples_of(batch: Batch, hello: Hello, frames: Whole) -> tuple[Whole, NDArray[np.void]]:
-    """Places among `frames` of the SAMPLE frames, rising, and their numbers under the HELLO's type.
+    """Places among `frames` of the SAMPLE frames, rising, and the samples in them under the HELLO's type.
 
     Both of shape (samples,): places, and numbers of a sample, as counts of the channel's quantum.
     """

@@ -17,7 +17,7 @@ def stuff(data: bytes) -> bytes:
 
 
 def unstuff(stuffed: bytes) -> bytes | None:
-    """The bytes that were stuffed, or None for what no stuffing makes."""
+    """The unstuffed bytes, or None for bytes that stuffing cannot make."""
     data = bytearray()
     at = 0
     while at < len(stuffed):

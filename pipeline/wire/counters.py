@@ -1,4 +1,4 @@
-"""32-bit counters that wrap, as stamps and numbers are: how far it is from one value to another."""
+"""32-bit counters that wrap, used for stamps and numbers: the steps from one value to another."""
 
 import numpy as np
 from numpy.typing import NDArray

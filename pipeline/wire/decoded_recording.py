@@ -1,4 +1,4 @@
-"""A recording's bytes as samples, with the account of every frame: what came, what is lost, and where."""
+"""A recording's bytes as samples, with the account of its frames: which came, which are lost, and where."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ KEPT = 1 << 24  # bytes of decoded samples that are kept for the next time that 
 
 @dataclass(frozen=True)
 class Recording:
-    """What a byte log holds, by the frames' numbers; without a readable HELLO nothing, and `hello` is None."""
+    """The content of a byte log, by the frames' numbers; without a readable HELLO it is empty, and `hello` is None."""
 
     hello: Hello | None
     time_s: Array  # since the first sample, by stamps that are mended where a few of them cannot be, (samples,)
@@ -38,7 +38,7 @@ class Recording:
 
 @dataclass(frozen=True)
 class Pieces:
-    """What a byte log holds, piece by piece: in memory that goes by what went wrong in it, not by its length.
+    """The content of a byte log, piece by piece; memory grows with its faults, not with its length.
 
     A log whose samples are more than `KEPT` is decoded anew for `mended`, and each time that they are asked for.
     """
@@ -94,7 +94,7 @@ class Pieces:
 
 
 def read_account(chunks: Iterable[bytes]) -> tuple[Hello | None, Account]:
-    """What a byte log says of its device, and its account, in memory that does not go by its length; never raises."""
+    """The device and the account of a byte log; memory does not grow with its length. Never raises."""
     ledger = Ledger()
     for chunk in chunks:
         ledger.feed(chunk)
@@ -110,7 +110,7 @@ def _parts(ledger: Ledger, chunks: Iterable[bytes]) -> Iterator[Part]:
 
 
 def read_pieces(chunks: Callable[[], Iterable[bytes]]) -> Pieces:
-    """What a byte log holds that comes in chunks, the same ones each time; as `read_recording` reads it."""
+    """The content of a byte log that comes in chunks, the same chunks each time; read as by `read_recording`."""
     ledger, firsts, kept, size = Ledger(), list[int](), list[Part](), 0
     for numbers, samples in _parts(ledger, chunks()):
         firsts.append(int(numbers[0]))

@@ -1,4 +1,4 @@
-"""What is said of a recording's frames: how many came, which are missing, where, and how it ended."""
+"""The account of a recording's frames: how many came, which are missing, where, and how the recording ended."""
 
 from dataclasses import dataclass
 
@@ -25,7 +25,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Gap:
-    """Frames that are missing in one place: samples before it, and times of its neighbours, None at an end."""
+    """Frames that are missing in one place: the samples before it, and the times of its neighbours, None at an end."""
 
     after_samples: int
     frames: int
@@ -35,7 +35,7 @@ class Gap:
 
 @dataclass(frozen=True)
 class Tally:
-    """Frames of a recording that still grows; of each event the frame's number, its code and its value."""
+    """Frames of a recording that still grows; for each event its frame number, code and value."""
 
     received: int
     lost: int
@@ -74,5 +74,5 @@ class Account:
 
     @property
     def no_clock(self) -> bool:
-        """Whether the device's clock stands or runs backwards throughout."""
+        """Whether the device's clock stands or runs backwards too often to be mended."""
         return no_clock(self.samples, self.backward_stamps, self.repeated_stamps)

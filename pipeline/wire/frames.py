@@ -13,7 +13,7 @@ MAX_STUFFED = (HEAD.size + MAX_PAYLOAD + CRC[2].size) * 255 // 254 + 1  # what a
 
 
 class Kind(IntEnum):
-    """What a frame is: from the device below 0x80, from the host above."""
+    """The kind of a frame: from the device below 0x80, from the host above."""
 
     HELLO = 1
     SAMPLE = 2
@@ -30,7 +30,7 @@ class Kind(IntEnum):
 
 
 class Event(IntEnum):
-    """What an EVENT frame tells; its value is the stroke's number or the fault's."""
+    """The meaning of an EVENT frame; its value is the number of the stroke or of the fault."""
 
     STROKE_START = 1
     STROKE_END = 2
@@ -82,7 +82,7 @@ def decode(stuffed: bytes, protocol: int | None = PROTOCOL) -> Frame | None:
 
 
 def greeting(frame: Frame | None) -> Hello | None:
-    """The HELLO that a frame holds, if it does and speaks of the version under whose check it came."""
+    """The HELLO in a frame, if there is one and its check is that of the version it names."""
     if frame is None or frame.kind != Kind.HELLO:
         return None
     try:
@@ -94,7 +94,7 @@ def greeting(frame: Frame | None) -> Hello | None:
 
 @dataclass(frozen=True)
 class Heard:
-    """A good frame in a stream: its exact bytes, and how many of the chunk's bytes it ends after."""
+    """A good frame in a stream: its exact bytes, and the position in the chunk where it ends."""
 
     frame: Frame
     raw: bytes

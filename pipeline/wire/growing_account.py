@@ -1,4 +1,4 @@
-"""An account of a recording that grows piece by piece; its size goes by what went wrong, not by how much came."""
+"""The account of a recording that grows piece by piece; its size grows with the faults, not with the length."""
 
 from dataclasses import dataclass, field
 
@@ -44,7 +44,7 @@ class Ledger:
     _end: End | None = None
 
     def feed(self, chunk: bytes) -> tuple[Whole, NDArray[np.void]] | None:
-        """Enter a chunk; numbers, as counts, and contents of samples that had not come before, rising: (samples,)."""
+        """Enter a chunk. Returns numbers, as counts, and contents of new samples, rising, each of shape (samples,)."""
         zero = chunk.rfind(b"\0") + 1
         whole, rest = (self._rest + chunk[:zero], chunk[zero:]) if zero else (b"", self._rest + chunk)
         self._cut = (0 if zero else self._cut) + max(len(rest) - MAX_STUFFED - 1, 0)
@@ -54,7 +54,7 @@ class Ledger:
         return self._enter(read_batch(whole, self.hello.protocol)) if self.hello and whole else None
 
     def _from_hello(self, whole: bytes) -> bytes:
-        """What begins with the device's HELLO, which says which version it speaks, if it is among whole frames."""
+        """The bytes from the device's HELLO on, which names the protocol's version; empty if there is no HELLO."""
         at = 0
         while (zero := whole.find(b"\0", at)) >= 0:
             frame = decode(whole[at:zero], None)
@@ -90,7 +90,7 @@ class Ledger:
         return numbers[place], samples
 
     def _stop(self, batch: Batch, hello: Hello) -> int:
-        """The frame behind the piece's last one of the recording: none after a reset, which a new HELLO tells."""
+        """The end of the recording in this piece: frames after a reset, told by a new HELLO, do not belong to it."""
         stop = 0 if self._resets else len(batch.kind)
         for frame in np.flatnonzero(batch.kind == Kind.HELLO).tolist():
             try:
@@ -103,7 +103,7 @@ class Ledger:
         return stop
 
     def _believed(self, batch: Batch, numbers: Whole) -> NDArray[np.bool_]:
-        """Which numbers can be true; asked frame by frame only where one leaps far ahead, or an END is among them."""
+        """Which numbers can be true; frames are checked one by one only where a number leaps, or an END is there."""
         high = np.maximum.accumulate(np.append(self._numbers.high, numbers))
         kinds = batch.kind[: len(numbers)]
         if len(numbers) and not (np.diff(high) > LATE).any() and (numbers >= 0).all() and not (kinds == Kind.END).any():

@@ -1,4 +1,4 @@
-"""What a device says of itself before it is started: HELLO, as compact JSON."""
+"""The HELLO: what a device says of itself before it is started, as compact JSON."""
 
 import json
 import math
@@ -54,7 +54,7 @@ class Channel:
 
 @dataclass(frozen=True)
 class Hello:
-    """A device and what it is about to send; `nonce` is new with every boot, `program` what it takes of one, if any."""
+    """A device and its coming recording; `nonce` is new with every boot, `program` are its limits, if any."""
 
     device: str
     firmware: str
@@ -67,7 +67,7 @@ class Hello:
 
     @property
     def content(self) -> HelloJson:
-        """It as JSON has it; a device that takes no program says nothing of one."""
+        """The HELLO as JSON has it; a device that takes no program leaves `program` out."""
         hello = cast(HelloJson, {key: value for key, value in asdict(self).items() if key != "program"})
         if self.program:
             hello["program"] = self.program.content

@@ -1,4 +1,4 @@
-"""Samples of a recording in the order of their numbers, from pieces in which some came late."""
+"""Samples of a recording in the order of their numbers, from pieces in which some samples came late."""
 
 from collections.abc import Iterable, Iterator
 

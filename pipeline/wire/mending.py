@@ -1,4 +1,4 @@
-"""How the stamps of a recording are mended that comes in pieces: told from all its steps, then done as they pass by.
+"""Mends the stamps of a recording that comes in pieces: one pass over all steps plans it, a second one mends them.
 
 Stamps rise strictly when they are mended, by the numbers of their frames. Stamps that fall back, or leap ahead and fall
 back to where they should be, are put between the neighbours that are right; where the clock falls back for good, what
@@ -34,7 +34,7 @@ def steps_between(pieces: Iterable[tuple[Whole, NDArray[np.uint32]]]) -> Iterato
 
 
 def usual_steps(apart: Whole) -> Array:
-    """How many usual steps, 1 of them at least, samples are apart whose numbers are so much apart.
+    """The time between samples in usual steps, at least 1, from the difference of their numbers.
 
     Shape (steps,), a count.
     """
@@ -43,7 +43,7 @@ def usual_steps(apart: Whole) -> Array:
 
 @dataclass
 class _Tally:
-    """What is known of all steps of a recording; its size goes by how many different steps there are."""
+    """Statistics of all steps of a recording; the size grows with the number of different steps."""
 
     count: int = 0
     backward: int = 0
@@ -53,7 +53,7 @@ class _Tally:
     ends: list[float] = field(default_factory=list)  # ratio of the first step, and of the last
 
     def enter(self, steps: Array, apart: Array) -> None:
-        """Note a piece of them."""
+        """Note a piece of the steps."""
         if not len(steps):
             return
         self.count += len(steps)
@@ -76,7 +76,7 @@ class _Tally:
 
 @dataclass(frozen=True)
 class Mending:
-    """What is to be mended in the steps of a recording, and how often each rule is needed."""
+    """The mends of a recording's steps, and how often each rule is needed."""
 
     usual_us: float | None = None  # None: nothing is
     ends: dict[int, float] = field(default_factory=dict)  # the first or the last step by its place, in us
@@ -84,7 +84,7 @@ class Mending:
 
     @staticmethod
     def of(pieces: Pieces) -> "Mending":
-        """It, told from all steps of a recording, which are gone through a second time where something is wrong."""
+        """The mends, from all steps of a recording, which are read a second time where something is wrong."""
         tally = _Tally()
         for steps, apart in pieces():
             tally.enter(steps, apart)
@@ -118,7 +118,7 @@ class Mending:
 
 
 def _mended(pieces: Iterable[Steps], usual_us: float | None) -> Iterator[Steps]:
-    """Steps of which those that stand or fall back are mended, and what is expected of each."""
+    """The steps, with standing and backward ones mended, and the expected length of each."""
     if usual_us is None:
         yield from pieces
         return
@@ -137,7 +137,7 @@ def _mended(pieces: Iterable[Steps], usual_us: float | None) -> Iterator[Steps]:
 
 
 def _leaping(pieces: Iterable[Steps], usual_us: float, count: int) -> dict[int, float]:
-    """Of `count` steps, the first and the last one where it leaps, by its place, and what is expected of it in us."""
+    """The first and the last of `count` steps if they leap, by place, with the expected length in us."""
     most, place = -np.inf, 0
     ends: dict[int, tuple[float, float]] = {}
     for steps, expected in _mended(pieces, usual_us):

@@ -1,4 +1,4 @@
-"""A program of motion: its legs, their bytes on the wire, and what of it is beyond the limits of a device."""
+"""A program of motion: its legs, their bytes on the wire, and the check against the limits of a device."""
 
 import math
 import struct
@@ -54,7 +54,7 @@ class Leg:
 
 
 class LimitsJson(TypedDict):
-    """`program` of a HELLO: what a device takes of a program, as JSON has it; without `load_n` its load is fixed."""
+    """`program` of a HELLO: a device's limits for programs, in JSON; without `load_n` its load is fixed."""
 
     legs: int
     turns: tuple[float, float]
@@ -68,7 +68,7 @@ class LimitsJson(TypedDict):
 
 @dataclass(frozen=True)
 class Limits:
-    """What a device takes of a program, as its HELLO declares under `program`."""
+    """The limits of a device for programs, as its HELLO declares them under `program`."""
 
     legs: int
     turns: tuple[float, float]
@@ -81,7 +81,7 @@ class Limits:
 
     @staticmethod
     def of(content: Any) -> "Limits":
-        """The limits in a HELLO; raises ValueError for what are none."""
+        """The limits in a HELLO; raises ValueError for invalid ones."""
         if not isinstance(content, dict):
             raise ValueError("program: is not an object")
         load = content.get("load_n")
@@ -101,7 +101,7 @@ class Limits:
 
     @property
     def content(self) -> LimitsJson:
-        """They as HELLO has them."""
+        """The limits as a HELLO has them."""
         return cast(LimitsJson, {key: value for key, value in asdict(self).items() if value is not None})
 
     def way_s(self, turns: float) -> float:
@@ -129,7 +129,7 @@ def _pair(value: Any, key: str) -> tuple[float, float]:
 
 
 def cruise(way_turns: float, seconds: float, turns_per_s2: float) -> float | None:
-    """The speed in turns/s between even ramps with which a way takes so long; None where the ramps are too slow."""
+    """The speed in turns/s between even ramps for a way in a given time; None where the ramps are too slow."""
     way = abs(way_turns)
     room = (turns_per_s2 * seconds) ** 2 - 4.0 * turns_per_s2 * way
     return None if room < 0 else (turns_per_s2 * seconds - math.sqrt(room)) / 2.0
@@ -142,7 +142,7 @@ def packed(legs: Sequence[Leg]) -> tuple[list[bytes], int]:
 
 
 def refusal(legs: Sequence[Leg], limits: Limits) -> tuple[Answer, int, str] | None:
-    """What of a program is beyond the limits: the reason, the leg from 1 (0: the whole), and a sentence; else None."""
+    """Why a program is beyond the limits: the reason, the leg from 1 (0: the whole), and a sentence; else None."""
     if not 1 <= len(legs) <= limits.legs:
         return Answer.LEGS, 0, f"it has {len(legs)} legs, and the device takes 1 to {limits.legs}"
     at = limits.at_turns

@@ -28,7 +28,7 @@ class Numbers:
         return self.high + (seq - self.high + 2**31) % 2**32 - 2**31
 
     def believe(self, kind: int, number: int, payload: bytes) -> bool:
-        """Take note of a frame; whether its number can be true."""
+        """Take note of a frame, and say whether its number can be true."""
         if kind == Kind.END and len(payload) == END.size and not self.ends(number, payload):
             return False
         if number < 0:

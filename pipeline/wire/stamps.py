@@ -1,4 +1,4 @@
-"""A device's time stamps: what is put in place of one that cannot be, and when there is no clock at all."""
+"""A device's time stamps: the replacement of a wrong one, and the test for a clock that does not run at all."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,13 +11,13 @@ FEW, MOST = 0.1, 0.9  # of all steps: more that fall back, or that stand, and th
 
 
 def no_clock(samples: int, backward: int, repeated: int) -> bool:
-    """Whether the stamps of so many samples stand or fall back throughout, so that nothing can be mended."""
+    """Whether more than `FEW` of the steps fall back, or more than `MOST` stand: then nothing can be mended."""
     steps = samples - 1
     return steps > 1 and (backward > FEW * steps or repeated > MOST * steps)
 
 
 def mend_one(steps: Array, expected: Array, at: int) -> None:
-    """Spread the steps about one that stands or falls back, over the fewest samples that rise in all.
+    """Spread the steps around a standing or backward one evenly, over the fewest samples that rise in all.
 
     Both given are in us and have the shape (steps,).
     """

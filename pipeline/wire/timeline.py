@@ -1,4 +1,4 @@
-"""When things happened in a recording, by a device's clock that wraps: from runs of samples, not from each."""
+"""The times of a recording, by a device's clock that wraps: computed from runs of samples, not from each sample."""
 
 from dataclasses import dataclass
 

@@ -1,1 +1,1 @@
-"""Rigs that print lines of numbers: what each line is, and what its columns are."""
+"""Rigs that print lines of numbers: the kind of each line, and the meaning of the columns."""

@@ -1,4 +1,4 @@
-"""What becomes of a printed time that stands or falls back: it is mended on reading, or the run is refused."""
+"""Printed times that stand or fall back: they are mended on reading, or the run is refused."""
 
 import io
 from contextlib import redirect_stderr
@@ -10,7 +10,7 @@ from ...run.description import Run
 
 
 def tell_clock(run: Run, folder: Path, info: CaptureJson) -> None:
-    """Say what is mended in the time of printed lines; raises BadInput where it cannot be."""
+    """Say how the time of printed lines is mended; raises BadInput where it cannot be."""
     if not info["lines"]["time_backward"]:
         return
     from ...run.table.recorded_table import printed_samples  # it needs pandas, for which no rig should wait

@@ -1,4 +1,4 @@
-"""The mend of printed columns that cannot be what they are read as, whole, so that it is copied and not made up."""
+"""The mend of wrongly named columns as a complete command, so that a person can copy it."""
 
 import re
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ EXCHANGE = re.compile(r"exchange the columns of (\w+) and (\w+)")
 
 
 def copied_mend(mend: str, folder: Path, columns: Sequence[str]) -> str:
-    """The command, or the line of run.yaml, that does what a mend says for the run in a folder; empty for none."""
+    """The command, or the line of run.yaml, that carries out a mend for the run in a folder; empty if there is none."""
     channels = ReadChannels(folder, columns)
     if channels.run is None:
         return ""
@@ -36,7 +36,7 @@ def is_by_columns(command: str) -> bool:
 
 
 def _exchanged(channels: ReadChannels, run: Run, *pair: str) -> str:
-    """The command that calls two columns by each other's names; none where run.yaml tells them by their places."""
+    """The command that exchanges the names of two columns; none where run.yaml finds them by their places."""
     if any(isinstance(run.channels.get(name, Channel.model_validate({})).column, int) for name in pair):
         return ""
     column_of = {place.channel: column for column, place in channels.places.items()}
@@ -48,7 +48,7 @@ def _exchanged(channels: ReadChannels, run: Run, *pair: str) -> str:
 
 
 def _with_units(mend: str, content: RunYaml, channels: ReadChannels) -> RunYaml:
-    """The content, in which a channel of the mend that its column's name alone tells, by its unit, has an entry."""
+    """The content with an entry for each channel of the mend that only its column's name and unit told so far."""
     entries = {**content.get("channels", {})}
     for column, place in channels.places.items():
         if f"channels.{place.channel}." in mend and place.channel not in entries and column != place.channel:

@@ -18,7 +18,7 @@ MAX_LINE = 1024  # bytes; what is longer is no line of numbers
 
 
 def fields(line: bytes) -> tuple[list[str], str]:
-    """Fields of a line and what stands between them, ";", "," or " "; none for what is no text or too long."""
+    """Fields of a line and their separator, ";", "," or " "; none if the line is no text or too long."""
     if len(line) > MAX_LINE or not line.isascii():
         return [], ""
     text = line.decode("ascii").strip()
@@ -58,12 +58,12 @@ def labelled(line: bytes) -> dict[str, str]:
 
 
 def is_known(header: tuple[str, ...]) -> bool:
-    """Whether one of the names is what a column of a rig is called."""
+    """Whether one of the names is a known column of a rig."""
     return any(KNOWN.search(name) for name in header)
 
 
 def points(parts: list[str]) -> list[str]:
-    """The fields with decimal points where they have decimal commas."""
+    """The fields with decimal points in place of decimal commas."""
     return [part.replace(",", ".") if DECIMAL_COMMA.fullmatch(part) else part for part in parts]
 
 

@@ -1,4 +1,4 @@
-"""Whether the columns of printed lines, as they are named, are those of the run's channels."""
+"""Whether the named columns of printed lines are those of the run's channels."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from .near_names import mend_of
 
 
 def unusable_columns(folder: Path) -> bool:
-    """Whether the run is described, and its columns as they are called are not those of its channels."""
+    """Whether the run is described and its channels do not match the columns' names."""
     try:
         check_channels(read_run(folder), folder, again=True)
     except BadInput as error:
@@ -19,7 +19,7 @@ def unusable_columns(folder: Path) -> bool:
 
 
 def check_channels(run: Run, folder: Path, again: bool = False) -> None:
-    """Raise BadInput where the columns of printed lines, as they are named, are not those of the run's channels."""
+    """Raise BadInput where the named columns of printed lines are not those of the run's channels."""
     import pandas as pd  # for which no rig should wait
 
     from ...run.table.channels import Channels

@@ -1,4 +1,4 @@
-"""Where a printed time leaps ahead: samples that seem to be missing, found in memory that does not go by the length."""
+"""Leaps of a printed time, where samples seem to be missing; memory does not grow with the length of the recording."""
 
 import random
 from collections.abc import Iterable
@@ -21,7 +21,7 @@ MOST = 10**9  # samples: no longer hole is told apart
 
 @dataclass
 class Steps:
-    """Steps of a device's time; some of those that do not fall back are kept, each as likely as any other."""
+    """A random sample of the steps of a device's time; steps that fall back are not kept."""
 
     backward: int = 0  # how often it stands or falls back
     _before: float | None = None
@@ -53,7 +53,7 @@ class Steps:
 
 
 def find(times: Iterable[float], usual: float) -> tuple[int, list[Lost]]:
-    """How many holes there are, and the first of them: samples before it, that time, and about how many are missing."""
+    """The number of holes, and the first ones: samples before each, its time, and about how many are missing."""
     holes: list[Lost] = []
     count, number = 0, 0  # of the buffer's first sample
     times_left, stamps, excess, judged = iter(times), np.empty(0), np.empty(0), 0
@@ -80,7 +80,7 @@ def find(times: Iterable[float], usual: float) -> tuple[int, list[Lost]]:
 
 
 def _excess(stamps: Array, usual: float) -> Array:
-    """Length of each step beyond the usual one, in usual steps; a time that falls far back counts as a usual step."""
+    """Each step's length beyond the usual one, in usual steps; a time that falls far back counts as one usual step."""
     with np.errstate(over="ignore"):
         steps = np.diff(stamps)
         return np.where(steps > -usual, np.minimum(steps / usual, float(MOST)) - 1.0, 0.0)

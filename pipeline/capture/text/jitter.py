@@ -1,4 +1,4 @@
-"""How many samples each step of a device's time hides: losses are told from a clock that jitters.
+"""How many samples each step of a device's time hides: this tells losses from a clock that jitters.
 
 A loss lengthens a step by whole usual steps and shortens none, so the short steps alone show how far jitter goes. A
 stamp that is late makes one step long and the next one short: the stamps of both sides together do not move. So a step
@@ -26,7 +26,7 @@ ROUNDS = 50  # holes that are near each other are taken one after the other
 
 
 def lost_in(excess: Array) -> Array:
-    """How many samples each step hides, most of them 0, of its length beyond the usual one.
+    """How many samples each step hides, mostly 0, from its length beyond the usual step.
 
     `excess` is in usual steps, so without unit; shapes (steps,).
     """
@@ -39,7 +39,7 @@ def lost_in(excess: Array) -> Array:
 
 
 def _paced(excess: Array, side: int) -> tuple[Array, float]:
-    """The pace around each step without the losses that there may be, and how far jitter sets the stamps back."""
+    """The pace around each step, without likely losses, and how far jitter sets the stamps back."""
     level = np.zeros(len(excess)) if side == 1 else _level(np.minimum(excess, 1.0))
     for _ in range(PACED if side > 1 else 0):
         level = _level(excess - _taken(excess - level, side, MAYBE))
@@ -47,14 +47,14 @@ def _paced(excess: Array, side: int) -> tuple[Array, float]:
 
 
 def _level(excess: Array) -> Array:
-    """Mean of the steps around each: the pace of a clock, or of a rig's loop, may change."""
+    """The mean of the steps around each step: the pace of a clock, or of a rig's loop, may change."""
     around = np.ones(2 * AROUND + 1)
     sums = [np.convolve(np.pad(values, AROUND), around, "valid") for values in (excess, np.ones(len(excess)))]
     return np.asarray(sums[0] / sums[1])
 
 
 def _taken(excess: Array, side: int, least: float) -> Array:
-    """How many samples each step hides, the highest leaps first, if such leaps count from the least one on."""
+    """How many samples each step hides, with the highest leaps counted first, down to leaps of size `least`."""
     lost = np.zeros(len(excess))
     for _ in range(ROUNDS):
         residual = excess - lost
@@ -69,19 +69,19 @@ def _taken(excess: Array, side: int, least: float) -> Array:
 
 
 def _ahead(excess: Array, side: int) -> Array:
-    """By how many usual steps the mean of `side` stamps after each step is further ahead than it should be."""
+    """By how many usual steps the mean of `side` stamps after each step is ahead of its expected time."""
     weights = 1.0 - np.abs(np.arange(1 - side, side)) / side
     return np.convolve(np.pad(excess, side - 1), weights, "valid")
 
 
 def _depth(ahead: Array) -> float:
-    """How far jitter sets it back, but for rare steps."""
+    """How far jitter sets the stamps back, rare steps left out."""
     rank = len(ahead) // RARE
     return max(0.0, -float(np.partition(ahead, rank)[rank]))
 
 
 def _first_highest(score: Array, side: int) -> Array:
-    """Which steps score higher than all before them and none less than all after them that share a stamp's side."""
+    """Which steps score highest among the steps within `side` of them; of equal ones the first."""
     padded = np.pad(score, side, constant_values=-np.inf)
     windows = sliding_window_view(padded, side)
     size = len(score)

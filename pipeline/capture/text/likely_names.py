@@ -1,4 +1,4 @@
-"""Which channels the columns of a rig that names them in its own words likely are: one complete list of names."""
+"""The likely channels of columns that a rig names in its own words, as one complete list of names."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -21,7 +21,7 @@ UNSURE = "time_ms where it prints milliseconds"
 
 
 def likely(columns: Sequence[str], channels: Sequence[str], own: Mapping[object, str]) -> str:
-    """The names of all columns, separated by commas, as a run's channels are called; a remark where a clock's is open.
+    """The names of all columns, separated by commas, as a run's channels; with a remark if a clock is unsure.
 
     By the words in them; one that is left is the one that lacks. `own` are the channels of the columns that run.yaml
     gives. Nothing where a channel that a recording must have is not found, or a name says a unit of another quantity.
@@ -60,7 +60,7 @@ def _says(name: str, channel: str) -> bool:
 
 
 def _called(name: str, channel: str, own: Mapping[object, str]) -> str:
-    """What a column is to be called: as its channel, with the unit that its name carries; empty for another unit."""
+    """The new name of a column: its channel's, with the unit that its old name carries; empty for an unknown unit."""
     unit = header_unit(name)
     if name in own or in_its_unit(channel, [name]):
         return name

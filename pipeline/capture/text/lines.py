@@ -1,4 +1,4 @@
-"""Lines that a rig prints, one by one: which are samples, which name the columns, and what the others are."""
+"""Lines that a rig prints, one by one: which are samples, which name the columns, and which are other text."""
 
 import re
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ READABLE = re.compile(rb"[\s\x20-\x7e]*")
 
 
 class Splitter:
-    """Lines out of chunks of any size; of a line that is too long only as much as shows that."""
+    """Lines out of chunks of any size; of a line that is too long, only enough is kept to see that."""
 
     def __init__(self) -> None:
         self._rest = b""
@@ -38,7 +38,7 @@ class Splitter:
 
 @dataclass
 class Lines:
-    """What was printed so far; with `columns` they are called that, else by the header that the numbers fit.
+    """The lines printed so far; the columns are called `columns` if given, else as in the fitting header.
 
     A header is a line of names that is followed by lines of as many numbers. A later one that names the same columns in
     another order puts the fields back into the first one's; one that names others ends what can be read, until the
@@ -76,7 +76,7 @@ class Lines:
         return next((at for at, name in enumerate(self.columns) if TIME.fullmatch(name)), -1)
 
     def take(self, line: bytes) -> list[str] | None:
-        """The fields of a sample, in the order of the columns and with decimal points, if the next line is one."""
+        """The fields of a sample, in the order of the columns and with decimal points, if the next line is a sample."""
         self.count += 1
         if not line.strip() or line.lstrip().startswith(b"#"):
             return None
@@ -114,7 +114,7 @@ class Lines:
 
     @property
     def _expected(self) -> tuple[str, ...]:
-        """The columns, or those of a header that no line of numbers has fitted."""
+        """The columns, or those of a header that no line of numbers has matched yet."""
         return self.columns or self._likely
 
     def _header(self, header: tuple[str, ...], between: str, line: bytes) -> None:
@@ -133,7 +133,7 @@ class Lines:
             self._pass_over(line)
 
     def _find_header(self, count: int, between: str) -> None:
-        """The last line of names that the first line of numbers fits: as many, and not just words of a greeting."""
+        """Find the last header with as many names as the first line of numbers has; a greeting is no header."""
         for header, its in reversed(self.headers):
             if len(header) == count and (is_known(header) or its == between != " "):
                 self._printed = header
@@ -162,13 +162,13 @@ class Lines:
         self.bad_lines += [self.count] if len(self.bad_lines) < LISTED else []
 
     def reading(self, values: Sequence[str]) -> str:
-        """What is read as what, by the `values` of the last sample, and how many lines are not."""
+        """What each column is read as, with the `values` of the last sample, and how many lines are not read."""
         commas = ", its decimal commas as points" if self.decimal_commas else ""
         return f"reads {', '.join(values)}{commas}; {self.counts()}"
 
     @property
     def not_read(self) -> int:
-        """How many lines are no samples."""
+        """How many lines are not samples."""
         return self.text + self.bad + self.unnamed.count
 
     def counts(self) -> str:
@@ -182,7 +182,7 @@ class Lines:
         return f"{read} ({self.text} of text, {self.bad} bad{before})"
 
     def problem(self, seconds: float = 0.0, recover: str = "", naming: Naming = USUALLY) -> tuple[str, str]:
-        """Why no line is read, and the mend by command `recover`; the lines came in so many seconds."""
+        """Why no line is read, and the mend with the command `recover`; the lines came within that many seconds."""
         count, between, line = self.wrong
         if not count:
             mend = "check what the rig prints" if not self.noise else "check --baud, and what the rig prints"

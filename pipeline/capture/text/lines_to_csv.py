@@ -1,4 +1,4 @@
-"""recording.lines → recording.csv and capture.json, line by line, however long it is; also a second time."""
+"""recording.lines → recording.csv and capture.json, line by line, of any length; it can be repeated."""
 
 import hashlib
 from collections.abc import Iterator
@@ -22,11 +22,11 @@ CSV = "recording.csv"
 
 
 class Finished(BadInput):
-    """That a recording is read already, by the columns that were asked for."""
+    """Raised if a recording is already read with the columns that were asked for."""
 
 
 class Printed:
-    """A text recording read from its beginning, once: `rows` gives its samples; what is said of it is whole then."""
+    """A text recording, read once from its beginning: `rows` gives its samples, and completes the other numbers."""
 
     def __init__(self, path: Path, columns: tuple[str, ...]) -> None:
         self.path, self.lines, self.steps = path, Lines(columns), holes.Steps()
@@ -34,7 +34,7 @@ class Printed:
         self._digest = hashlib.sha256()
 
     def rows(self) -> Iterator[list[str]]:
-        """The samples, each as many texts as there are columns."""
+        """The samples, each with one text per column."""
         splitter = Splitter()
         time_at: int | None = None
         with open(self.path, "rb") as file:
@@ -157,7 +157,7 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
 
 
 def _said(info: CaptureJson, folder: Path) -> tuple[tuple[str, ...], datetime, datetime, Outcome]:
-    """What capture.json says of a text recording's columns, beginning, end and outcome; raises BadInput."""
+    """The part of capture.json on a text recording's columns, beginning, end and outcome; raises BadInput."""
     columns, status, fault, ended_by = (info.get(key) for key in ("columns", "exit_status", "fault", "ended_by"))
     mend = "restore it from a copy, or move it away and run --recover again"
     field = "columns"

@@ -1,4 +1,4 @@
-"""Lines of numbers that came before anything named their columns: how many, and how they are named."""
+"""Lines of numbers before any line names their columns: how many there are, and how to name the columns."""
 
 from collections import Counter
 
@@ -9,7 +9,7 @@ PACE = 1.5  # a column that goes so many times faster or slower than a clock is 
 
 
 class Unnamed:
-    """Counts them by how many numbers they have."""
+    """Counts lines by how many numbers they have."""
 
     def __init__(self) -> None:
         self.count = 0
@@ -27,26 +27,26 @@ class Unnamed:
 
     @property
     def size(self) -> int:
-        """How many numbers most of them have; 0 without any."""
+        """The most frequent count of numbers in a line; 0 without any."""
         return self._counts.most_common(1)[0][0] if self._counts else 0
 
     @property
     def example(self) -> str:
-        """The last of those."""
+        """The last line with that count."""
         return self._example.get(self.size, "")
 
     def times(self) -> int:
-        """How many of them there are."""
+        """How many lines have that count."""
         return self._counts[self.size]
 
     def clock(self, seconds: float) -> str:
-        """What the first column is if it went on as a clock does in so many seconds, else nothing."""
+        """The meaning of the first column if it runs like a clock over that many seconds, else nothing."""
         first, last = self._ends.get(self.size, (0.0, 0.0))
         pace = (last - first) / seconds if seconds > 0 else 0.0
         return next((name for name, rate in CLOCKS.items() if rate / PACE < pace < rate * PACE), "")
 
     def problem(self, seconds: float, recover: str, naming: Naming) -> tuple[str, str]:
-        """What they are, and the mend by command `recover`; they came in so many seconds."""
+        """What the lines are, and the mend with the command `recover`; they came within that many seconds."""
         if self.size == 1:
             mend = "let it print the time, the turns and the displacement in one line, such as 1250,3.5,2.75"
             return f"lines like {self.example!r} have one number, and a sample has more", mend

@@ -1,4 +1,4 @@
-"""What the person reads when a recording of printed lines is committed."""
+"""The words for the person when a recording of printed lines is committed."""
 
 from pathlib import Path
 
@@ -28,19 +28,19 @@ def missing(holes: list[Lost]) -> str:
 
 
 def clock_of(info: CaptureJson) -> str:
-    """Name of the column that is read as the device's time, of what capture.json says."""
+    """Name of the column that is read as the device's time, from the content of capture.json."""
     return next((name for name in info["columns"] if TIME.fullmatch(name)), "time")
 
 
 def _names(info: CaptureJson, naming: Naming) -> str:
-    """The option that names the columns: as they are called now, or as they may be called if these are no names."""
+    """The option that names the columns: with their present names, or, if these are no names, with suggested ones."""
     columns = tuple(info["columns"])
     all_known = all(is_known((name,)) for name in columns)
     return f"--columns {','.join(columns)}" if all_known else naming.option(len(columns))
 
 
 def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
-    """Say what was recorded, what was no line of numbers and where samples seem to be missing.
+    """Say what was recorded, which lines were no numbers, and where samples seem to be missing.
 
     Where the columns are not `usable` as they are called, no command calls them so: the one that mends it follows.
     """
@@ -68,7 +68,7 @@ def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
 
 
 def clock_question(info: CaptureJson) -> str:
-    """What a person is asked of a time that stands or falls back in a run that cannot be used."""
+    """The question about a time that stands or falls back in a run that cannot be used."""
     often = counted(info["lines"]["time_backward"], "time")
     column = f"is the time another column than {clock_of(info)}"
     return f"the device's time stands or falls back {often}: was it reset, or {column}?"

@@ -1,4 +1,4 @@
-"""While printed lines come: whether their columns can be the channels that they are read as, said once."""
+"""While printed lines come: whether their columns can be the channels that they are read as; told once."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -22,7 +22,7 @@ SURE = 2  # times in a row that they are found exchanged, before it is said
 
 
 class Seen:
-    """Channels of the samples so far, by their names, in our units; some of many."""
+    """Channels of a selection of the samples so far, by name, in our units."""
 
     def __init__(self) -> None:
         self._values: dict[str, list[float]] = {}
@@ -74,7 +74,7 @@ class Reader:
                 self.places[place.channel] = (at, factor * own.scale, factor * own.offset + shift)
 
     def sample(self, row: Sequence[str]) -> dict[str, float]:
-        """The channels of a line; of a load that it does not hold, the one that hangs."""
+        """The channels of a line; the load is the one in run.yaml if the line has none."""
         read = {name: factor * float(row[at]) + shift for name, (at, factor, shift) in self.places.items()}
         return {"load_n": self._load_n, **read}
 
@@ -85,7 +85,7 @@ class Reader:
 
 
 class LiveFaults:
-    """Looks at every sample of a described string: whether its displacement stands, or falls, or is another column."""
+    """Looks at every sample of a string run: whether its displacement stands, falls, or is another column."""
 
     def __init__(self, folder: Path, columns: Sequence[str]) -> None:
         channels = ReadChannels(folder, columns)
@@ -119,7 +119,7 @@ class LiveFaults:
         return f"displacement_mm {FALLS}; {self._mend(turned_sign(self.run))}"
 
     def exchange(self, last: bool = False) -> str:
-        """A sentence when two columns are seen to be exchanged; at the `last` asking to be seen once is enough."""
+        """A sentence if two columns seem to be exchanged; at the `last` check, one sighting is enough."""
         if self._base is None or self.run is None or "exchanged" in self._said or len(self._seen) < LEAST_SAMPLES:
             return ""
         pair = exchanged(self.run, self._seen, self._base)
@@ -143,7 +143,7 @@ class LiveFaults:
         return contraction_mm if np.isfinite(contraction_mm) else 0.0
 
     def _contracted(self, pair: tuple[str, str]) -> bool:
-        """Whether the column that then is the displacement moved far enough, and the twist too."""
+        """Whether the column that would then be the displacement moved far enough, and the twist too."""
         displacement = next(name for name in pair if name != "displacement_mm")
         turns = "displacement_mm" if displacement == "motor_turns" else "motor_turns"
         spans = [float(np.ptp(self._seen.percentiles(name, [1, 99]))) for name in (displacement, turns)]

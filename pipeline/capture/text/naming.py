@@ -1,4 +1,4 @@
-"""How a person names the columns of lines that nothing names: as run.yaml does, else with gaps, in no guessed order."""
+"""Names for columns that nothing names: those of run.yaml, else gaps; the order is never guessed."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -14,20 +14,20 @@ GAP = "..."  # no name: what is left as it stands is refused
 
 
 class Naming(NamedTuple):
-    """`own`: the columns' names in run.yaml, in its order; `wanted`: what the columns that it needs are called."""
+    """`own`: the columns' names in run.yaml, in its order; `wanted`: names for the columns that the run needs."""
 
     own: tuple[str, ...] = ()
     wanted: tuple[str, ...] = USUAL
 
     def option(self, size: int, clock: str = "") -> str:
-        """An option that names so many columns; what the first one is, if it is known to be a clock."""
+        """An option that names that many columns; `clock` is the first column's name if it is known to be a clock."""
         if len(self.own) == size:
             return f"--columns {','.join(self.own)}"
         first = clock if clock and "time_s" in self.wanted else GAP
         return f"--columns {','.join([first, *[GAP] * (size - 1)])}"
 
     def mend(self, size: int, recover: str, clock: str = "") -> str:
-        """How command `recover`, which takes that option, names them."""
+        """How the command `recover`, which takes that option, names the columns."""
         in_order, named = "name them in the order in which the rig prints them", f"{recover} {self.option(size, clock)}"
         if len(self.own) == size:
             check = "these are the names in run.yaml, in its order, which must be checked with the rig's first line"

@@ -1,4 +1,4 @@
-"""Names of printed columns that are nearly those of channels: what was likely meant."""
+"""Names of printed columns that are close to those of channels: the names that were likely meant."""
 
 import difflib
 from collections.abc import Container, Sequence
@@ -19,7 +19,7 @@ NEAR = 0.75  # likeness, from 0 to 1
 
 
 def corrected(columns: Sequence[str], channels: Sequence[str], own: Container[object] = ()) -> tuple[str, ...]:
-    """The columns, with those that are near a channel's name called as it is; `own` are names that run.yaml gives."""
+    """The columns, with names close to a channel's corrected; `own` are names that run.yaml gives."""
     free = [name for name in (*channels, *TIMES) if name not in columns]
     names = []
     for name in columns:
@@ -36,7 +36,7 @@ def _same_unit(name: str, channel: str) -> bool:
 
 
 def mend_of(mend: str, columns: Sequence[str], run: Run, folder: Path) -> str:
-    """The mend of columns that are not those of a run's channels: the names that were likely meant come first."""
+    """The mend for columns that are not those of a run's channels: the names that were likely meant come first."""
     meant, names = _meant(columns, run)
     again = f"{recover_command(folder)} --columns"
     if names and names != ",".join(columns):
@@ -48,7 +48,7 @@ def mend_of(mend: str, columns: Sequence[str], run: Run, folder: Path) -> str:
 
 
 def _meant(columns: Sequence[str], run: Run | None) -> tuple[tuple[str, ...], str]:
-    """The columns without slips of the pen, and one complete list of what they likely are, empty where none is sure."""
+    """The columns without spelling mistakes, and one complete list of their likely channels, empty where unsure."""
     channels = run.system.columns if run else USUAL
     own = [(channel.column, name) for name, channel in run.channels.items()] if run else []
     name_by_column: dict[object, str] = {column: name for column, name in own if column is not None}
@@ -57,7 +57,7 @@ def _meant(columns: Sequence[str], run: Run | None) -> tuple[tuple[str, ...], st
 
 
 def doubt(columns: Sequence[str], folder: Path) -> str:
-    """What is asked of names that a person gave for the columns of a run; empty where there is nothing to ask."""
+    """The question about the columns' names that a person gave for a run; empty where there is nothing to ask."""
     run: Run | None = None
     with suppress(BadInput):  # it is said when the recording is there
         run = read_run(folder)

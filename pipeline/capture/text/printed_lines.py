@@ -31,7 +31,7 @@ class Beginning(NamedTuple):
 
 
 def await_header(port: Port, name: str, columns: tuple[str, ...], wait_s: float = WAIT_S) -> Beginning:
-    """First bytes of the recording: with `columns` none, else up to the first sample, a header or a few numbers.
+    """The first bytes of a recording: with `columns` none, else up to the first sample, a header or a few numbers.
 
     Lines of numbers that nothing names are recorded too: a header may come yet, and they can be named when the run has
     ended. `wait_s` is how long the rig may print none, which is said. Raises BadInput for a port that is silent for so
@@ -94,7 +94,7 @@ def follow(
     beginning: Beginning,
     longest_s: float = math.inf,
 ) -> Outcome:
-    """Record until the person ends it, time is over or nothing more comes; what came is on the disk afterwards.
+    """Record until the person ends it, time is over or nothing more comes; the bytes are on the disk afterwards.
 
     Before the first line of numbers silence ends it only when the beginning's time for that is over.
     """

@@ -1,4 +1,4 @@
-"""Which printed column is read as which channel, and in which unit: a person sees a swapped column by it."""
+"""Which printed column is read as which channel, and in which unit: it shows a person a swapped column."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -24,7 +24,7 @@ class Place(NamedTuple):
 
 
 class ReadChannels:
-    """The channels of a folder's run, as they are in columns of these names; of an undescribed run none are known.
+    """The channels of a folder's run for columns of these names; none are known for a run without a description.
 
     It is what `run/table/channels.py` does with a table, without pandas, for which no rig should wait.
     """
@@ -63,7 +63,7 @@ class ReadChannels:
             self.lacking.append(str(column))
 
     def values(self, last: Sequence[str]) -> list[str]:
-        """Each column's last value, as the channel and in the unit that it is read as."""
+        """Each column's last value, with the channel and the unit that it is read as."""
         parts = [self._value(column, value) for column, value in zip(self.columns, last, strict=False)]
         return [*parts[:MOST], *([f"{len(parts) - MOST} more"] if len(parts) > MOST else [])]
 

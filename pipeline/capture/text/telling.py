@@ -1,4 +1,4 @@
-"""What the person at a rig that prints sees while it records: what is read as what, and what is wrong with it."""
+"""What the person at a printing rig sees while it records: the channel of each column, and faults."""
 
 import time
 from pathlib import Path
@@ -28,7 +28,7 @@ class Telling:
         self._read = self._not_read = 0
 
     def sample(self, row: list[str] | None) -> None:
-        """Look at the next line, if it is a sample, and say what is wrong with the samples as soon as that is seen."""
+        """Look at the next line, and tell a fault of its sample as soon as it is seen."""
         if row is None:
             return
         if self._faults is None:
@@ -40,7 +40,7 @@ class Telling:
             self.screen.say(f"warning: {fault}")
 
     def show(self) -> None:
-        """Say what is read as what as soon as it is known, why nothing is, and renew the line."""
+        """Say how the columns are read as soon as that is known, or why none is, and renew the line."""
         lines, now_s = self.lines, time.monotonic()
         if now_s - self._looked_s >= SOON_S:
             self._looked_s = now_s
@@ -68,13 +68,13 @@ class Telling:
         self.screen.close(self._parts())
 
     def _greets(self, now_s: float) -> bool:
-        """Whether nothing but readable text came, for no longer than a rig may take to boot, home and tare."""
+        """Whether only readable text came, for no longer than a rig may take to boot, home and tare."""
         lines = self.lines
         only_text = not (lines.noise or lines.unnamed.count or lines.wrong[0])
         return only_text and now_s - self._began_s < GREETING_S
 
     def _reading(self) -> str:
-        """What is read as what, and in a second line why nothing can use it so."""
+        """How the columns are read, and in a second line why nothing can use the recording so."""
         channels = ReadChannels(self.folder, self.lines.columns)
         return "\n".join(filter(None, (self.lines.reading(channels.values(self.lines.last)), channels.warning())))
 

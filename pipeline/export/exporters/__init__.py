@@ -1,1 +1,1 @@
-"""How each model is exported, a file a model: found by being here, under the model's name."""
+"""The exporter of each model, one file each: found by its model's name."""

@@ -1,1 +1,1 @@
-"""The project's own code as data: its modules, what they import, a fingerprint, a process for each of a list."""
+"""The project's own code as data: its modules, their imports, a fingerprint, and a process for each item of a list."""

@@ -31,7 +31,7 @@ def _file(module: str) -> Path | None:
 
 
 def _is_source(path: Path) -> bool:
-    """Whether a file of the package is code or data of it, not what is kept beside compiled code."""
+    """Whether a file of the package is code or data of it, not a file beside compiled code."""
     return path.suffix in SOURCES and path.parent.name != "__pycache__"
 
 
@@ -61,18 +61,18 @@ def _source(path: Path) -> tuple[str, bytes]:
 
 @cache
 def _kept(house: Path) -> KeptImports:
-    """What earlier processes found that the source files of a package import."""
+    """The imports that earlier processes found in a package's source files."""
     return KeptImports(house)
 
 
 @cache
 def _imports(path: Path) -> frozenset[str]:
-    """Modules of ours that a source file imports, as it was found now or by an earlier process."""
+    """Modules of ours that a source file imports, found now or by an earlier process."""
     return _kept(HOUSE).of(*_source(path), lambda: _imports_anew(path))
 
 
 def _imports_anew(path: Path) -> frozenset[str]:
-    """Modules of ours that a source file imports, at any depth of its code, parents included, or finds by name."""
+    """Modules of ours that a source file imports anywhere in its code, parents included, or finds by name."""
     names: set[str] = set()
     tree = ast.parse(_source(path)[1])
     for node in _statements(tree.body):

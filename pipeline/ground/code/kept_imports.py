@@ -1,4 +1,4 @@
-"""What source files import, kept beside what Python compiles of them: to parse them all takes a second at every start.
+"""The imports of source files, kept beside Python's compiled code: to parse all files takes a second at every start.
 
 An entry stands for one content of one file, and all of them for one way to find imports, which is this folder's code.
 """
@@ -31,7 +31,7 @@ class KeptImports:
                 self.entries = dict(kept["entries"])
 
     def of(self, name: str, content: bytes, find: Callable[[], Iterable[str]]) -> frozenset[str]:
-        """Names of the modules that a file of this path and content imports; `find` looks where nothing is kept."""
+        """Names of the modules that a file of this path and content imports; `find` looks if nothing is kept."""
         digest = _digest(content)
         entry = self.entries.get(name)
         if not (isinstance(entry, list) and entry[:1] == [digest] and all(isinstance(word, str) for word in entry)):
@@ -40,7 +40,7 @@ class KeptImports:
         return frozenset(entry[1:])
 
     def keep(self) -> None:
-        """Keep what is new, where Python keeps what it compiles; elsewhere the next process looks again."""
+        """Save new entries where Python keeps compiled code; if that fails, the next process looks again."""
         if self.new and not sys.dont_write_bytecode:
             with suppress(OSError, BadInput):
                 write_text(self.path, json.dumps({"finder": self.finder, "entries": self.entries}))

@@ -1,4 +1,4 @@
-"""Modules of a folder that are found by being there, and what they say, read as text: some take seconds to import."""
+"""Modules of a folder that are found by being there, read as text, since importing some takes seconds."""
 
 import ast
 import re
@@ -9,7 +9,7 @@ Said = TypeVar("Said")
 
 
 def holding(folder: Path, line: str) -> tuple[str, ...]:
-    """Names, sorted, of the modules of a folder that have a line which begins so, a regular expression.
+    """Names, sorted, of the modules of a folder with a line that begins with a regular expression.
 
     They are not imported.
     """

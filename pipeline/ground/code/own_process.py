@@ -1,4 +1,4 @@
-"""Each of a list in a process of its own: what one needs of memory is free again for the next."""
+"""A process of its own for each item of a list: its memory is free again for the next item."""
 
 import multiprocessing
 from collections.abc import Callable, Iterator, Sequence
@@ -18,7 +18,7 @@ def each_alone(
     jobs: int = 1,
     preload: Sequence[str] = (HOUSE,),
 ) -> Iterator[Result]:
-    """What `work(item, *arguments)` gives for each item, in their order, each in a fresh process, `jobs` at a time.
+    """The result of `work(item, *arguments)` for each item, in order, each in a fresh process, `jobs` at a time.
 
     One item is worked on in this process. `preload` are modules that each process finds imported, where the system
     can do that; the program itself is none, for a process runs it anew. An error of `work` is raised here.

@@ -1,1 +1,1 @@
-"""What a person gives: YAML, names of columns, a command line, and where it is refused."""
+"""Input from a person: YAML, names of columns, a command line, and its refusal."""

@@ -7,7 +7,7 @@ from .header_units import header_unit
 
 
 def written_out(channel: str, as_written: Any) -> Any:
-    """The keys and values of a channel of which a name, or an index from 0, was given; all else as it is.
+    """The keys of a channel that was given as a name, or an index from 0; any other value unchanged.
 
     A name that ends in another unit that the channel converts from is in that unit: `slide_cm` is read in cm, and
     `Zeit [ms]` or `Zeit (ms)` in ms.
@@ -19,7 +19,7 @@ def written_out(channel: str, as_written: Any) -> Any:
 
 
 def _unit(channel: str, name: str) -> str:
-    """The unit of a channel by its column's name: that in brackets at its end or behind its last `_`, else its own."""
+    """The unit of a channel from its column's name: in brackets at the end or after the last `_`; else its own."""
     in_brackets = header_unit(name) if name.rstrip()[-1:] in ("]", ")") else None
     if in_brackets in (None, "V", "count"):
         return ending_of(name, channel) if "_" in name else unit_of(channel)

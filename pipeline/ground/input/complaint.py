@@ -1,4 +1,4 @@
-"""The first of what pydantic has against a file, as file, field and mend."""
+"""The first of pydantic's complaints about a file, as file, field and mend."""
 
 import difflib
 import re
@@ -20,24 +20,24 @@ _SHORT.maxlevel = 2
 
 
 def short(value: Any) -> str:
-    """A value on one line of bounded length, however large, deep or odd it is."""
+    """A value on one line of bounded length, however large or deep it is."""
     return _SHORT.repr(value)
 
 
 def key_name(key: Any) -> str:
-    """A key as it stands, or in quotes and cut where it is long or cannot be printed."""
+    """A key unchanged; or in quotes and cut, if it is long or cannot be printed."""
     text = str(key)
     return text if text.strip() and text.isprintable() and len(text) <= LONGEST else short(text)
 
 
 def meant(key: str, keys: Iterable[str]) -> str:
-    """The known key that a misspelt one is nearest to, or all of them, as a mend."""
+    """The mend for a misspelt key: the nearest known key, or all of them."""
     close = difflib.get_close_matches(key[:LONGEST], list(keys), n=1)
     return f"did you mean {close[0]!r}?" if close else f"remove it; known are {', '.join(keys)}"
 
 
 def _as_keys(where: tuple[Any, ...], section: type[BaseModel]) -> str:
-    """How to write keys and values where something else was given; a channel may be a column's name alone."""
+    """The mend where keys and values are expected; a channel may also be the name of a column."""
     keys = f"write {key_name(where[-1])}: {{{', '.join(f'{key}: …' for key in section.model_fields)}}}"
     return f"{keys}, or the column's name alone" if where[0] == "channels" and len(where) == 2 else keys
 
@@ -78,7 +78,7 @@ def bad_section(
 
 
 def syntax_mend(text: str) -> str:
-    """How to mend text that is no YAML: what a piece of JSON pasted into it needs, if there seems to be one."""
+    """The mend for text that is not YAML, especially for a piece of JSON pasted into it."""
     if text.lstrip().startswith("{") or not JSON_KEY.search(text):
         return "check its indentation, colons and quotes"
     return (

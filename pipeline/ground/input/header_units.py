@@ -1,4 +1,4 @@
-"""The unit that a column's name carries: `angle [deg]`, `t (ms)`, `weg_mm`, `Zeit in ms`."""
+"""The unit in a column's name: `angle [deg]`, `t (ms)`, `weg_mm`, `Zeit in ms`."""
 
 import re
 
@@ -19,7 +19,7 @@ WHOLE = {"millis": "ms", "micros": "us"}
 
 
 def unit_word(text: str) -> str | None:
-    """The unit that a word means, None where it means none."""
+    """The unit that a word stands for, None if it stands for none."""
     word = text.strip().strip("[]()").lower()
     return KNOWN.get(word) or KNOWN.get(word.removesuffix("s"))
 

@@ -1,4 +1,4 @@
-"""Where a program is to write, refused before its work begins rather than after it."""
+"""The output paths of a program, refused before its work begins rather than after it."""
 
 import os
 import stat
@@ -49,7 +49,7 @@ def _same(path: Path, other: Path) -> bool:
 
 
 def _refuse_names(path: Path, field: str, wanted: str) -> None:
-    """Raise BadInput for a path that names nothing, or that no file system takes."""
+    """Raise BadInput for a path without a name, or one that no file system accepts."""
     if str(path) in ("", ".") and wanted == "a file":
         raise BadInput(field, "path", "is empty or the folder itself", f"name {wanted}")
     if "\0" in str(path):

@@ -1,4 +1,4 @@
-"""The command line of a program: a misspelt option is told the near name."""
+"""The command line of a program; for a misspelt option it tells the nearest one."""
 
 import argparse
 import difflib
@@ -11,7 +11,7 @@ LONGEST = 40  # characters of a word that are compared
 
 
 class Parser(argparse.ArgumentParser):
-    """An argument parser whose complaints name the option that a misspelt one may mean.
+    """An argument parser that names the nearest option for a misspelt one.
 
     Its help ends with the lines of `ending`, as they are: argparse would part paths at their hyphens.
     """
@@ -29,7 +29,7 @@ class Parser(argparse.ArgumentParser):
         return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
-        """End with exit status 2: usage, what is wrong, and the near name of each option that there is not."""
+        """End with exit status 2: usage, the fault, and the nearest option for each unknown one."""
         super().error("; ".join([message, *self._meant()]))
 
     def _meant(self) -> list[str]:

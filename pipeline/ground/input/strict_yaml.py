@@ -1,4 +1,4 @@
-"""The one reader of YAML files: what is unclear, doubled or endless is refused, never guessed.
+"""The one reader of YAML files: unclear, doubled or endless content is refused, never guessed.
 
 Plain words are read as YAML 1.2 does: `yes`, `5:00` and a date are text. What YAML 1.1 and 1.2 read as different
 numbers, such as `0300`, is refused.
@@ -37,7 +37,7 @@ class Unclear(ValueError):
 
 
 def plain_value(text: str) -> str | int | float | bool | None:
-    """What a plain word of YAML means; raises Unclear for a number that is not finite, too long or ambiguous."""
+    """The value of a plain word of YAML; raises Unclear for a number that is not finite, too long or ambiguous."""
     if text in WORDS:
         return WORDS[text]
     number = next((kind for kind in (INTEGER, BASED, FLOAT) if kind.fullmatch(text)), None)
@@ -62,7 +62,7 @@ def plain_value(text: str) -> str | int | float | bool | None:
 
 @dataclass
 class _Node:
-    """A list or mapping that is being read, with the size of what is in it."""
+    """A list or mapping under construction, with the size of its content."""
 
     value: Any
     anchor: str | None
@@ -85,7 +85,7 @@ class _Reader:
         return BadInput(self.path, f"line {self.line}", problem, mend)
 
     def put(self, value: Any, size: int, scalar: bool) -> None:
-        """Put a finished value where it belongs: into the list or mapping that is open, or as the whole."""
+        """Put a finished value in its place: into the open list or mapping, or as the whole document."""
         if not self.open:
             self.result = value
             return
@@ -121,7 +121,7 @@ class _Reader:
         self.put(value, size, scalar=True)
 
     def alias(self, name: str | None) -> None:
-        """Read `*name`: what `&name` stands before, if that is complete."""
+        """Read `*name`: the value that `&name` marks, if that is complete."""
         if name is None or name not in self.anchors:
             raise self.refuse(f"*{name} stands for nothing, or for what it stands in", "write the value itself")
         value, size = self.anchors[name]

@@ -1,4 +1,4 @@
-"""The words of a command in a file, which argparse reads (`@FILE`): a shell takes 128 kB of a command and no more.
+"""The words of a command in a file, which argparse reads (`@FILE`): a shell takes at most 128 kB per command.
 
 A file is named after its content. So a command changes when its words do, and who reads it reads what was meant.
 """

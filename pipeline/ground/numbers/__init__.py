@@ -1,1 +1,1 @@
-"""Numbers without physics: percentiles, spans, regression, and whether two lengths or a stroke can be."""
+"""Numbers without physics: percentiles, spans, regression, and checks of lengths and strokes."""

@@ -1,4 +1,4 @@
-"""Percentiles of numbers that are too many to hold: found exactly, in a few passes over pieces of them.
+"""Percentiles of numbers that are too many to hold: exact, in a few passes over pieces of them.
 
 The first pass counts how many numbers share their leading bits; each later one looks only at those that share the bits
 of the number that is sought, until these few are sorted.
@@ -21,7 +21,7 @@ Keys = NDArray[np.uint64]
 
 @dataclass(frozen=True)
 class _Target:
-    """What is sought: the first number with which the weights add up to `rest`, among the keys that begin with `first`.
+    """A target: the first number at which the weights add up to `rest`, among the keys that begin with `first`.
 
     So many bits of the keys are known that `shift` are left; `inside` numbers begin so.
     """
@@ -45,12 +45,12 @@ def _number(key: int) -> float:
 
 
 def _begin(keys: Keys, target: _Target) -> NDArray[np.bool_] | slice:
-    """Which keys begin as a target does."""
+    """Which keys have the beginning of a target."""
     return slice(None) if target.shift == 64 else keys >> np.uint64(target.shift) == target.first
 
 
 def _narrowed(pieces: Pieces, targets: list[_Target], digit: int, weigh: bool) -> list[_Target]:
-    """Targets of which so many bits more are known, after a pass."""
+    """Targets with that many more known bits, after a pass."""
     shift, size = targets[0].shift - digit, 1 << digit
     places = {target.first: target for target in targets}
     count = {first: np.zeros(size, np.int64) for first in places}
@@ -73,7 +73,7 @@ def _narrowed(pieces: Pieces, targets: list[_Target], digit: int, weigh: bool) -
 
 
 def _found(pieces: Pieces, targets: list[_Target], weigh: bool) -> list[float]:
-    """The numbers that are sought, by sorting those that begin as they do."""
+    """The numbers sought, by sorting those with the right beginnings."""
     places = {target.first: target for target in targets}
     parts_by_first: dict[int, list[Array]] = {first: [] for first in places}
     for piece in pieces():
@@ -99,7 +99,7 @@ def _sought(pieces: Pieces, targets: list[_Target], weigh: bool = False) -> list
 
 
 def ordered(pieces: Pieces, count: int, ranks: Sequence[int]) -> list[float]:
-    """Those of `count` finite numbers that stand at some ranks, from 0, when they are in order."""
+    """The numbers at some ranks, from 0, among `count` finite numbers in order."""
     return _sought(pieces, [_Target(rank + 1, inside=count) for rank in ranks])
 
 
@@ -126,7 +126,7 @@ def median(pieces: Pieces, count: int) -> float:
 
 
 def half_of_sum(pieces: Pieces, count: int) -> float:
-    """Of `count` numbers from 0 up, in order, the first with which they add up to half of their sum."""
+    """The first of `count` numbers from 0 up, in order, at which they add up to half of their sum."""
     total = 0.0
     if count <= HELD:
         order = np.sort(np.concatenate(list(pieces())))

@@ -1,4 +1,4 @@
-"""What learns a signal over a few columns without physics: a Gaussian process on some of its points, boosted trees."""
+"""Methods that learn a signal over a few columns without physics: a Gaussian process on some points, boosted trees."""
 
 import warnings
 from collections.abc import Callable
@@ -17,7 +17,7 @@ STEPS, RESTARTS = 25, 1
 
 
 def evenly(rows: int, most: int) -> NDArray[np.intp]:
-    """At most so many of the first rows, evenly spread, both ends among them. Shape (at most `most`,), as indices."""
+    """At most that many of the first rows, evenly spread, with both ends. Shape (at most `most`,), as indices."""
     return np.unique(np.linspace(0, rows - 1, most).astype(int))
 
 
@@ -53,7 +53,7 @@ def _least(objective: Callable[..., tuple[float, Array]], start: Array, bounds: 
 
 
 def boosted_trees(table: Array, values: Array, seed: int) -> Callable[[Array], Array]:
-    """Trees that each mend what those before it left, as a function of a table, shape (rows, columns).
+    """Trees that each correct the residual of those before, as a function of a table, shape (rows, columns).
 
     Values of shape (rows,) have one unit, which is the answer's.
     """

@@ -1,4 +1,4 @@
-"""Spans of a long series, each from a first place until one that is left out: joined, cut, reduced in blocks."""
+"""Spans of a long series, each from a first place to a last one that is left out: joined, cut, reduced in blocks."""
 
 from collections.abc import Callable, Iterable
 
@@ -12,7 +12,7 @@ Read = Callable[[int, int], Array]  # values of a series from a first place unti
 
 
 def blocks(first: int, stop: int, length: int) -> list[tuple[int, int]]:
-    """What lies from `first` until `stop`, cut into blocks of a length."""
+    """The range from `first` until `stop`, cut into blocks of a length."""
     return [(at, min(at + length, stop)) for at in range(first, stop, length)]
 
 
@@ -33,13 +33,13 @@ def joined(parts: Iterable[Spans]) -> Spans:
 
 
 def between(spans: Spans, length: int) -> Spans:
-    """What of a series of a length lies in none of the spans; shape (spans, 2), as places."""
+    """The parts of a series of a length that lie in none of the spans; shape (spans, 2), as places."""
     edges = np.concatenate([[0], spans.ravel(), [length]]).reshape(-1, 2)
     return edges[edges[:, 1] > edges[:, 0]]
 
 
 def cut(spans: Spans, places: Places) -> Spans:
-    """The spans, cut at those places that lie inside one; shape (spans, 2), as places."""
+    """The spans, cut at the places that lie inside one; shape (spans, 2), as places."""
     at = np.searchsorted(spans[:, 0], places, side="right") - 1
     inside = places[(at >= 0) & (places > spans[at, 0]) & (places < spans[at, 1])] if len(spans) else places[:0]
     return np.column_stack([np.sort(np.concatenate([spans[:, end], inside])) for end in (0, 1)])

@@ -1,4 +1,4 @@
-"""Whether the stroke under way has unwound, so that its end counts though nobody told of it."""
+"""Whether the current stroke has unwound, so that its end counts though no event reported it."""
 
 import math
 
@@ -26,10 +26,10 @@ class Unwound:
 
     @property
     def is_whole(self) -> bool:
-        """Whether the stroke under way has an unwinding, by the share of the range that a run's strokes go by."""
+        """Whether the current stroke has an unwinding, by the share of the range that defines strokes."""
         return self._fell > 0.0 and self._fell >= PHASE_REVERSAL * (self._high - self._low)
 
     @property
     def is_home(self) -> bool:
-        """Whether the twist is back near the lowest one."""
+        """Whether the twist is back near its lowest value."""
         return self._last - self._low <= HOME * (self._high - self._low)

@@ -1,1 +1,1 @@
-"""What is written and read again: whole files and folders, tables with a check sum, figures."""
+"""Storage that is read again: whole files and folders, tables with a check sum, figures."""

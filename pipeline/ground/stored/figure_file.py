@@ -1,4 +1,4 @@
-"""A figure of matplotlib as a file, the same bytes each time."""
+"""A figure of matplotlib as a file, with the same bytes each time."""
 
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ DIGITS = 7  # of a position, as a share of the figure: less than any printer sho
 
 
 def settle_layout(figure: Figure) -> None:
-    """Lay a figure out once, and round where its parts stand.
+    """Lay a figure out once, and round the places of its parts.
 
     The solver of matplotlib's layout orders its variables by where they lie in memory, so the last bit of a position
     is chance, and a PDF writes ten decimals of it. What has been laid out stays as it is.

@@ -1,4 +1,4 @@
-"""Tables that a person names on a command line: read, or refused in one line that says what to do."""
+"""Tables named on a command line: read, or refused in one line that says what to do."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from . import schemas, seal
 
 
 def opened(path: Path, schema: pa.Schema, mend: str) -> pd.DataFrame:
-    """A Parquet table under its schema; raises BadInput where the file is none, is another, or has no rows."""
+    """A Parquet table under its schema; raises BadInput for no Parquet file, another table, or one without rows."""
     try:
         if not bytes(seal.content_of(path)[:4]) == b"PAR1":
             raise BadInput(path, "file", "is no Parquet table", mend)

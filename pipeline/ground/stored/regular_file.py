@@ -1,4 +1,4 @@
-"""A file that somebody gave, opened only when it is a plain file: a folder, a pipe or a device would fail or hang."""
+"""A file from a person, opened only if it is a plain file: a folder, a pipe or a device would fail or hang."""
 
 import os
 import stat
@@ -17,7 +17,7 @@ KINDS = {
 
 
 def open_regular(path: Path, field: str = "file") -> BinaryIO:
-    """The plain file at `path`, open for reading bytes; raises BadInput for what is not there or is something else."""
+    """The plain file at `path`, open for reading bytes; raises BadInput if it is missing or something else."""
     try:
         kind = stat.S_IFMT(os.stat(path).st_mode)
         if kind == stat.S_IFREG:
@@ -34,7 +34,7 @@ def open_regular(path: Path, field: str = "file") -> BinaryIO:
 
 
 def read_regular(path: Path, largest: int, field: str = "file") -> bytes:
-    """Bytes of the plain file at `path`; raises BadInput when it is none or has more than `largest` bytes."""
+    """Bytes of the plain file at `path`; raises BadInput if it is no plain file or has more than `largest` bytes."""
     with open_regular(path, field) as file:
         try:
             content = file.read(largest + 1)

@@ -1,4 +1,4 @@
-"""A table of numbers that may be longer than memory: held as it is, or stored as Parquet and read by row groups."""
+"""A table of numbers that may be longer than memory: held, or stored as Parquet and read by row groups."""
 
 import weakref
 from abc import ABC, abstractmethod
@@ -92,7 +92,7 @@ class Held(Rows):
 
 
 class Stored(Rows):
-    """Rows of a file that `schemas.write` made; of each column the last two row groups that were asked for are kept.
+    """Rows of a file that `schemas.write` made; the last two row groups of each column stay in memory.
 
     Raises BadInput or Refused as `schemas.read` does.
     """
@@ -135,6 +135,6 @@ def rows_of(table: pd.DataFrame | Rows) -> Rows:
 
 
 def opened(path: Path | str) -> pd.DataFrame | Rows:
-    """The table of a file that `schemas.write` made: held where it is short, else read by row groups; raises as it."""
+    """The table of a file that `schemas.write` made: held if short, else read by row groups; raises like it."""
     rows = Stored(path)
     return rows if len(rows) > schemas.ROW_GROUP else rows.frame(0, len(rows))

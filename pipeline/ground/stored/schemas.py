@@ -1,4 +1,4 @@
-"""Every table that passes a door: its columns, types, units and check sum, checked on both sides."""
+"""The schema of every checked table: its columns, types, units and check sum, checked on writing and reading."""
 
 import json
 from collections.abc import Iterable, Iterator
@@ -20,11 +20,11 @@ REFUSED = b"refused"  # the key under which a file tells why there is no table i
 
 
 class Refused(BadInput):
-    """What an earlier stage refused, and why."""
+    """The refusal of an earlier stage, with its reason."""
 
 
 class Damaged(BadInput):
-    """A file that is not what was written, which making it again mends."""
+    """A file that was changed since it was written; making it again mends it."""
 
 
 def _schema(**columns: pa.DataType) -> pa.Schema:
@@ -80,7 +80,7 @@ def put(pieces: Iterable[pd.DataFrame], schema: pa.Schema, temporary: Path) -> N
 
 
 def _row_groups(pieces: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]:
-    """Pieces of a table cut and joined to pieces of one length, but for the last; one without rows if there is none."""
+    """Pieces of a table cut and joined to one length, except the last; one without rows if there is none."""
     waiting, rows, written = list[pd.DataFrame](), 0, False
     for piece in pieces:
         waiting.append(piece)
@@ -94,7 +94,7 @@ def _row_groups(pieces: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]:
 
 
 def write_refusal(error: BadInput, path: Path | str) -> None:
-    """Write, in place of a table, why there is none."""
+    """Write a refusal in place of a table, with its reason."""
     refusal = json.dumps([error.file, error.field, error.problem, error.mend])
     with whole(path) as temporary:
         pq.write_table(pa.schema([], metadata={REFUSED: refusal.encode()}).empty_table(), temporary)
@@ -118,7 +118,7 @@ def read(path: Path | str, schema: pa.Schema | None = None) -> pd.DataFrame:
 
 
 def opened(path: Path | str, schema: pa.Schema | None = None) -> pq.ParquetFile:
-    """A Parquet table that is read by row groups, refused as `read` refuses it; raises BadInput and Refused."""
+    """A Parquet table that is read by row groups, with the refusals of `read`; raises BadInput and Refused."""
     file = open_regular(Path(path))
     try:
         seal.check_parquet_file(file)

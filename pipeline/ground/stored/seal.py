@@ -1,4 +1,4 @@
-"""A check sum in every stored file: reading sees by it that a bit has changed, or that the end is missing."""
+"""A check sum in every stored file: it shows on reading that a bit has changed, or that the end is missing."""
 
 import errno
 import hashlib
@@ -16,7 +16,7 @@ CHUNK_BYTES = 1 << 22
 
 
 class Damaged(Exception):
-    """A file without the check sum that it was written with, or with another content."""
+    """A file whose check sum is missing or does not fit its content."""
 
 
 def content_of(path: Path | str) -> memoryview:
@@ -72,14 +72,14 @@ def is_sealed(file: BinaryIO) -> bool:
 
 
 def check_parquet(content: memoryview) -> None:
-    """Raise Damaged unless a Parquet file's content is what was sealed."""
+    """Raise Damaged unless a Parquet file's content fits its seal."""
     start = len(content) - _footer_bytes(content[-PARQUET_TAIL.size :], len(content))
     if content[start - SEAL_BYTES : start] != _seal(content[: start - SEAL_BYTES], content[start:]):
         raise Damaged("its check sum is missing or wrong")
 
 
 def check_parquet_file(file: BinaryIO) -> None:
-    """Raise Damaged unless an open Parquet file's content is what was sealed; reads it once, in pieces."""
+    """Raise Damaged unless an open Parquet file's content fits its seal; reads it once, in pieces."""
     size = file.seek(0, os.SEEK_END)
     file.seek(max(size - PARQUET_TAIL.size, 0))
     start = size - _footer_bytes(file.read(), size)
@@ -94,7 +94,7 @@ def check_parquet_file(file: BinaryIO) -> None:
 
 
 def _digest(file: BinaryIO, bytes_left: int, digest: "hashlib._Hash") -> None:
-    """Add so many of a file's next bytes to a check sum."""
+    """Add that many of a file's next bytes to a check sum."""
     while bytes_left:
         part = file.read(min(CHUNK_BYTES, bytes_left))
         digest.update(part)
@@ -107,7 +107,7 @@ def sealed(content: bytes) -> bytes:
 
 
 def opened(content: bytes | memoryview) -> memoryview:
-    """What was sealed; raises Damaged."""
+    """The content without its seal; raises Damaged."""
     content = memoryview(content)
     inside = content[:-SEAL_BYTES]
     if len(content) < SEAL_BYTES or content[-SEAL_BYTES:] != _seal(inside):
@@ -116,7 +116,7 @@ def opened(content: bytes | memoryview) -> memoryview:
 
 
 def check(path: Path) -> None:
-    """Raise Damaged unless a stored table (`.parquet`) or model is what was written; raises OSError."""
+    """Raise Damaged unless a stored table (`.parquet`) or model is unchanged since it was written; raises OSError."""
     content = content_of(path)
     if path.suffix == ".parquet":
         check_parquet(content)

@@ -1,1 +1,1 @@
-"""What programs say in more than one place: counts, progress, notes of what was left out, the glossary."""
+"""Words that several programs use: counts, progress, notes of left-out runs, the glossary."""

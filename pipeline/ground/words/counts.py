@@ -4,17 +4,17 @@ from collections.abc import Iterable, Mapping
 
 
 def counted(count: int, what: str) -> str:
-    """So many of a thing: 1 line, 2 lines."""
+    """A count with its noun: 1 line, 2 lines."""
     return f"{count} {what}{'' if count == 1 else 's'}"
 
 
 def are(count: int) -> str:
-    """The verb of so many things."""
+    """The verb for a count: is, or are."""
     return "is" if count == 1 else "are"
 
 
 def consecutive(numbers: Iterable[int]) -> list[list[int]]:
-    """Rising numbers, those together that follow each other: [1, 2, 3], [5]."""
+    """Rising numbers in groups of consecutive ones: [1, 2, 3], [5]."""
     runs: list[list[int]] = []
     for number in numbers:
         if runs and number == runs[-1][-1] + 1:

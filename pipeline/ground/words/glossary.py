@@ -1,4 +1,4 @@
-"""The words of pages and verdicts, each in a sentence; a mechanism's says what a person would see."""
+"""The words of pages and verdicts, each explained in a sentence; a mechanism's tells what a person would see."""
 
 import ast
 from pathlib import Path
@@ -53,7 +53,7 @@ TERMS: dict[str, dict[str, str]] = {
 
 
 def _mechanisms() -> dict[str, str]:
-    """What each mechanism's file says that a person would see, by id, read as text; those of the library first."""
+    """The visible sign of each mechanism, from its file, by id, read as text; the library's first."""
     meanings: dict[str, str] = {}
     for path in sorted(MECHANISMS.glob("[!_]*.py"), key=lambda path: (is_outside(path.stem), path.stem)):
         tree = ast.walk(ast.parse(path.read_text(encoding="utf-8")))

@@ -1,4 +1,4 @@
-"""What the dataset's stage noted of jumps of the zero that nobody confirmed, for all that use its points."""
+"""Notes of the dataset's stage on unconfirmed jumps of the zero, for all who use its points."""
 
 import json
 import os
@@ -30,6 +30,6 @@ def from_json(content: bytes, source: Path) -> list[str]:
 
 
 def read_jumps(notes: Sequence[Path]) -> list[str]:
-    """What some notes say, one sentence a jump; one that is not there says nothing. Raises BadInput."""
+    """The sentences of some notes; a missing note has none. Raises BadInput."""
     present = (path for path in notes if os.path.lexists(path))
     return [note for path in present for note in from_json(read_regular(path, LARGEST), path)]

@@ -17,7 +17,7 @@ LARGEST = 100_000_000  # bytes of a file of runs that were left out
 
 @dataclass(frozen=True)
 class LeftOut:
-    """One run, and what is wrong with which field of which file, and the mend."""
+    """A run, and the fault of one field of a file, with the mend."""
 
     run: str
     material: str  # empty where nobody can tell
@@ -28,12 +28,12 @@ class LeftOut:
 
     @classmethod
     def of(cls, run: str, error: BadInput, material: str = "") -> "LeftOut":
-        """A run that an error is about."""
+        """The run that an error is about."""
         return cls(run, material, error.file, error.field, error.problem, error.mend)
 
     @property
     def why(self) -> str:
-        """File, field, problem and mend, as every program says them, with nothing in it that cannot be shown."""
+        """File, field, problem and mend, as every program words them, with printable characters only."""
         sentence = str(BadInput(self.file, self.field, self.problem, self.mend))
         return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in sentence)
 
@@ -62,7 +62,7 @@ def read_left_out(path: Path) -> list[LeftOut]:
 
 @contextmanager
 def noted(run_dir: Path, tables: list[Path], note: bool) -> Iterator[None]:
-    """Where ingest refuses its run, write the refusal in place of each of its tables if `note` says so; else raise it.
+    """Where ingest refuses its run, write the refusal in place of its tables if `note` says so; else raise it.
 
     A fault of ours in one run costs that run, and is shown in full.
     """

@@ -1,4 +1,4 @@
-"""How far a long piece of work is: one line on the terminal that renews itself, or a line a minute in a log.
+"""The progress of a long piece of work: a line on the terminal that renews itself, or a line a minute in a log.
 
 Programs say what they go through by `steps`; one inside another stands in the same line, as in "fit 3 of 8, epoch 20 of
 60, 41 s so far". Everything goes to stderr. What is done within a minute says nothing in a log.
@@ -17,7 +17,7 @@ RENEWED_S, LOGGED_S = 0.1, 60.0
 
 @dataclass
 class _Line:
-    """What is under way, outermost first, and when it was last said."""
+    """The running pieces of work, the outermost first, and when they were last shown."""
 
     levels: list[list[str | int]] = field(default_factory=list)  # what, how many are done, how many there are
     began_s: float = 0.0
@@ -29,7 +29,7 @@ _line = _Line()
 
 
 def steps(items: Iterable[Item], what: str, total: int | None = None) -> Iterator[Item]:
-    """Hand on items one by one and show which is under way, called `what`; `total` is their number if known."""
+    """Pass on items one by one and show the current one, called `what`; `total` is their number if known."""
     count = total if total is not None else len(items) if isinstance(items, Sized) else 0
     if not _line.levels:
         _line.began_s = _line.said_s = time.monotonic()
@@ -64,7 +64,7 @@ def clear() -> None:
 
 
 def _say() -> None:
-    """Show where the work is, unless that was done a moment ago."""
+    """Show the progress, unless that was done a moment ago."""
     now_s, stream = time.monotonic(), sys.stderr
     if stream is None or stream.closed:
         return

@@ -1,4 +1,4 @@
-"""What is done about a recording without an end: the command, with names for its columns where nothing names them."""
+"""The mend for a recording without an end: the command, with names for columns that have none."""
 
 import json
 from pathlib import Path
@@ -10,7 +10,7 @@ NAMES = "names"  # in it: what the columns are likely called, where nothing has 
 
 
 def mend_of_unfinished(folder: Path) -> str:
-    """The mend; a recording of lines whose columns have no names is not usable by `--recover` alone."""
+    """The mend; `--recover` alone is not enough for lines whose columns have no names."""
     try:
         content = json.loads((folder / NOTE).read_bytes())
         names = content.get(NAMES)

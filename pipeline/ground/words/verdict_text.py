@@ -1,4 +1,4 @@
-"""What programs read of a `verdict.txt`: its first words, with their warnings, and what it says to do."""
+"""The parts of a `verdict.txt` that programs read: its first words with their warnings, and the next steps."""
 
 import re
 
@@ -20,7 +20,7 @@ def to_do(text: str) -> str:
 
 
 def record_asked(text: str) -> str:
-    """The step that asks for another recording, on one line and up to its first sentence; empty where none does."""
+    """The step that asks for another recording, on one line, up to its first sentence; empty where there is none."""
     steps = [" ".join(step.split()) for step in STEP.split(to_do(text))]
     asking = next((step for step in steps if RECORD.search(step)), "")
     return re.split(r"(?<=[.]) (?=[A-Z])", asking)[0].rstrip(".")

@@ -1,4 +1,4 @@
-"""Lines no wider than a page that a person reads in a terminal; a command stays whole, for it is pasted."""
+"""Lines no wider than a page in a terminal; a command stays whole, so that it can be pasted."""
 
 import re
 import textwrap
@@ -11,7 +11,7 @@ COMMANDS = (START, "snakemake ")  # an indented line that begins so is a command
 
 
 def wrapped(line: str, indent: str = "", further: int = FURTHER) -> list[str]:
-    """A line within the width of a page, indented; its rest by `further` spaces more, or behind its number."""
+    """A line within the width of a page, indented; its rest by `further` more spaces, or after its number."""
     bare = line.lstrip()
     if bare.startswith(COMMANDS) and bare != line:
         return [f"{indent}{line}"]

@@ -19,7 +19,7 @@ class Band:
     values: Array  # (shares, steps), in the indicator's unit
 
     def below(self, share: float) -> Array:
-        """The value that so large a share of the futures stays below. Shape (steps,), in the indicator's unit."""
+        """The value below which that share of the futures stays. Shape (steps,), in the indicator's unit."""
         return np.asarray(self.values[int(np.argmin(np.abs(SHARES - share)))])
 
 

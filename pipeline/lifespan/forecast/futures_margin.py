@@ -1,4 +1,4 @@
-"""How much later than a question's futures say a limit may be passed: measured on strings that judge nothing.
+"""By how much to delay a question's futures before they pass a limit: measured on strings outside the scores.
 
 Drifts slow down more than the laws foretell. So the futures later than the median are put later still, by a power of
 how many times later they are. Each power is the least of 1, 1.1 … 2, 2.5 … 4 with which the 90 % intervals of that
@@ -15,21 +15,21 @@ LATER = {"stroke_loss": 1.1, "model_error": 4.0}
 
 
 def middle_of(when: Array) -> float:
-    """The median of when futures pass a limit, infinite where half of them do not. Shape (futures,), in strokes."""
+    """The median time at which futures pass a limit, infinite if half of them do not. Shape (futures,), in strokes."""
     return float(np.quantile(when, 0.5, method="inverted_cdf")) if len(when) else np.inf
 
 
 def put_later(times: Array, middle: float, power: float) -> Array:
-    """Strokes ahead, those after the median `middle` of the futures put later. Any shape, in strokes."""
+    """Strokes ahead, with those after the median `middle` of the futures delayed. Any shape, in strokes."""
     if not 0.0 < middle < np.inf:
         return times
     return np.where(times > middle, middle * (times / middle) ** power, times)
 
 
 def later(when: Array, horizon: float, power: float) -> Array:
-    """When futures pass a limit, those after the median put later; infinite beyond the horizon. Shape (futures,).
+    """The times at which futures pass a limit, delayed after the median; infinite beyond the horizon.
 
-    In strokes.
+    Shape (futures,), in strokes.
     """
     moved = put_later(when, middle_of(when), power)
     return np.where(moved > horizon, np.inf, moved)

@@ -1,4 +1,4 @@
-"""Which law goes on best: each is fitted to the first strokes and scored on the ones left out, several times over.
+"""Which law predicts best: each is fitted to the first strokes and scored on the others, several times over.
 
 The same forecasts say how much farther off the left-out strokes lay than the laws' own uncertainty says, and how that
 grows with the share of strokes ahead.
@@ -28,7 +28,7 @@ Forecast = tuple[Array, Array, Array]
 
 @dataclass(frozen=True)
 class Choice:
-    """Fits to all strokes with their weights, and the rolling origins' account of them.
+    """Fits to all strokes with their weights, and the scores from the rolling origins.
 
     `weights` add up to 1. `errors` holds each law's root mean square forecast error, in the indicator's unit, of the
     strokes left out; `growth`, per strokes ahead/strokes seen, is the standard deviation of what it did not foresee.
@@ -130,7 +130,7 @@ def choose(n: Array, values: Array, laws: tuple[Law, ...] = LAWS) -> Choice:
 
 
 def surplus(origins: list[Forecast]) -> float:
-    """Standard deviation, per strokes ahead/strokes seen, of a law's forecast errors beyond those it foresees."""
+    """Standard deviation of a law's forecast errors beyond the predicted ones, per strokes ahead/strokes seen."""
     above = sum(float(np.mean((np.square(error) - variance) * np.square(ahead))) for ahead, error, variance in origins)
     below = sum(float(np.mean(ahead**4)) for ahead, _, _ in origins)
     return float(np.sqrt(max(above, 0.0) / below)) if below > 0 else 0.0

@@ -58,7 +58,7 @@ def _log(n: Array, n0: Array) -> tuple[Array, ...]:
 
 
 def _hyperbola(n: Array, end: Array) -> tuple[Array, ...]:
-    """1/(1 − n/N) but for its constant and its slope, which the law's own columns hold; huge beyond N."""
+    """1/(1 − n/N) without its constant and slope, which the law's own columns have; huge beyond N."""
     life_left = 1.0 - n / end
     return n, np.where(life_left > 1e-3, np.square(n / end) / np.maximum(life_left, 1e-3), 1e6)
 

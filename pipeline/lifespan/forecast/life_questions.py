@@ -1,4 +1,4 @@
-"""The two questions to a string's health: when is a share of the stroke lost, when does a model no longer hold?"""
+"""The two questions on a string's health: when has it lost a share of its stroke, and when is a model too wrong?"""
 
 from dataclasses import dataclass
 
@@ -26,7 +26,7 @@ class Answer:
 
 
 def lived(health: Health) -> float:
-    """Strokes from the first one seen to the last: both questions look ahead by the same multiple of them."""
+    """Strokes from the first seen one to the last: both questions look ahead by the same multiple of them."""
     n = health.strokes["stroke"]
     return float(n.iloc[-1] - n.iloc[0] + 1)
 
@@ -45,7 +45,7 @@ def stroke_loss(health: Health, loss: float) -> Answer:
 
 
 def model_error(health: Health, drift_mm: float) -> Answer:
-    """When the model calibrated on the first strokes is off by `drift_mm`; those strokes themselves tell nothing."""
+    """When the model calibrated on the first strokes is off by `drift_mm`; those strokes are no test of it."""
     table = health.strokes.iloc[REFERENCE:].dropna(subset=["model_error_mm"])
     before = min(REFERENCE, len(health.strokes))
     n, off_mm = table["stroke"].to_numpy(float), table["model_error_mm"].to_numpy()
@@ -63,7 +63,7 @@ def model_error(health: Health, drift_mm: float) -> Answer:
 
 
 def first(answers: list[Answer]) -> Answer | None:
-    """The question whose limit was or is passed first, by its median; None where none of them has a claim."""
+    """The question whose limit is passed first, by its median; None where no question has a claim."""
     spans = [(answer, answer.left.span(0.9)) for answer in answers]
     with_a_claim = [
         (span.median, span.low, answer.left.passed_at if span.state == "passed" else 0.0, at)

@@ -1,1 +1,1 @@
-"""How often forecasts held on whole lives of strings, beside simple peers."""
+"""How often forecasts held over whole lives of strings, beside simple peers."""

@@ -43,7 +43,7 @@ def errs(whole_life: Answer) -> float:
 
 
 def cuts(end: float) -> Iterator[tuple[str, int]]:
-    """After how many strokes a string whose life ends, or is seen to, at stroke `end` is asked, and what that is."""
+    """After how many strokes a string whose life is known to stroke `end` is asked, and what `end` means."""
     for share in SHARES:
         yield f"{share:.0%} of the life", int(share * end)
     for number in NUMBERS:
@@ -51,7 +51,7 @@ def cuts(end: float) -> Iterator[tuple[str, int]]:
 
 
 def held(forecast: Left, level: float, true: float, censored: bool) -> float:
-    """Whether an interval holds the strokes left: 1, 0, or NaN where nothing is claimed or a censored life cannot tell.
+    """Whether an interval holds the strokes left: 1 or 0; NaN without a claim, or if a censored life cannot tell.
 
     `true` is the strokes left, or those for which a censored life is known to have gone on.
     """

@@ -1,4 +1,4 @@
-"""What the forecast is compared with: one law for every string, fitted once, trusted as it is."""
+"""Peers of the forecast: one law for every string, fitted once, and trusted without a check."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ PEERS = ("line through all strokes", "line through the last third", "one logarit
 
 
 def peer(name: str, n: Array, values: Array, limit: float, seed: int = 0) -> Left:
-    """Strokes left by one of PEERS; the interval is that of its coefficients, with the limit as it is.
+    """Strokes left by one of PEERS; the interval comes from its coefficients, and the limit is taken as it is.
 
     `n` and values have the shape (strokes,), in the indicator's unit.
     """

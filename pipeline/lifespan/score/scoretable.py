@@ -1,4 +1,4 @@
-"""Scores of forecasts as a table: who claims how much, how often it holds, how wide and how far off it is."""
+"""Scores of forecasts as a table: how much each method claims, how often it holds, how wide and how wrong it is."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ HEADER = (
 
 
 def share(values: pd.Series) -> str:
-    """Share of those that can be counted, and their number."""
+    """The share among those that can be counted, and their number."""
     counted = values.dropna()
     return f"{100 * counted.mean():.1f} % ({len(counted)})" if len(counted) else "–"
 
@@ -66,7 +66,7 @@ def kinds(rows: pd.DataFrame) -> list[str]:
 
 
 def bounds(rows: pd.DataFrame) -> str:
-    """What the coverage is at least and at most, whatever the censored lives that leave it open would have shown."""
+    """The least and the greatest possible coverage, whatever the censored lives would have shown."""
     claims = rows[rows["state"] != "no claim"]
     low, high = claims["held_90%"].fillna(0.0).mean(), claims["held_90%"].fillna(1.0).mean()
     open_ = int(claims["held_90%"].isna().sum())

@@ -1,4 +1,4 @@
-"""What a stroke that is not shorter hides: a string that is longer at rest, for the sensor reads less there."""
+"""A change that the stroke does not show: a string that is longer at rest, where the sensor then reads less."""
 
 import numpy as np
 import pandas as pd
@@ -11,7 +11,7 @@ LEAST_MM = 0.05  # nobody sets out for less
 
 
 def longer_at_rest(strokes: pd.DataFrame) -> str:
-    """By how much the string is longer or shorter at rest than in its first strokes; empty where it is neither.
+    """By how much the string is longer or shorter at rest than in its first strokes; empty if it is neither.
 
     `strokes` has `rest_mm`, what the sensor reads at the lowest twist, and `rest_mm_error`, a row each stroke.
     """

@@ -1,4 +1,4 @@
-"""Which runs of a string begin as the string itself began: these may be of another string under the same name."""
+"""Runs that begin as the string itself began: these may be of another string under the same name."""
 
 from itertools import pairwise
 
@@ -15,7 +15,7 @@ CHANGED = 6.0  # standard errors by which a string must have changed since its f
 
 
 def runs_anew(strokes: pd.DataFrame) -> list[str]:
-    """Names of the runs whose first strokes repeat those of the string, far off what the run before ended with.
+    """Names of the runs whose first strokes repeat the string's first ones, far from the end of the run before.
 
     `strokes` has the columns run, stroke, and each of YOUNG with its `_error`, a row a stroke, in order.
     """

@@ -51,7 +51,7 @@ class Health:
 
 
 def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
-    """Complete strokes of one string's runs, in order, which continue each other's numbers, without the jumps seen."""
+    """Complete strokes of one string's runs, in order and numbered on, with the known jumps subtracted."""
     moved = frozenset(jump.run for jump in seen if not jump.may_be_wear)
     done, every = 0, list[Found]()
     for recorded, offset_mm in zip(runs, offsets_mm(runs, moved), strict=True):

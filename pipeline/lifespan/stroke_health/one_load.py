@@ -1,4 +1,4 @@
-"""Which of a string's strokes are compared: those under one load, for a string is longer under another one.
+"""Which of a string's strokes are compared: those under one load, since another load changes the length.
 
 It is the load that has the most strokes, of several with as many the one that was met last. Loads are alike within the
 part by which two rests' loads may differ (`string/recovered.py`), or within half of what they vary inside a stroke.
@@ -30,7 +30,7 @@ class Loads:
 
     @property
     def under(self) -> str:
-        """The load in words where others were met too; empty where there is one alone."""
+        """The load in words if there were others; empty if there was only one."""
         return f" under {newtons(self.load_n)}" if self.others else ""
 
     @property
@@ -40,7 +40,7 @@ class Loads:
 
     @property
     def sentences(self) -> list[str]:
-        """What is said where strokes of other loads are left out: which are compared, and which are not."""
+        """The sentences if strokes of other loads are left out: which are compared, and which are not."""
         if not self.others:
             return []
         count, other_strokes = len(self.kept), [number for _, numbers in self.others for number in numbers]
@@ -70,7 +70,7 @@ class Loads:
 
 
 def of_one_load(strokes: list[Found]) -> tuple[list[Found], Loads]:
-    """The strokes under the load that has most of them, and what is to be said of the others."""
+    """The strokes under the load with most strokes, and the remark on the others."""
     loads, spreads = (np.array(column) for column in zip(*(place.load_n for place in strokes), strict=True))
     spare, rest, groups = 0.5 * float(np.median(spreads)), np.arange(len(strokes)), list[NDArray[np.intp]]()
     while len(rest):
@@ -92,7 +92,7 @@ def newtons(load_n: float) -> str:
 
 
 def _most(loads: Array, spare: float) -> NDArray[np.bool_]:
-    """The most loads that are alike, of as many the later ones; loads in N, of shape (strokes,), in their order."""
+    """The largest group of similar loads; of equal groups the later one; loads in N, of shape (strokes,), in order."""
     each = [
         (loads >= least) & (loads <= max(least / (1.0 - SAME_LOAD), least + LEAST_N, least + spare)) for least in loads
     ]

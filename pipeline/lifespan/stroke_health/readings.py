@@ -33,7 +33,7 @@ class Stroke:
 
 
 class Nominal:
-    """What a run reads beyond its nominal model under one load, in any part of it; its median load unless given."""
+    """A run's readings beyond its nominal model under one load, for any part; the load is its median unless given."""
 
     def __init__(self, recorded: Recorded, offset_mm: float, load_n: float | None = None) -> None:
         self.recorded, self.rows, self.offset_mm = recorded, recorded.rows, offset_mm
@@ -47,7 +47,7 @@ class Nominal:
         return float(np.nanmax([np.nanmax(piece) for piece in nominal if not np.isnan(piece).all()]))
 
     def readings(self, first: int, stop: int) -> Readings:
-        """Twist and what the model leaves from sample `first` until `stop`; shape (stop - first,)."""
+        """Twist and residual of the model from sample `first` until `stop`; shape (stop - first,)."""
         turns = self.rows.read("motor_turns", first, stop)
         nominal_mm = self.geometry.contraction_mm(turns, self.load_n)
         is_finite = np.isfinite(nominal_mm)
@@ -58,7 +58,7 @@ class Nominal:
 
 @dataclass(frozen=True)
 class Found:
-    """One complete stroke where it stands in its run: spans of samples by phase, `rest` that of the rest before it."""
+    """One complete stroke in its run: spans of samples by phase; `rest` is that of the rest before it."""
 
     run: str
     number: int

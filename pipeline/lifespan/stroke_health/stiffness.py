@@ -1,4 +1,4 @@
-"""How stiff the string is in one stroke, told by how its length follows a load that varies."""
+"""The stiffness of the string in one stroke, from the change of its length with a load that varies."""
 
 import numpy as np
 import pandas as pd
@@ -10,7 +10,7 @@ SURE = 4.0  # standard errors by which the slope must differ from none
 
 
 def stiffness(moving: pd.DataFrame) -> dict[str, float]:
-    """Stiffness of a stroke in N/mm and its standard error, NaN where the load does not vary or the length not with it.
+    """Stiffness of a stroke in N/mm and its standard error; NaN if the load or the length does not vary.
 
     `moving` has the columns motor_turns, left_mm, load_n and direction (1 winding, -1 unwinding), a row a sample.
     """

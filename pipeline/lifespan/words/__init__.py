@@ -1,1 +1,1 @@
-"""What is said of a string's life, in sentences."""
+"""The statements on a string's life, in sentences."""

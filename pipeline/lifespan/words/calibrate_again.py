@@ -1,4 +1,4 @@
-"""How a model is calibrated again on a string's newest strokes: the command to paste, and what comes after it."""
+"""How to calibrate a model again on a string's newest strokes: the command to paste, and the next step."""
 
 import shlex
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ AFTERWARDS = (
 
 
 def calibrate_by(material: str, runs: Sequence[Path], out: Path) -> list[str]:
-    """What fits a model to a string's runs, and in a line of its own the command.
+    """Which program fits a model to a string's runs, and, on a line of its own, the command.
 
     In raw/ of a checkout it is the workflow's; elsewhere a diagnosis calibrates the dimensions of the simulator.
     """

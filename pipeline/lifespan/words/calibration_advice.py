@@ -1,4 +1,4 @@
-"""What to do about a string's age: when to calibrate the model again, and when to ask again."""
+"""What to do about an ageing string: when to calibrate the model again, and when to ask again."""
 
 import math
 
@@ -17,24 +17,24 @@ SOON = 2.0  # times the lower bound: a median further away reads as if it went a
 
 
 def drift(answers: list[Answer]) -> Span:
-    """What is claimed of the model's error."""
+    """The claim on the model's error."""
     return next(answer.left.span(LEVEL) for answer in answers if answer.question == "model_error")
 
 
 def recalibrate_after(answers: list[Answer]) -> int | None:
-    """Strokes from now until the model shall be calibrated again: 0 at once, None where nothing is claimed."""
+    """Strokes from now until the model must be calibrated again: 0 at once, None without a claim."""
     span = drift(answers)
     return None if span.state == "no claim" else math.floor(span.low)
 
 
 def ask_again_after(answers: list[Answer]) -> int:
-    """Strokes from now until the next question: half of the nearest lower bound, no more than are seen now."""
+    """Strokes until the next question: half of the nearest lower bound, at most as many as are seen now."""
     seen = max(max((len(answer.n) for answer in answers), default=0), LEAST_STROKES)
     return int(np.clip(math.floor(SOONER * min(lows(answers), default=seen)), 1, seen))
 
 
 def lows(answers: list[Answer]) -> list[float]:
-    """The lower bound of the strokes left of each limit that is foretold and not passed."""
+    """The lower bound of the strokes left for each limit that is predicted and not passed."""
     spans = [answer.left.span(LEVEL) for answer in answers]
     return [span.low for span in spans if span.state not in ("no claim", "passed")]
 
@@ -58,7 +58,7 @@ def advice(answers: list[Answer]) -> str:
 
 
 def no_ageing(answers: list[Answer], strokes_seen: int, at_rest: str = "") -> str:
-    """That nothing ages, and that bounds are then those of a short record; empty where anything changed or is unknown.
+    """The remark that nothing ages, so that bounds come from a short record; else empty.
 
     `at_rest` is what is said of a string that is longer at rest.
     """
@@ -78,7 +78,7 @@ def due(answers: list[Answer]) -> bool:
 
 
 def rests_on(answers: list[Answer]) -> list[str]:
-    """Why the advice is what it is: why to calibrate or not to, and why to ask again."""
+    """The reasons of the advice: why to calibrate or not, and why to ask again."""
     error = next(answer for answer in answers if answer.question == "model_error")
     limit, model = f"{error.limit:g} {error.unit}", f"a model calibrated on the first {REFERENCE} strokes"
     why = {
@@ -99,7 +99,7 @@ def rests_on(answers: list[Answer]) -> list[str]:
 
 
 def _cautious(error: Answer) -> str:
-    """Why the advice comes long before half of the futures pass the limit; nothing where it does not."""
+    """Why the advice comes long before half of the futures pass the limit; empty where it does not."""
     span = error.left.span(LEVEL)
     if span.state not in ("one-sided", "interval") or span.median < SOON * span.low:
         return ""

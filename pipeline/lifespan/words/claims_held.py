@@ -1,4 +1,4 @@
-"""How often the 90 % claims of each kind held where they were tested: the table "By kind of claim" of docs/lifespan.md.
+"""How often the 90 % claims of each kind held in tests: the table "By kind of claim" of docs/lifespan.md.
 
 It is of 120 synthetic strings of another hand, seed 4000, by which nothing was set;
 python -m pipeline.lifespan.score prints it anew. A test holds these numbers to that page.

@@ -1,4 +1,4 @@
-"""The words of the page of a string's life: what its lines, shades, bars and arrows are."""
+"""The words of the page of a string's life: the meaning of its lines, shades, bars and arrows."""
 
 from textwrap import fill
 
@@ -31,12 +31,12 @@ ARROW = (
 
 
 def tail_of(span: Span, level: float) -> float:
-    """The share of the futures above the shade, and of those below it: the share that the claim leaves out."""
+    """The share of the futures above the shade, or below it, that the claim leaves out."""
     return (1.0 - level) / (2.0 if span.state == "interval" else 1.0)
 
 
 def footnote(answers: list[Answer], level: float) -> str:
-    """What the points are, and each line, shade, bar and arrow where any future is drawn."""
+    """The meaning of the points, and of each line, shade, bar and arrow where futures are drawn."""
     drawn = [answer.left for answer in answers if answer.left.band is not None]
     if not drawn:
         return fill(POINTS, WIDE)
@@ -51,13 +51,13 @@ def footnote(answers: list[Answer], level: float) -> str:
 
 
 def left_out(of_range: int, of_load: int) -> str:
-    """How many strokes are not among those seen, for the title; empty where none is left out."""
+    """How many strokes are left out, for the title; empty where none is."""
     range_of_twist = f", {of_range} left out (another range of twist)" if of_range else ""
     return f"{range_of_twist}, {of_load} left out (another load)" if of_load else range_of_twist
 
 
 def no_claim(reason: str) -> str:
-    """Why nothing is foretold, in a few words."""
+    """Why there is no forecast, in a few words."""
     why = reason.split(":")[0]
     if "too few" not in why:
         return f"no claim: {why}"

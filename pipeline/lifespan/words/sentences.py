@@ -1,4 +1,4 @@
-"""What is said of a string's life in sentences: what is seen, what is foretold, how far to trust it, what to do."""
+"""The statements on a string's life: the strokes seen, the forecast, how far to trust it, and what to do."""
 
 import shlex
 from collections.abc import Sequence
@@ -46,7 +46,7 @@ def few(count: int) -> bool:
 
 
 def seen(health: Health, beside: bool = False) -> list[str]:
-    """How many strokes were seen; where they are too few, how many are needed and how to get them.
+    """How many strokes were seen; if these are too few, how many are needed and how to get them.
 
     `beside`: whether other runs of the string are there and were not given.
     """
@@ -72,7 +72,7 @@ def seen(health: Health, beside: bool = False) -> list[str]:
 
 
 def _another_range(health: Health) -> str:
-    """That strokes are left out, and which range they would have to wind over."""
+    """The remark that strokes are left out, and the range that they would have to cover."""
     count, (low, high) = len(health.left_out), health.range_turns
     wind = "strokes wind" if count > 1 else "stroke winds"
     range_ = f"{low:.3g} to {high:.3g} turns, the median of the first {REFERENCE}, within {SAME_RANGE:.0%} of it"
@@ -80,7 +80,7 @@ def _another_range(health: Health) -> str:
 
 
 def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
-    """One question's answer in words, a fact a sentence; unless `enough`, without the reason why there is none."""
+    """One question's answer in words, one fact a sentence; with `enough`, also the reason why there is none."""
     forecast, span = answer.left, answer.left.span(level)
     limit = f"a model calibrated on the first {REFERENCE} strokes is off by {answer.limit:g} {answer.unit}"
     limit = f"{percent(answer.limit)} of the stroke is lost" if answer.unit == "1" else limit
@@ -120,7 +120,7 @@ def law(answer: Answer) -> str:
 
 
 def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> list[str]:
-    """Lines of one question: how far the limit is now, how long it stays unpassed, and how far to trust that."""
+    """The lines of one question: how far the limit is, how long it stays unpassed, and how far to trust that."""
     state = answer.left.span(level).state
     within = "" if answer.left.drifts else " This change is within the noise of the strokes."
     claim, *more = sentence(answer, level, enough)
@@ -131,7 +131,7 @@ def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> l
 
 
 def zero(jump: Jump) -> str:
-    """What is said of a jump of the zero: a mend while there is one to make, and what is done with it here."""
+    """The remark on a jump of the zero: a mend if one is possible, and how the jump is treated here."""
     if jump.taken_off:
         took_back = f" The {jump.recovered_mm:.2f} mm that the string took back in the break stay in."
         moved = f"the {abs(jump.moved_mm):.2f} mm by which its zero was moved are taken off"
@@ -141,7 +141,7 @@ def zero(jump: Jump) -> str:
 
 
 def not_given(string: str, folders: list[Path], others: list[Path], out: Path) -> str:
-    """What is said where other runs of a string lie beside those that were given, with the command for all of them."""
+    """The remark on runs of a string beside the given ones, with the command for all of them."""
     count = f"{len(others)} more run{'s' * (len(others) > 1)} of the string {string} beside, not given"
     every = " ".join(shlex.quote(str(folder)) for folder in (*folders, *others))
     again = f"{command('lifespan')} {every} --out {shlex.quote(str(out))}"
@@ -149,7 +149,7 @@ def not_given(string: str, folders: list[Path], others: list[Path], out: Path) -
 
 
 def young(run: str) -> str:
-    """What is said of a run that begins as the string began."""
+    """The remark on a run that begins as the string began."""
     return (
         f"{run} begins as this string began: its first strokes and their loops are those of the string's first "
         f"{REFERENCE} again. If {run} is of a new string, what follows is wrong: give it a string.id of its own in its "

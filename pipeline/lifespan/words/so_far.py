@@ -1,4 +1,4 @@
-"""What the last strokes show of one question, in a sentence: how far its limit is now."""
+"""How far a question's limit is now, by the last strokes, in a sentence."""
 
 import numpy as np
 
@@ -11,13 +11,13 @@ LEAST_OFF = 1e-6  # mm: no sensor shows less
 
 
 def beside_limit(value: float, limit: float) -> str:
-    """A number with two digits, or with as many more as tell it from the limit: 1.03 beside 1."""
+    """A number with two digits, or with as many as tell it from the limit: 1.03 beside 1."""
     texts = (f"{value:.{digits}g}" for digits in range(2, 7))
     return next((text for text in texts if float(text) != float(f"{limit:.6g}")), f"{value:.2g}")
 
 
 def off_by(value: float, noise: float, answer: Answer) -> str:
-    """A model's error with its unit; of an error below its noise (a standard error) that it is less than that."""
+    """A model's error with its unit; an error below its noise (a standard error) is said to be less than that."""
     if max(value, noise) < LEAST_OFF:
         return "nothing measurable"
     if value < noise:
@@ -26,7 +26,7 @@ def off_by(value: float, noise: float, answer: Answer) -> str:
 
 
 def so_far(answer: Answer, at_rest: str = "") -> str:
-    """What the last strokes show, whatever may be said of those to come; `at_rest` is what no stroke shows."""
+    """The state at the last strokes, whatever the forecast; `at_rest` is a change that no stroke shows."""
     after = len(answer.n) - (REFERENCE if answer.unit == "1" else 0)
     if after <= 0:
         first = f"the first {REFERENCE} strokes are what the later ones are compared with"

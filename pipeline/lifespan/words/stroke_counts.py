@@ -1,4 +1,4 @@
-"""Whole strokes in words; a lower bound is cut down and an upper one is cut up, so that neither promises too much."""
+"""Whole strokes in words: lower bounds are rounded down and upper bounds up, so that neither promises too much."""
 
 import math
 

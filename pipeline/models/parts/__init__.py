@@ -1,1 +1,1 @@
-"""What models are made of: inputs, fits, training, intervals, and how a fitted model is stored."""
+"""The parts of models: inputs, fits, training, intervals, and the storage of fitted models."""

@@ -1,4 +1,4 @@
-"""The box in which a model is declared to hold: the range of every input among its training points."""
+"""The box of a model's validity: the range of every input among its training points."""
 
 from dataclasses import dataclass
 from typing import TypedDict
@@ -16,12 +16,12 @@ MARGIN = {"motor_turns": 0.01, "displacement_mm": 0.01, "load_n": 0.05}  # of th
 
 
 def room(name: str, least: float, most: float) -> float:
-    """How much wider than recorded a column's range counts, at either end, in the column's unit."""
+    """How far beyond the recorded range a column still counts as inside, at either end, in the column's unit."""
     return MARGIN.get(name, 1e-9) * (most - least or abs(most))
 
 
 class SavedBox(TypedDict):
-    """A box in a model's file: what `Box` holds, as plain values."""
+    """A box in a model's file: the content of `Box` as plain values."""
 
     low: dict[str, float]
     high: dict[str, float]
@@ -30,7 +30,7 @@ class SavedBox(TypedDict):
 
 @dataclass(frozen=True)
 class Box:
-    """Least and largest value of each column, in the column's unit; materials that were seen."""
+    """Least and largest value of each column, in the column's unit; and the known materials."""
 
     low: dict[str, float]
     high: dict[str, float]
@@ -38,7 +38,7 @@ class Box:
 
     @classmethod
     def of(cls, points: pd.DataFrame) -> "Box":
-        """The box of training points, a little wider in what is measured; a column that is NaN is left out."""
+        """The box of training points, a little wider for measured columns; a column that is NaN is left out."""
         low, high = {}, {}
         for name in COLUMNS:
             values = points[name].to_numpy(float)
@@ -50,7 +50,7 @@ class Box:
 
     @classmethod
     def from_saved(cls, saved: SavedBox) -> "Box":
-        """The box that `saved` wrote; raises ValueError for one that is none."""
+        """The box that `saved` wrote; raises ValueError for values that are no box."""
         low, high = dict(saved["low"]), dict(saved["high"])
         if set(low) != set(high) or not set(low) <= set(COLUMNS):
             raise ValueError("the box is of other columns")
@@ -67,7 +67,7 @@ class Box:
         return np.clip(values, self.low[column], self.high[column])
 
     def outside(self, points: pd.DataFrame, from_column: str) -> dict[str, Array]:
-        """Which points lie outside the box, by column; `from_column` says which of twist and contraction is known.
+        """Which points lie outside the box, by column; `from_column` says whether twist or contraction is given.
 
         A value that is not finite lies outside. Only columns in which some point does are there. Each is a mask of
         shape (points,).

@@ -1,4 +1,4 @@
-"""What the learned models see of a point: twist or contraction, then the conditions b, l, r and n."""
+"""The inputs of the learned models: twist or contraction, then the conditions b, l, r and n."""
 
 import numpy as np
 import pandas as pd

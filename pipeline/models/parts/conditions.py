@@ -1,4 +1,4 @@
-"""What besides twist, stroke and direction sets a string apart: dimensions, load and material, as far as they vary."""
+"""Conditions that make strings differ beside twist, stroke and direction: dimensions, load and material."""
 
 from dataclasses import asdict, dataclass
 
@@ -13,7 +13,7 @@ VARIES = 0.02  # spread over mean above which a condition is one; below, it is a
 
 @dataclass(frozen=True)
 class Conditions:
-    """Measured columns that vary, standardised, then one column a material but for the first; all without unit."""
+    """Measured columns that vary, standardised, then one column for each material but the first; all without unit."""
 
     names: tuple[str, ...] = ()
     mean: tuple[float, ...] = ()
@@ -49,7 +49,7 @@ class Conditions:
         return len(self.names) + max(len(self.materials) - 1, 0)
 
     def table(self, points: pd.DataFrame) -> Array:
-        """The conditions of points, shape (points, size); a material never met counts as the first."""
+        """The conditions of points, shape (points, size); an unknown material counts as the first one."""
         scaled = (_measured(points, self.names) - np.array(self.mean)) / np.array(self.std)
         if not self.materials:
             return scaled
@@ -58,5 +58,5 @@ class Conditions:
 
 
 def _measured(points: pd.DataFrame, names: tuple[str, ...]) -> Array:
-    """Columns of points as numbers, shape (points, names); what a twisted pair lacks is 0."""
+    """Columns of points as numbers, shape (points, names); a column that a twisted pair lacks is 0."""
     return points.reindex(columns=list(names)).astype(float).fillna(0.0).to_numpy()

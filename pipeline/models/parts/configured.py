@@ -1,4 +1,4 @@
-"""A model by its name and its settings, and its fit, both refused in words where they cannot be."""
+"""A model by its name and settings, and its fit; errors of both are told in words."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -13,7 +13,7 @@ from .settings import Refused, refusal, shown, told
 
 
 def configured(name: str, settings: str) -> Model:
-    """The unfitted model of a name with settings given as a JSON object; raises BadInput for what it refuses."""
+    """The unfitted model of a name with settings from a JSON object; raises BadInput for settings that it refuses."""
     if name not in names():
         problem = f"is no file of {HOUSE}/models that has a MODEL"
         raise BadInput("--model", shown(name) or '""', problem, f"choose one of {', '.join(names())}")
@@ -29,7 +29,7 @@ def configured(name: str, settings: str) -> Model:
 
 @contextmanager
 def fitting(name: str) -> Iterator[None]:
-    """Raise BadInput for a fit, or an answer of it, in which numbers overflow or equations have no solution."""
+    """Raise BadInput if a fit, or an answer of it, overflows or has no solution."""
     try:
         yield
     except (ArithmeticError, np.linalg.LinAlgError) as error:

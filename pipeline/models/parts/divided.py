@@ -1,4 +1,4 @@
-"""The points of a dataset that a split trains on, and those that it holds out."""
+"""The points of a dataset that a split trains on, and the points that it holds out."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Laws by which a string changes over its strokes, and the choice among them by leaving the last strokes out.
+"""Laws for the change of a string over its strokes, and the choice among them by leaving the last strokes out.
 
 Which law a material follows is not known beforehand, and they part mostly beyond the strokes that were seen: so each is
 fitted without the last strokes of every string and judged by how well it foresees them, and by how well it follows all
@@ -56,7 +56,7 @@ CANDIDATES = (
 
 
 def early_and_late(points: pd.DataFrame) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """The points without and with the last strokes of each string; strings of few strokes are wholly early."""
+    """The points without and with the last strokes of each string; a string of few strokes counts as early only."""
     strokes = points.groupby("string")["stroke"]
     rank, count = strokes.rank("dense").to_numpy(), strokes.transform("nunique").to_numpy()
     late = (count >= LEAST_STROKES) & (rank > count - np.maximum(np.round(LEFT_OUT * count), 1))
@@ -64,7 +64,7 @@ def early_and_late(points: pd.DataFrame) -> tuple[pd.DataFrame, pd.DataFrame]:
 
 
 def chosen(points: pd.DataFrame, error_of: Callable[[Law, pd.DataFrame, pd.DataFrame], float]) -> Law:
-    """The law with the least squares, foreseen and followed together, standardised to the points.
+    """The law with the least squares over early and late strokes together, standardised to the points.
 
     `error_of(law, known, asked)` fits by a law on known points and returns its root mean square on the asked ones.
     Where no string has enough strokes the first candidate is taken.

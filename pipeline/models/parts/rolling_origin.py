@@ -1,4 +1,4 @@
-"""Which points of strings are known and which are foreseen from them: blocks inside strokes, and the last strokes.
+"""The known and the predicted points of strings: blocks inside strokes, and the last strokes.
 
 Source: Tashman, "Out-of-sample tests of forecasting accuracy", International Journal of Forecasting 16, 2000.
 """
@@ -12,12 +12,12 @@ RULE = f"strokes recorded - {LEAST_STROKES}, at most {AHEAD}"  # how many stroke
 
 
 def most_ahead(strokes: int) -> int:
-    """How many strokes ahead a string of so many strokes tells errors."""
+    """For how many strokes ahead a string of that many strokes can measure errors."""
     return max(0, min(AHEAD, strokes - LEAST_STROKES))
 
 
 def too_far(stroke: float, last: float, ahead: int, last_is: str = "the last recorded") -> str:
-    """Say that a stroke is further after the last one than the `ahead` strokes for which errors could be measured."""
+    """Say that a stroke is further after the last one than the `ahead` strokes for which errors were measured."""
     measured = f"up to {ahead} stroke{'s' * (ahead > 1)} ahead" if ahead else "in recorded strokes only"
     after = f"stroke {stroke:.0f} is {stroke - last:.0f} after {last:.0f}, {last_is}"
     return f"{after}; errors were measured {measured} ({RULE})"
@@ -29,12 +29,12 @@ def last_strokes(points: pd.DataFrame) -> dict[str, int]:
 
 
 def last_seen(points: pd.DataFrame, strokes: dict[str, int]) -> pd.Series:
-    """The last stroke seen of each point's string, NaN where none was."""
+    """The last seen stroke of each point's string, NaN where none was seen."""
     return points["string"].astype(str).map(strokes).astype(float)
 
 
 def parts_of(points: pd.DataFrame) -> list[tuple[pd.DataFrame, pd.DataFrame]]:
-    """What is known and what is foreseen: blocks held out in turn, then each string's last strokes from ever fewer."""
+    """Pairs of known and predicted points: blocks held out in turn, then last strokes after ever fewer strokes."""
     fold = (points["block"] + points["stroke"]).to_numpy() % FOLDS
     parts = (
         [(points[fold != number], points[fold == number]) for number in sorted(set(fold))] if len(set(fold)) > 1 else []

@@ -15,7 +15,7 @@ def write_bytes(path: Path, content: bytes) -> None:
 
 
 def read_bytes(path: Path) -> bytes:
-    """The bytes of a saved model; raises BadInput for a file that is not what was written, OSError."""
+    """The bytes of a saved model; raises OSError, and BadInput for a file that was changed since."""
     try:
         return bytes(seal.opened(seal.content_of(path)))
     except seal.Damaged as error:

@@ -1,4 +1,4 @@
-"""Which fitted models lie in a project, for whoever is to name one."""
+"""The fitted models in a project, for a person who must name one."""
 
 import re
 from collections.abc import Collection
@@ -17,7 +17,7 @@ MOST_MATERIALS = 5  # that a help lists
 
 
 def fitted(material: Path, names: Collection[str]) -> list[Path]:
-    """Of each model of the names that was fitted to a material one file, the usual model's first.
+    """For each of the models fitted to a material, one file, the default model's first.
 
     A file of a split with too few strokes holds no model.
     """
@@ -29,13 +29,13 @@ def fitted(material: Path, names: Collection[str]) -> list[Path]:
 
 
 def in_words(material: Path, names: Collection[str]) -> str:
-    """The fitted models of a material, or where it has none those of all materials; empty where none is there."""
+    """The fitted models of a material, or else those of all materials; empty where there are none."""
     files = fitted(material, names) or [file for folder in _materials() for file in fitted(folder, names)]
     return ", ".join(map(str, files))
 
 
 def listed(names: Collection[str]) -> str:
-    """Lines that say which fitted models lie in `processed/`: of each material a path, and which others there are."""
+    """Lines with the fitted models in `processed/`: for each material a path, and the names of the others."""
     lines = []
     for material in _materials():
         files = fitted(material, names)
@@ -53,32 +53,32 @@ def datasets() -> list[Path]:
 
 
 def material_of(dataset: Path) -> str:
-    """The material of a dataset that lies where the main job puts it; empty of any other."""
+    """The material of a dataset at the main job's place; empty for any other."""
     folder = dataset.resolve().parent
     return folder.name if folder.parent.name == PROCESSED.name else ""
 
 
 def dataset_mend(dataset: Path) -> str:
-    """What to do where a dataset is not there: name one of those that are, or make it alone."""
+    """The mend for a missing dataset: name an existing one, or make this one alone."""
     paths = ", ".join(map(str, datasets())) or "processed/<material>/dataset.parquet, which the main job makes"
     make = make_command(dataset) if not dataset.exists() and _is_recorded(material_of(dataset)) else ""
     return f"name {paths}{f'; or make it alone, in seconds: {make}' if make else ''}"
 
 
 def _is_recorded(material: str) -> bool:
-    """Whether a run in `raw/` says that it is of a material, read as a line of text."""
+    """Whether a run in `raw/` names the material in its run.yaml, which is read as lines of text."""
     line = re.compile(rf"^material: *[\"']?{re.escape(material)}[\"']? *(#.*)?$", re.MULTILINE)
     files = RAW.glob("*/run.yaml") if material else ()
     return any(line.search(file.read_text("utf-8", "replace")) for file in files if file.is_file())
 
 
 def dataset_beside(file: Path, name: str = "dataset.parquet") -> Path:
-    """Where the dataset lies that a model was fitted to: the pipeline puts each model in a folder beside it."""
+    """The dataset that a model was fitted to: the pipeline puts each model in a folder beside it."""
     return file.resolve().parent.parent / name
 
 
 def check_own(file: Path, dataset: Path) -> None:
-    """Raise BadInput where a fitted model lies beside another dataset than this: it was fitted to that one's points."""
+    """Raise BadInput where a fitted model lies beside another dataset: it was fitted to that one's points."""
     own = dataset_beside(file, dataset.name)
     if own.is_file() and dataset.is_file() and not own.samefile(dataset):
         raise BadInput("--saved", str(file), f"was fitted to {own}, and {dataset} is another", f"ask with {own}")

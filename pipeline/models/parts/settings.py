@@ -73,7 +73,7 @@ def told(text: str) -> dict[str, JsonValue]:
 def refusal(
     error: ValidationError | TypeError, settings: type | None, settings_given: Mapping[str, JsonValue]
 ) -> Refused:
-    """What a model's class complained of in the settings given; `settings` is its dataclass, None if it has none."""
+    """The complaint of a model's class on its settings; `settings` is its dataclass, None if it has none."""
     if settings is None:
         return Refused(
             shown(next(iter(settings_given), "settings")), "is no setting: this model has none", "leave it out"
@@ -95,7 +95,7 @@ def shown(text: str) -> str:
 
 
 def _words(schema: dict[str, Any]) -> str:
-    """What a setting may be, of its JSON schema."""
+    """The allowed values of a setting, from its JSON schema."""
     if "enum" in schema:
         return " or ".join(f'"{value}"' for value in schema["enum"])
     if schema.get("type") == "array":

@@ -1,1 +1,1 @@
-"""What others would do with the same recordings: methods beside which the diagnosis is scored, one file each."""
+"""Other methods on the same recordings, one file each; the diagnosis is scored beside them."""

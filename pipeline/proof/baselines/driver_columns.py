@@ -1,4 +1,4 @@
-"""Drivers as the columns of a table: all that a method without physics may regress a residual on.
+"""Drivers as the columns of a table: the inputs on which a method without physics may regress a residual.
 
 Each column says what it stands for. Sudden events have no driver, and therefore no column.
 """
@@ -49,7 +49,7 @@ def plain(drivers: Drivers) -> dict[str, Column]:
 
 
 def products(drivers: Drivers) -> dict[str, Column]:
-    """The plain columns and what physics would make of them: powers, products, hinges, in the units of their names."""
+    """The plain columns and their physical combinations: powers, products, hinges, in the units of their names."""
     columns = plain(drivers)
     twist, load, rate, side = drivers.motion, drivers.load, drivers.rate, columns["direction"].values
     top = float(np.percentile(twist, 99.9))

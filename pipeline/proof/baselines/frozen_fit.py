@@ -1,4 +1,4 @@
-"""Each mechanism of the library fitted to what a frozen calibration leaves: the best by BIC, if clearly better.
+"""Each mechanism of the library, fitted to the residual of a frozen calibration: the best by BIC, if clearly better.
 
 Source: BIC: Schwarz, "Estimating the dimension of a model", Annals of Statistics 6, 1978.
 """
@@ -38,5 +38,5 @@ def learn(seen: Calibrated) -> Learnt:
 
 
 def change_mm(problem: Problem, before: State, after: State) -> Array:
-    """What the reading of one simulator has more than another's, shape (samples,)."""
+    """The difference of two simulators' readings, shape (samples,)."""
     return problem.simulate(after) - problem.simulate(before)

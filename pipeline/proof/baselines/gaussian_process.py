@@ -1,4 +1,4 @@
-"""A Gaussian process on at most 1,000 points of the residual over a few drivers: smooth, and names nothing.
+"""A Gaussian process on at most 1,000 points of the residual over a few drivers: it is smooth and names nothing.
 
 Source: Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006.
 """

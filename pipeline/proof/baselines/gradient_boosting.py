@@ -1,4 +1,4 @@
-"""Boosted trees on the residual over driver features: a good interpolator that names nothing.
+"""Boosted trees on the residual over driver features: they interpolate well and name nothing.
 
 Source: Friedman, "Greedy function approximation: a gradient boosting machine", Annals of Statistics 29, 2001.
 """

@@ -1,4 +1,4 @@
-"""What every baseline starts from and gives: a calibrated simulator's residual, and a correction of its reading."""
+"""The input and the output of every baseline: a calibrated simulator's residual, and a correction of its reading."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from ...ground.kinematics import Array
 
 @dataclass(frozen=True)
 class Calibrated:
-    """A problem, of which a method sees the first `rows` samples, and the simulator calibrated on those."""
+    """A problem of which a method sees the first `rows` samples, with the simulator calibrated on these."""
 
     problem: Problem
     state: State
@@ -30,14 +30,14 @@ class Calibrated:
 
 @dataclass(frozen=True)
 class Learnt:
-    """What a method makes of a residual: mechanisms by name (None: it names none), and mm to add to the reading."""
+    """The result of a method: mechanisms by name (None: it names none), and mm to add to the reading."""
 
     named: list[str] | None
     adds_mm: Callable[[Problem], Array]
 
 
 class Said(TypedDict):
-    """What a method says of a recording, as baselines.json holds it; None: names nothing, nothing held out."""
+    """A method's result on a recording, as baselines.json holds it; None: it names nothing, or nothing was held out."""
 
     named: list[str] | None
     heldout_mm: float | None

@@ -36,7 +36,7 @@ def learn(seen: Calibrated) -> Learnt:
 
 
 def _sparse(table: Array, target: Array) -> Array:
-    """Weights of the columns, many of them zero; `target` has no mean."""
+    """Weights of the columns, many of them zero; the mean of `target` is 0."""
     samples, size = len(target), float(np.sqrt(np.mean(np.square(target))))
     best = np.zeros(table.shape[1])
     if size == 0.0:

@@ -1,1 +1,1 @@
-"""Opening the answers and scoring the verdicts: files in, tables and figures out, and neither rig nor diagnosis."""
+"""Opens the answers and scores the verdicts: it reads files and writes tables and figures, without rig or diagnosis."""

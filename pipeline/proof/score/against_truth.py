@@ -1,4 +1,4 @@
-"""How a verdict stands to the truth: one word for each case."""
+"""How a verdict compares with the truth: one word for each case."""
 
 from ...ground.outside_library import is_outside
 from ..verdict_json import VerdictJson
@@ -15,14 +15,14 @@ def sets_of(verdict: VerdictJson) -> list[frozenset[str]]:
 
 
 def said(verdict: VerdictJson) -> str:
-    """The verdict's word; one that names only what the library does not hold counts as `unknown`."""
+    """The verdict's word; a verdict that names only mechanisms outside the library counts as `unknown`."""
     sets = sets_of(verdict)
     only_own = bool(sets) and all(is_outside(name) for ids in sets for name in ids)
     return "unknown" if only_own else str(verdict["verdict"])
 
 
 def outcome(verdict: VerdictJson | None, truth: frozenset[str], nameless: bool) -> str:
-    """One of OUTCOMES; `truth` is empty for a control, and `nameless` what no name of the library is right for."""
+    """One of OUTCOMES; `truth` is empty for a control, and `nameless` if no name of the library is right."""
     if verdict is None:
         return "refused"
     word, sets = said(verdict), sets_of(verdict)

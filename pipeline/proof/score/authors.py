@@ -1,4 +1,4 @@
-"""Scores by who made the recordings, and by the law that hid in them: a diagnosis that knows one hand is not enough."""
+"""Scores by the author of the recordings, and by the hidden law: a diagnosis must not depend on one author."""
 
 from collections.abc import Iterator
 

@@ -17,7 +17,7 @@ TABLE = ("run", "stratum", "effects", "kappa", "method", "names", "named", "outc
 
 
 class Answered(TypedDict):
-    """What a method said of a case, as its baselines.json holds it; the error on unseen strokes is in mm."""
+    """A method's result on a case, as its baselines.json holds it; the error on unseen strokes is in mm."""
 
     named: list[str] | None
     heldout_mm: float | None

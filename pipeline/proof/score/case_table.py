@@ -1,4 +1,4 @@
-"""The table of cases: what was hidden, what was said, and how far that is right; one row a case."""
+"""The table of cases: the hidden effects, the verdict, and how far it is right; one row a case."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
@@ -23,13 +23,13 @@ def _json(path: Path) -> Any:
 
 
 def _truth(answer: Answer) -> tuple[frozenset[str], bool]:
-    """Names that are right, and whether none of the library's is."""
+    """The right names, and whether the library has none of them."""
     nameless = answer["asked"]["stratum"] == "open" or bool(answer["asked"]["without"])
     return frozenset(effect["id"] for effect in answer["effects"]), nameless
 
 
 def _told(answer: Answer) -> Row:
-    """What was hidden."""
+    """The hidden effects, in words."""
     question = answer["asked"]
     row: Row = {
         "run": answer["run"],
@@ -48,7 +48,7 @@ def _told(answer: Answer) -> Row:
 
 
 def _judged(answer: Answer, verdict: VerdictJson | None, left_over: Mapping[str, float]) -> Row:
-    """What was said, and one word for it."""
+    """The verdict, and one word for it."""
     truth, nameless = _truth(answer)
     word = outcome(verdict, truth, nameless)
     row: Row = {"outcome": word, "right": word in RIGHT, "verdict": "refused" if verdict is None else said(verdict)}
@@ -66,7 +66,7 @@ def _judged(answer: Answer, verdict: VerdictJson | None, left_over: Mapping[str,
 
 
 def _measured(answer: Answer, verdict: VerdictJson, run: Path) -> Row:
-    """The figures that a verdict gives, beside the true ones."""
+    """The numbers of a verdict beside the true ones."""
     row: Row = {}
     for key, short in DIMENSIONS.items():
         interval = verdict.get("parameters", {}).get(key)
@@ -85,7 +85,7 @@ def _measured(answer: Answer, verdict: VerdictJson, run: Path) -> Row:
 
 
 def _settled(answer: Answer, folder: Path) -> Row:
-    """What became of a tie after the proposed run, and after more of the same."""
+    """What became of a tie after the proposed run, and after as much more of the same motion."""
     row: Row = {}
     for way in ("proposed", "same"):
         if (folder / way).is_dir():

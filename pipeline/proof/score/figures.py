@@ -1,4 +1,4 @@
-"""The proof's figures: what was named instead of what, how that grows with the effect, and sizes beside true ones."""
+"""The proof's figures: which effect was named instead of which, how that depends on size, and named over true sizes."""
 
 from pathlib import Path
 
@@ -47,7 +47,7 @@ def _row(case: pd.Series) -> str:
 
 
 def confusion(cases: pd.DataFrame) -> Figure:
-    """Counts of what was said (columns) of what was hidden (rows): single effects on the rich protocol, controls."""
+    """Counts of verdicts (columns) by hidden effect (rows): single effects on the rich protocol, and controls."""
     shown = cases[
         (cases["protocol"] == "rich") & cases["stratum"].isin(["none", "parameters", "noise", "single", "open"])
     ]

@@ -1,4 +1,4 @@
-"""How far two boxes of twist × strokes × phase are the same place: the samples in both over those in either."""
+"""How far two boxes of twist × strokes × phase overlap: the samples in both over those in either."""
 
 from pathlib import Path
 from typing import Any

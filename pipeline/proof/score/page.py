@@ -1,4 +1,4 @@
-"""The proof as a page that a person reads: goals beside what was reached, then all scores, then every wrong case."""
+"""The proof as a page for readers: the goals and the results, then all scores, then every wrong case."""
 
 from collections.abc import Sequence
 
@@ -93,7 +93,7 @@ def _beside(scores: pd.DataFrame) -> str:
 
 
 def _twins(twins: pd.DataFrame) -> str:
-    """What the library's mechanism of the same name leaves of each of the rig's effects."""
+    """The share of each of the rig's effects that the library's mechanism of the same name leaves."""
     shares = twins.groupby("effect")["share"].agg(["median", "min", "count"]).sort_values("min")
     rows = []
     for name, row in shares.iterrows():

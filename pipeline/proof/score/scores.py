@@ -24,7 +24,7 @@ def share(metric: str, stratum: str, hits: pd.Series) -> Iterator[Score]:
 
 
 def middle(metric: str, stratum: str, values: pd.Series, best: str = "least") -> Iterator[Score]:
-    """Median of values, and the worst of them as a score of its own."""
+    """Median of values, and the worst value as a separate score."""
     values = values.dropna().astype(float)
     if len(values):
         yield (
@@ -48,7 +48,7 @@ def mean(metric: str, stratum: str, values: pd.Series) -> Iterator[Score]:
 
 
 def _named(cases: pd.DataFrame, stratum: str) -> Iterator[Score]:
-    """What became of cases whose truth has a name."""
+    """The outcomes of cases whose truth has a name."""
     firm_wrong = cases["outcome"].isin(FIRM_WRONG)
     both = cases["outcome"].isin(["exact", "extra"])
     tied = cases["verdict"] == "ambiguous"
@@ -92,7 +92,7 @@ def _figures(cases: pd.DataFrame, sizes: pd.DataFrame) -> Iterator[Score]:
 
 
 def _ties(cases: pd.DataFrame) -> Iterator[Score]:
-    """Ties whose proposed run was carried out: how many it settled, and how many more of the same would have."""
+    """Ties whose proposed run was made: how many it settled, and how many more of the same motion would settle."""
     for way in ("proposed", "same"):
         if f"after_{way}" in cases:
             done = cases[cases[f"after_{way}"].notna()]

@@ -1,4 +1,4 @@
-"""Intervals: exact ones of a share after so many of so many and of a median, a bootstrap one of a mean."""
+"""Intervals: exact ones of a share of counts and of a median, and bootstrap ones of a mean."""
 
 from collections.abc import Sequence
 

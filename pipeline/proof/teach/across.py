@@ -1,4 +1,4 @@
-"""How a judge does on an author whose laws it was not taught."""
+"""The scores of a judge on an author whose laws it was not taught."""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ STRATA = {1: "single", 2: "pair"}
 
 @dataclass(frozen=True)
 class Judged:
-    """A lesson and what a judge says of it: the sets that it holds, the likeliest first; none: unknown."""
+    """A lesson and a judge's answer: the sets that it holds, the likeliest first; no sets mean unknown."""
 
     lesson: Lesson
     sets: tuple[tuple[str, ...], ...]
@@ -24,12 +24,12 @@ class Judged:
 
     @property
     def stratum(self) -> str:
-        """What was hidden: a single effect, a pair, or one that no library has."""
+        """The stratum of the hidden effects: a single effect, a pair, or one that no library has."""
         return "open" if is_outside(self.lesson.effects[0]) else STRATA[len(self.lesson.effects)]
 
     @property
     def outcome(self) -> str:
-        """How the sets compare with what was hidden."""
+        """How the sets compare with the hidden effects."""
         if not self.sets:
             return "unknown"
         right = any(self.lesson.right[place] for place in self.places)
@@ -39,7 +39,7 @@ class Judged:
 
 
 def judged(judge: Judge, lesson: Lesson) -> Judged:
-    """What a judge says of a lesson."""
+    """A judge's answer on a lesson."""
     weighed = explanations(lesson, judge.recogniser)
     *shares, none = judge.probabilities(weighed).tolist()
     named = np.array(shares)
@@ -48,7 +48,7 @@ def judged(judge: Judge, lesson: Lesson) -> Judged:
 
 
 def left_out(lessons: list[Lesson], judge_by_author: dict[str, Judge]) -> list[Judged]:
-    """Every lesson with explanations, judged by one who was taught by the other authors alone."""
+    """Every lesson with explanations, judged by a judge that only the other authors taught."""
     judgements = []
     for author in sorted({lesson.author for lesson in lessons}):
         judge = judge_by_author[author]

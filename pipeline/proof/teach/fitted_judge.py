@@ -1,4 +1,4 @@
-"""Lessons → a judge: the weights under which what was hidden is likeliest, held small by a normal prior."""
+"""Lessons → a judge: the weights under which the hidden effects are likeliest, kept small by a normal prior."""
 
 from dataclasses import replace
 
@@ -28,7 +28,7 @@ def explanations(lesson: Lesson, recogniser: Recogniser | None = None) -> list[W
 
 
 def blank(lessons: list[Lesson], before: Judge | None = None) -> Judge:
-    """A judge that knows the signs and names of some lessons, and holds all alike.
+    """A judge that knows the signs and names of some lessons, and gives all explanations the same probability.
 
     After an earlier judge it keeps that one's knots and weights; what that one did not know weighs nothing yet.
     """
@@ -80,7 +80,7 @@ def fitted(lessons: list[Lesson], before: Judge | None = None) -> Judge:
 
 
 def by_others(lessons: list[Lesson]) -> dict[str, Recogniser | None]:
-    """For each author a recogniser that the others taught, as a stranger's recordings meet one; none without others."""
+    """For each author a recogniser taught by the others, as with recordings of a stranger; none without others."""
     authors = {lesson.author for lesson in lessons}
     return {
         author: taught([lesson for lesson in lessons if lesson.author != author]) if len(authors) > 1 else None
@@ -89,7 +89,7 @@ def by_others(lessons: list[Lesson]) -> dict[str, Recogniser | None]:
 
 
 def listening(judge: Judge, lessons: list[Lesson]) -> Judge:
-    """The judge with a recogniser of all lessons' signatures, and with weights of what it says; all others stay.
+    """The judge with a recogniser of all lessons' signatures, and weights of its signs; all other weights stay.
 
     Each lesson's signature is recognised by one whom its author did not teach: else the judge would trust it too much.
     """

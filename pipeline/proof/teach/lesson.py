@@ -1,4 +1,4 @@
-"""One lesson: a concealed case by an author, the explanations that the search weighs, and which of them is right."""
+"""One lesson: a concealed case by an author, the explanations that the search weighs, and which one is right."""
 
 import json
 import random
@@ -33,7 +33,7 @@ TRIES, APART = 6, 1000  # seeds that are tried where an author's rig cannot show
 
 @dataclass(frozen=True)
 class Lesson:
-    """A case, and the explanations of it: their ids, their signs, and whether each names just what was hidden."""
+    """A case and its explanations: their ids, their signs, and whether each names exactly the hidden effects."""
 
     author: str
     seed: int
@@ -47,12 +47,12 @@ class Lesson:
 
     @property
     def answers(self) -> tuple[bool, ...]:
-        """Which explanations a judge may call: those that are right; else those without physics of the library."""
+        """The explanations that a judge should choose: the right ones; else those without physics of the library."""
         return self.right if any(self.right) else tuple(not physics(ids) for ids in self.ids)
 
 
 def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
-    """Lessons to make: in every round each effect of each author alone, some pairs, and some that no library has.
+    """The lessons to make: in every round each author's effects one by one, some pairs, and some outside the library.
 
     Their order is drawn, so that any first part of them is a fair sample.
     """
@@ -75,7 +75,7 @@ def curriculum(who: list[str], rounds: int, seed: int) -> list[Lesson]:
 
 
 def recorded(content: RunYaml, table: pd.DataFrame) -> RecordedRun:
-    """A recording as a diagnosis of its run folder takes it, from what `run.yaml` says and its table; raises BadInput.
+    """A recording in the form that a diagnosis takes, from the content of `run.yaml` and a table; raises BadInput.
 
     Under one load that nobody recorded, the load is what `run.yaml` says.
     """
@@ -98,7 +98,7 @@ def problem_of(lesson: Lesson) -> Problem | None:
 
 
 def sighted(lesson: Lesson) -> Lesson:
-    """A lesson with the signature of its mismatch alone: nothing where nothing can be made."""
+    """A lesson with only the signature of its mismatch; unchanged where its recording cannot be made."""
     problem = problem_of(lesson)
     if problem is None:
         return lesson
@@ -107,7 +107,7 @@ def sighted(lesson: Lesson) -> Lesson:
 
 
 def learnt(lesson: Lesson) -> Lesson:
-    """A lesson with its signature and what the search makes of its recording: no sets where nothing was seen."""
+    """A lesson with its signature and the search's explanations of its recording; no sets where nothing was seen."""
     problem = problem_of(lesson)
     if problem is None:
         return lesson
@@ -124,7 +124,7 @@ def rounded(number_by_name: dict[str, float]) -> dict[str, float]:
 
 
 def of(lesson: Lesson, weighed_sets: list[Weighed], jerks: tuple[str, ...]) -> Lesson:
-    """A lesson with explanations; what jerks at random is named beside each of them."""
+    """A lesson with explanations; effects that jerk at random are named beside each of them."""
     truth = {name for name in lesson.effects if not is_outside(name)}
     right = tuple({*explanation.ids, *jerks} == truth for explanation in weighed_sets)
     signs = tuple(rounded(explanation.signs) for explanation in weighed_sets)

@@ -1,4 +1,4 @@
-"""Signatures of concealed cases → a recogniser: a network that tells by which mechanism a mismatch was made."""
+"""Signatures of concealed cases → a recogniser: a network that tells which mechanism made a mismatch."""
 
 import warnings
 
@@ -14,12 +14,12 @@ UNITS, DECAY, PASSES = 48, 3.0, 200  # of the network: rectified units, weight d
 
 
 def classes(lesson: Lesson) -> list[str]:
-    """What a lesson's signature is of: each hidden effect, or `outside`."""
+    """The class of a lesson's signature: each hidden effect, or `outside`."""
     return [OUTSIDE if is_outside(name) else name for name in lesson.effects]
 
 
 def taught(lessons: list[Lesson]) -> Recogniser | None:
-    """The recogniser of the signatures of some lessons; where two effects were hidden, each is right by half."""
+    """The recogniser of the lessons' signatures; where two effects were hidden, each counts as half right."""
     seen = [lesson for lesson in lessons if lesson.signature]
     if len({name for lesson in seen for name in classes(lesson)}) < 2:
         return None

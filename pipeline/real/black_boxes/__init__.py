@@ -1,4 +1,4 @@
-"""What learns a reading without physics, one method a file: it holds LOOK, SEEDS and `learn`, and is found by that."""
+"""Methods that learn a reading without physics, one file each: a file with LOOK, SEEDS and `learn` is found."""
 
 import ast
 import importlib
@@ -26,7 +26,7 @@ class Look(TypedDict):
 
 @cache
 def looks() -> dict[str, Look]:
-    """How each method looks, by its name, in the order of their titles; read as text: to learn takes a library."""
+    """The look of each method, by its name, in the order of their titles; read as text, without importing it."""
     unnamed: Look = {"title": "", "colour": "", "marker": ""}
     trees = {name: ast.parse((HERE / f"{name}.py").read_text("utf-8")) for name in holding(HERE, r"def learn\(")}
     look_by_name = {name: literal(tree, "LOOK", unnamed) for name, tree in trees.items()}
@@ -34,6 +34,6 @@ def looks() -> dict[str, Look]:
 
 
 def learner(name: str) -> tuple[Learn, tuple[int, ...]]:
-    """How a method of a name learns, and with which seeds: the median of those is told."""
+    """The learning function of a method, and its seeds: their median is reported."""
     module = importlib.import_module(f"{__package__}.{name}")
     return module.learn, module.SEEDS

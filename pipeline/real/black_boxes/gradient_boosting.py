@@ -12,7 +12,7 @@ SEEDS = (0,)
 
 
 def learn(table: Array, values: Array, seed: int) -> Predict:
-    """Trees that each mend what those before it left.
+    """Trees that each correct the residual of those before.
 
     The table has the shape (rows, columns), values and answers the shape (rows,), in one unit.
     """

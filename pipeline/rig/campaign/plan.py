@@ -1,4 +1,4 @@
-"""Which strings a campaign has, and what is done with each; every string has random numbers of its own."""
+"""The strings of a campaign and their motions; every string has random numbers of its own."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ RAMP_S = 0.3
 
 @dataclass(frozen=True)
 class Planned:
-    """One string of a campaign: its run's name, what it is, and what is done with it."""
+    """One string of a campaign: its run's name, the string, and its motion."""
 
     run: str
     specimen: Specimen
@@ -23,13 +23,13 @@ class Planned:
     noise: np.random.Generator
 
     def recorded(self, rate_hz: float) -> Recorded:
-        """The recording; to be made once, for it uses the noise up."""
+        """The recording; it can be made only once, since it draws from the noise."""
         own_effects = [effects.make(*effect) for effect in self.specimen.effects.items()]
         return recorded(self.specimen, own_effects, self.motion, rate_hz, self.noise)
 
 
 def material_of(seed: int, index: int) -> str:
-    """Material of a string: every so many strings in a row have each material once, in an order that is drawn."""
+    """Material of a string: among each group of strings in a row, every material occurs once, in a drawn order."""
     names = list(materials())
     block, place = divmod(index, len(names))
     return names[np.random.default_rng([seed, block, len(names)]).permutation(len(names))[place]]

@@ -1,4 +1,4 @@
-"""What the sensors of a rig record of a specimen in motion, and the truth behind it; in memory."""
+"""The recorded samples of a specimen in motion, with the truth behind them; in memory."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -46,7 +46,7 @@ def recorded(
 
 
 def sampled(time_s: Array, motor_turns: Array, contraction_mm: Array, rng: np.random.Generator) -> pd.DataFrame:
-    """What the sensors say of steps of shape (steps,): one row a sample, the first at the first step.
+    """The readings of the sensors after steps of shape (steps,): one row a sample, the first at the first step.
 
     In s, turns and mm.
     """

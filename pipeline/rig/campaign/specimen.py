@@ -1,4 +1,4 @@
-"""One string on its rig, drawn: what it is truly, what its run.yaml says of it, and what its material hides."""
+"""One string on its rig, drawn: its true dimensions, its run.yaml, and the effects of its material."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -24,7 +24,7 @@ Band = tuple[float, float]
 
 
 class Plastic(TypedDict):
-    """How much of a string stays long, in per cent of its zone, after which work in N mm; one number a population."""
+    """How much longer a string stays, in per cent of its zone, after which work in N mm; one number a population."""
 
     strain_percent: list[float]
     work_n_mm: list[float]
@@ -38,7 +38,7 @@ class Creep(TypedDict):
 
 
 class Material(TypedDict):
-    """What `materials.yaml` says of a material: its modulus, and the parameters of its effects by their names."""
+    """An entry of `materials.yaml`: the modulus, and the parameters of the effects by their names."""
 
     modulus_gpa: float
     radius_compaction: dict[str, float]
@@ -49,7 +49,7 @@ class Material(TypedDict):
 
 @dataclass(frozen=True)
 class Bands:
-    """Between which values the dimensions of strings and rigs are drawn, evenly."""
+    """The ranges from which the dimensions of strings and rigs are drawn, evenly."""
 
     radius_mm: Band = (0.25, 0.60)
     separator_mm: Band = (4.0, 12.0)
@@ -71,7 +71,7 @@ class Specimen:
     effects: dict[str, Parameters]  # parameters by the name of the rig's effect
 
     def described(self, run: str) -> RunYaml:
-        """Content of the run.yaml: the dimensions as measured, and how well they were."""
+        """Content of the run.yaml: the measured dimensions, and their tolerances."""
         measured = self.measured
         return {
             "run": run,
@@ -131,7 +131,7 @@ def draw_specimen(material: str, rng: np.random.Generator, bands: Bands | None =
 
 
 def _hidden(properties: Material, true: Geometry, load_n: float, rng: np.random.Generator) -> dict[str, Parameters]:
-    """A material's effects on a string of these dimensions, which is a little unlike all others of its kind.
+    """A material's effects on a string of these dimensions, each string differing a little.
 
     Contact works the zone alone: what lengthens is in proportion to it, and what must be done to the volume in it.
     """

@@ -16,7 +16,7 @@ from ..effect import Effect, Lived, compiled
 
 
 class Model(Effect):
-    """Branches that flow towards what the strands' contact force F sin α asks of them, by activated jumps.
+    """Branches that flow towards a value set by the strands' contact force F sin α, by activated jumps.
 
     Branch i is pulled by the gap g = compliance_mm_per_n[i] · F sin α − z and flows at
     dz/dt = (yield_mm / tau_s[i]) sinh(g / yield_mm): in proportion to a small gap, faster for a large one.

@@ -24,7 +24,7 @@ class Model(Effect):
         self.at_mm, self.ratio = at_mm, bumper / stretch_n_per_mm
 
     def run(self, lived: Lived) -> Array:
-        """What the load moves less than the string contracts, in mm."""
+        """How much less the load moves than the string contracts, in mm."""
         geometry = lived.geometry
         lowest_mm = np.hypot(geometry.torsion_zone_mm, geometry.separator_mm) - geometry.torsion_zone_mm
         past_mm = np.maximum(lived.contraction_mm - lowest_mm - self.at_mm, 0.0)

@@ -30,7 +30,7 @@ class Model(Effect):
         self.state = np.array([0.0, 0.0, np.nan, 0.0])  # z, z', and the contraction and its rate a step before
 
     def run(self, lived: Lived) -> Array:
-        """What the load moves less than the string contracts, in mm."""
+        """How much less the load moves than the string contracts, in mm."""
         if math.isnan(self.state[2]):
             self.state[2] = lived.contraction_mm[0]
         steps = (lived.step_s, self.omega, self.damping, self.drag_per_mm, self.share)

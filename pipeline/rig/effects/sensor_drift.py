@@ -22,7 +22,7 @@ class Model(Effect):
         self.time_s, self.zero_mm = 0.0, 0.0
 
     def run(self, lived: Lived) -> Array:
-        """What the sensor says too much, in mm."""
+        """The reading minus the truth, in mm."""
         time_s = self.time_s + lived.step_s * np.arange(len(lived.reading_mm))
         rate = self.mm_per_s / (1.0 + time_s / self.settle_s) ** self.ageing
         zero_mm = self.zero_mm + np.cumsum(rate) * lived.step_s

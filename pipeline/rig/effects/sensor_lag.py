@@ -27,7 +27,7 @@ class Model(Effect):
         self.filtered_mm = [np.zeros(1) for _ in self.poles_s]
 
     def run(self, lived: Lived) -> Array:
-        """What the sensor says too much, in mm."""
+        """The reading minus the truth, in mm."""
         line_steps = math.ceil(self.dead_s / lived.step_s) + 1
         if self.before_mm is None:
             self.before_mm = np.full(line_steps, lived.reading_mm[0])

@@ -32,7 +32,7 @@ class Model(Effect):
         self.stretch_n_per_mm = stretch_n_per_mm
 
     def run(self, lived: Lived) -> Array:
-        """What the load rises less than the string contracts, in mm."""
+        """How much less the load rises than the string contracts, in mm."""
         geometry = lived.geometry
         lowest_mm = np.hypot(geometry.torsion_zone_mm, geometry.separator_mm) - geometry.torsion_zone_mm
         asked_mm = lived.contraction_mm - lowest_mm - self.take_up_mm

@@ -38,7 +38,7 @@ class Model(Effect):
         self.state = np.array([np.nan, 0.0, 0.0, 0.0])  # slider, time stood, string's end and its speed
 
     def run(self, lived: Lived) -> Array:
-        """What the slider is behind the string's end, in mm."""
+        """How far the slider is behind the string's end, in mm."""
         if math.isnan(self.state[0]):
             self.state[0] = self.state[2] = lived.contraction_mm[0]
         return _stick(lived.contraction_mm, lived.step_s, self.settings, self.state)

@@ -1,4 +1,4 @@
-"""The string's length follows its temperature: that of the room, and what it warms itself by being worked.
+"""The string's length follows its temperature: heat comes from the room, and from the work on the string.
 
 Source: Carslaw and Jaeger, Conduction of Heat in Solids, 1959 (bodies that exchange heat in proportion to their
 difference).

@@ -21,7 +21,7 @@ class Model(Effect):
         self.error_rad, self.lines, self.phase_rad = 2.0 * np.pi * error_turns, lines, phase_rad
 
     def run(self, lived: Lived) -> Array:
-        """Twist that the encoder counts too much, in rad."""
+        """The encoder's count minus the true twist, in rad."""
         line = self.lines * lived.twist_rad + self.phase_rad
         return np.asarray(self.error_rad * (np.sin(line) + 0.4 * np.cos(2.0 * line)))
 

@@ -21,7 +21,7 @@ class Model(Effect):
         self.time_s = 0.0
 
     def run(self, lived: Lived) -> Array:
-        """What the sensor says too much, in mm."""
+        """The reading minus the truth, in mm."""
         time_s = self.time_s + lived.step_s * np.arange(len(lived.reading_mm))
         self.time_s = float(time_s[-1]) + lived.step_s
         angle = 2.0 * np.pi * self.frequency_hz * time_s + self.phase_rad

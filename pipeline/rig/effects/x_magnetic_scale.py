@@ -21,7 +21,7 @@ class Model(Effect):
         self.error_mm, self.pole_mm, self.phase_rad = error_mm, pole_mm, phase_rad
 
     def run(self, lived: Lived) -> Array:
-        """What the sensor says too much, in mm."""
+        """The reading minus the truth, in mm."""
         angle = 2.0 * np.pi * lived.reading_mm / self.pole_mm + self.phase_rad
         return np.asarray(self.error_mm * (np.sin(angle) + 0.3 * np.sin(3.0 * angle)))
 

@@ -1,4 +1,4 @@
-"""How a string ages: the parameters of all that changes in it, from the strokes that it is to last."""
+"""The ageing of a string: the parameters of all its changing effects, from the number of strokes it shall last."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -20,7 +20,7 @@ SPARED_STROKES = 600.0  # in which a string that saturates wears as little as dr
 
 @dataclass(frozen=True)
 class Work:
-    """What one stroke does to the string, by the analytic model."""
+    """The work of one stroke on the string, by the analytic model."""
 
     way_mm: float  # of strand on strand, there and back
     contact_n_mm: float  # F sin α dx of the winding

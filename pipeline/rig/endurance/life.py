@@ -1,4 +1,4 @@
-"""A string is worked stroke by stroke until it has failed or the recording ends, and every stroke's truth is kept."""
+"""A string is worked stroke by stroke until it fails or the recording ends; the truth of every stroke is kept."""
 
 from dataclasses import dataclass
 

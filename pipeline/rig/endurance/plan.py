@@ -1,4 +1,4 @@
-"""Which strings are worked to their end, and how each of them ages; every string has random numbers of its own."""
+"""The strings that are worked until they fail, and how each ages; every string has random numbers of its own."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ REFERENCE_MPA, BY_TENSION, SCATTER, FEWEST = 14.0, -0.8, 0.40, 50.0
 
 @dataclass(frozen=True)
 class Planned:
-    """One string: its run's name, how it ages, what is done with it, and when the recording ends at the latest."""
+    """One string: its run's name, its ageing, its motion, and the latest end of the recording."""
 
     run: str
     life: Life

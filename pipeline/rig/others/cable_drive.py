@@ -83,7 +83,7 @@ def record(
 
 
 def _drawn(seed: int, this: tuple[str, int], name: str) -> dict[str, Any]:
-    """What says the shape of an effect, beside its size: of the rig, or of this take where it happens once."""
+    """The random numbers for an effect's shape, beside its size: per rig, or per take for a single event."""
     rng, now = stream(seed, name), stream(seed, *this, name)
     return {
         "axial_elasticity": {"pretension_nm": rng.uniform(0.004, 0.009), "power": rng.uniform(2.2, 3.2)},

@@ -1,4 +1,4 @@
-"""What else a cable drive does between motor and jaw: stretch, play, creep, a kink, a slip, a late encoder."""
+"""The other parts of a cable drive between motor and jaw: stretch, play, creep, a kink, a slip, a late encoder."""
 
 import math
 from collections.abc import Sequence
@@ -30,7 +30,7 @@ def stretch_shape(torque_nm: Array, pretension_nm: float, power: float) -> Array
 
 @compiled
 def play_lost(motor_deg: Array, width_deg: float, soft: float) -> Array:
-    """What the play of a coupling keeps from the motor, within ± half its width, in deg.
+    """The motion that a coupling's play keeps from the jaw, within ± half its width, in deg.
 
     The contact takes hold over the last share `soft` of the half width. It starts in the middle. Shape (samples,).
     """
@@ -63,7 +63,7 @@ def crept(torque_nm: Array, step_s: float, power: float) -> Array:
 
 @compiled
 def followed(target: Array, step_s: float, tau_s: float) -> Array:
-    """A first-order element that starts at 0. Shape (samples,), in the unit of what is asked."""
+    """A first-order element that starts at 0. Shape (samples,), in the unit of its input."""
     share = 1.0 - math.exp(-step_s / tau_s)
     out = np.zeros(len(target))
     for k in range(1, len(target)):
@@ -87,7 +87,7 @@ def slipped(time_s: Array, at_s: float, within_s: float) -> Array:
 
 
 def late(values: Array, step_s: float, dead_s: float, poles_s: Sequence[float]) -> Array:
-    """Values as a late sensor says them: after a dead time, through poles; at rest before the first sample.
+    """Values of a late sensor: after a dead time, through poles; at rest before the first sample.
 
     Shape (samples,), in the values' unit; times in s.
     """

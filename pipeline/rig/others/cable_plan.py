@@ -1,4 +1,4 @@
-"""What a cable drive is told to do: the motor's angle and the load on the jaw, 1 kHz for 20 s."""
+"""The commands of a cable drive: the motor's angle and the load on the jaw, 1 kHz for 20 s."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

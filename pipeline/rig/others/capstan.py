@@ -14,7 +14,7 @@ REFERENCE_NM = 0.03  # the torque at which a loop's half-height is told
 
 @dataclass(frozen=True)
 class Capstans:
-    """The pulleys of one cable: what each makes of its tension, and how far its bristles bend before they slip."""
+    """The pulleys of one cable: the friction of each per tension, and how far its bristles bend before they slip."""
 
     angle: Array  # (pulleys,), friction coefficient times wrap, without a unit
     slip_deg: Array  # (pulleys, bristles)
@@ -60,7 +60,7 @@ class Capstans:
         return total
 
     def lost_deg(self, cable_deg: Array, torque_nm: Array, half_height_deg: float, step_s: float) -> Array:
-        """What friction keeps from the jaw, in deg, for a loop of ± half_height_deg at the reference torque.
+        """The angle that friction keeps from the jaw, in deg, for a loop of ± half_height_deg at the reference torque.
 
         Shape (samples,).
         """

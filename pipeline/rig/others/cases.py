@@ -1,4 +1,4 @@
-"""Cases to put before whoever looks for what is missing: which effects are hidden, about how large, in which motion."""
+"""Test cases for any method that looks for missing physics: the hidden effects, their sizes, and the motion."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a made recording is: its samples, its run.yaml, and the truth, which never goes into the run folder."""
+"""A made recording: its samples, its run.yaml, and the truth, which never goes into the run folder."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ class OfRig(TypedDict):
 
 
 class EffectTruth(TypedDict):
-    """What was hidden of one effect: `rms` in the measured channel's unit, what switching it off takes away."""
+    """The truth on one hidden effect: `rms` is what its removal changes, in the measured channel's unit."""
 
     mechanism: str | None
     size: float

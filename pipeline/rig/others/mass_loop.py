@@ -1,4 +1,4 @@
-"""A carriage on a screw in closed loop, stepped in time: what the controller commands and where the carriage is."""
+"""A carriage on a screw in closed loop, stepped in time: the controller's command and the carriage's place."""
 
 import math
 from typing import NamedTuple

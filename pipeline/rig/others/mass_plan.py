@@ -1,4 +1,4 @@
-"""Where a carriage is told to be: strokes of a quarter of a metre and what lies between them, 1 kHz for 25 s."""
+"""The reference of a carriage: strokes of a quarter of a metre with moves between them, 1 kHz for 25 s."""
 
 import numpy as np
 

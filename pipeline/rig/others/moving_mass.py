@@ -90,7 +90,7 @@ def record(
 
 
 def _drawn(seed: int, this: tuple[str, int], name: str) -> dict[str, Any]:
-    """What says the shape of an effect, beside its size: of the rig, or of this take where it happens by chance."""
+    """The random numbers for an effect's shape, beside its size: per rig, or per take for an effect of chance."""
     rng, now = stream(seed, name), stream(seed, *this, name)
     pushes_s = np.sort(now.uniform(1.0, 23.0, 3))
     return {
@@ -121,7 +121,7 @@ def _drawn(seed: int, this: tuple[str, int], name: str) -> dict[str, Any]:
 
 
 def _plant(mass_kg: float, sizes: dict[str, float], drawn: dict[str, Any], *, exact: bool) -> Plant:
-    """The carriage with its effects; what an absent effect's shape is does not matter."""
+    """The carriage with its effects; the shape of an absent effect has no influence."""
     shape = {key: value for name in ("viscous_loss", "friction_hysteresis", "rail_friction", "eccentricity")
              for key, value in drawn.get(name, {}).items()}  # fmt: skip
     usual = {"viscous_power": 1.0, "stiction": 0.0, "stribeck_m_per_s": 0.01, "bristle_m": 1e-4, "rail_from_m": 0.0,
@@ -143,7 +143,7 @@ def _plant(mass_kg: float, sizes: dict[str, float], drawn: dict[str, Any], *, ex
 
 
 def _outside(name: str, size: float, drawn: dict[str, Any]) -> Array:
-    """Force against the motor that only time says, in N; shape (samples,)."""
+    """The outside force against the motor, which follows only time, in N; shape (samples,)."""
     if name == "sensor_offset":
         return np.full(len(TIME_S), size)
     if name == "sensor_drift":

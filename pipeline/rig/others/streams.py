@@ -1,4 +1,4 @@
-"""Everything drawn: one stream for each thing, so that switching one effect off moves no other."""
+"""Random numbers: one stream for each thing, so that switching one effect off changes no other."""
 
 import zlib
 

@@ -1,1 +1,1 @@
-"""What a recording or its description says that can hardly be: questions, and refusals, before it is used."""
+"""Unlikely contents of a recording or its description: questions and refusals before it is used."""

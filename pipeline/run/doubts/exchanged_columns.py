@@ -1,4 +1,4 @@
-"""Two columns of a string's recording that stand in each other's place: they fit the string the other way."""
+"""Two columns of a string's recording that are exchanged: they fit the string the other way round."""
 
 from collections.abc import Sequence
 
@@ -12,7 +12,7 @@ Pair = tuple[str, str]
 
 
 class Exchanged:
-    """Samples in which two channels have each other's columns; `factor` is by what the first one's unit is larger."""
+    """Samples with the columns of two channels exchanged; `factor` is the ratio of the first unit to the second."""
 
     def __init__(self, samples: Readings, pair: Pair, factor: float = 1.0) -> None:
         first, second = pair
@@ -44,7 +44,7 @@ class Exchanged:
 
 
 def exchanged(run: Run, samples: Readings, base: Geometry) -> Pair | None:
-    """The two channels of a string run that have each other's columns; None where no two have."""
+    """The two channels of a string run whose columns are exchanged; None where none are."""
     as_it_stands = Curve(samples, base)
     misfit = as_it_stands.misfit()
     if _passes(as_it_stands) and misfit <= LIKELY:
@@ -70,7 +70,7 @@ def _passes(curve: Curve) -> bool:
 
 
 def _unit(run: Run, name: str) -> float:
-    """By what a channel's own column is multiplied."""
+    """The factor that a channel's own column is multiplied by."""
     channel = run.channels.get(name, Channel.model_validate({}))
     try:
         return conversion(name, channel.unit, channel.counts_per_turn)[0] * channel.scale or 1.0

@@ -1,4 +1,4 @@
-"""Whether the channels of a string can be what their names say: which way they run, their units, and where 0 lies."""
+"""Whether the channels of a string can be what their names say: their direction, their units, and the place of 0."""
 
 from pathlib import Path
 
@@ -38,7 +38,7 @@ def _others(channel: Channel, column: str, units: tuple[str, ...]) -> list[tuple
 
 
 def _guesses(run: Run) -> list[list[Guess]]:
-    """Mistakes of one channel, then of both."""
+    """Possible mistakes in one channel, then in both."""
     angle, length = (run.channels.get(name, Channel.model_validate({})) for name in ("motor_turns", "displacement_mm"))
     angles = [Guess(by, 1.0, "motor_turns", mend) for by, mend in _others(angle, "motor_turns", ANGLES)]
     lengths = [Guess(1.0, by, "displacement_mm", mend) for by, mend in _others(length, "displacement_mm", LENGTHS)]
@@ -47,7 +47,7 @@ def _guesses(run: Run) -> list[list[Guess]]:
 
 
 def _freely(curve: Curve) -> list[tuple[float, str]]:
-    """With which factor of one channel the recording would fit: the misfit, and the factor in words."""
+    """The factor of one channel with which the recording would fit: the misfit, and the factor in words."""
     factors = np.geomspace(1e-3, 1e3, 601)
     off = np.array([abs(np.log(curve.ratio(turns=factor))) for factor in factors])
     fitting = []
@@ -61,7 +61,7 @@ def _freely(curve: Curve) -> list[tuple[float, str]]:
 
 
 def _span(run: Run, curve: Curve, path: Path) -> BadInput:
-    """That the string should contract by another length, with the mends that were tried and fit."""
+    """The message that the string should contract by another length, with the mends that would fit."""
     freely = _freely(curve)
     best = min((misfit for misfit, _ in freely), default=np.inf)
     single, both = _guesses(run)
@@ -107,7 +107,7 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
 
 
 def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
-    """What of a string's checked samples is possible, but more likely a mistake: a far 0 of the twist, an odd span.
+    """Oddities of a string's checked samples that are likely mistakes: a far 0 of the twist, an odd span.
 
     A load that a string would hardly bear, and a temperature that no room has, are two more.
     """
@@ -127,7 +127,7 @@ def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput
 
 
 def _home(run: Run, curve: Curve) -> str:
-    """Where the recorded curve says that the twist's 0 is."""
+    """Where the twist's 0 is, by the recorded curve."""
     channel = run.channels.get("motor_turns", Channel.model_validate({}))
     offset = channel.offset - curve.low / conversion("motor_turns", channel.unit, channel.counts_per_turn)[0]
     misfit_as_is, shifted = curve.misfit(), curve.misfit(offset_turns=-curve.low)

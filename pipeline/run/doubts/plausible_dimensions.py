@@ -13,7 +13,7 @@ STIFFEST_MPA = 1e6  # modulus that no fibre has: the stiffest carbon has 0.9 of 
 
 
 def dimension_questions(run: Run, path: Path) -> list[BadInput]:
-    """What of the dimensions and tolerances in `path` is possible, but more likely a mistake: each with its mend."""
+    """Dimensions and tolerances in `path` that are possible, but likely mistakes: each with its mend."""
     if run.string is None:
         return tolerance_questions(run, path)
     length_mm, radius_mm, zone_mm = run.string.length_mm, run.string.radius_mm, run.rig.get("torsion_zone_mm", 0.0)

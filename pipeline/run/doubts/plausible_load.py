@@ -1,4 +1,4 @@
-"""Whether a string can bear its load: grams that are read as newtons would tear it."""
+"""Whether a string can bear its load: grams read as newtons would tear it."""
 
 from pathlib import Path
 
@@ -24,7 +24,7 @@ def check_load(samples: Rows, path: Path) -> None:
 
 
 def load_mistake(run: Run, samples: Rows, base: Geometry, path: Path, most: float) -> BadInput | None:
-    """What speaks against a load: its stress on two such strings, or a stretch beyond the share `most`; else None."""
+    """The argument against a load: its stress on two such strings, or a stretch beyond the share `most`; else None."""
     load_n = quantiles.median(lambda: map(np.abs, samples.pieces("load_n")), len(samples))
     stress_mpa = load_n / (2.0 * np.pi * base.radius_mm**2)
     share = load_n / base.stiffness_n_per_mm / base.length_mm

@@ -1,4 +1,4 @@
-"""Whether a room can have the logged temperature: kelvin that are read as degrees Celsius, or the other way round."""
+"""Whether a room can have the logged temperature: kelvin may have been read as degrees Celsius, or the reverse."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ ROOM_C = (-60.0, 150.0)  # a temperature beyond is a mistake: of its unit, or of
 
 
 def temperature_mistake(samples: Rows, path: Path) -> BadInput | None:
-    """What speaks against a logged temperature; None where it is possible, or none was logged."""
+    """The argument against a logged temperature; None where it is possible, or none was logged."""
     if "temperature_c" not in samples.columns:
         return None
     coldest_c, warmest_c = samples.extremes("temperature_c")

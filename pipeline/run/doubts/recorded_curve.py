@@ -1,4 +1,4 @@
-"""A recording's displacement over twist beside the analytic model's, and mistakes that would bring both together."""
+"""A recording's displacement over twist beside the analytic model's, and mistakes that would explain a difference."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ POINTS = 2000
 
 @dataclass(frozen=True)
 class Guess:
-    """A mistake that a recording may hold: what to multiply by, how the mend reads, and in which field."""
+    """A possible mistake in a recording: the factor to multiply by, the mend in words, and its field."""
 
     turns: float
     length: float
@@ -27,7 +27,7 @@ class Guess:
 
 
 class Readings(Protocol):
-    """What is asked of samples, in whatever form they are."""
+    """Samples in any form, as far as the checks ask for them."""
 
     def __len__(self) -> int:
         """How many there are."""
@@ -43,7 +43,7 @@ class Readings(Protocol):
 
 
 class Curve:
-    """A recording's displacement over twist, held against the analytic model of its string."""
+    """A recording's displacement over twist, compared with the analytic model of its string."""
 
     def __init__(self, samples: Readings, base: Geometry) -> None:
         rows = np.unique(np.linspace(0, len(samples) - 1, POINTS).astype(int))
@@ -62,7 +62,7 @@ class Curve:
             return float(self.span_mm * length / (ends_mm[1] - ends_mm[0]))
 
     def misfit(self, turns: float = 1.0, length: float = 1.0, offset_turns: float = 0.0) -> float:
-        """How far the curve lies from the model's, zero apart, as a share of its span; infinite where it has none."""
+        """The distance of the curve from the model's, zero apart, as a share of its span; infinite without a curve."""
         with np.errstate(all="ignore"):
             error_mm = self.measured_mm * length - self._model_mm(self.turns * turns + offset_turns)
             share = float(np.divide(np.std(error_mm), self.span_mm * length))
@@ -77,12 +77,12 @@ class Curve:
         return abs(self.low) > max(UNTWISTED_TURNS, UNTWISTED_SHARE * (self.high - self.low))
 
     def likely(self, guesses: list[Guess], best: float) -> list[Guess]:
-        """The guesses that let the recording pass without doubt and fit about as well as the best, or as `best`."""
+        """The guesses with which the recording passes, and that fit about as well as the best, or as `best`."""
         good = [guess for guess in guesses if 1.0 / DOUBT_RATIO <= self.ratio(guess.turns, guess.length) <= DOUBT_RATIO]
         misfits = [self.misfit(guess.turns, guess.length) for guess in good]
         return [guess for guess, misfit in zip(good, misfits, strict=True) if misfit <= bound(min([best, *misfits]))]
 
 
 def bound(best: float) -> float:
-    """The misfit up to which a guess cannot be told from the best one."""
+    """The misfit up to which a guess is as good as the best one."""
     return min(LIKELY, max(AS_LIKELY * best, SMALL))

@@ -1,4 +1,4 @@
-"""How well the dimensions of a run were measured, read back in the unit of each; and what of it is likely a mistake."""
+"""The accuracy of a run's measured dimensions, each in its own unit; and likely mistakes in it."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -25,7 +25,7 @@ class Tolerance(NamedTuple):
 
     @property
     def part(self) -> float:
-        """It as a share of the dimension; 0 where that is 0."""
+        """The tolerance as a share of the dimension; 0 where the dimension is 0."""
         return self.sigma / abs(self.value) if self.value else 0.0
 
 
@@ -41,7 +41,7 @@ def tolerances(run: Run) -> Iterator[Tolerance]:
 
 
 def read_back(run: Run) -> str:
-    """A line each dimension: its tolerance in its own unit, and whether nobody gave it."""
+    """A line for each dimension: its tolerance in its own unit, marked if it is a default."""
     parts = []
     for tolerance in tolerances(run):
         name, unit = tolerance.key.removesuffix(f"_{tolerance.unit}").replace("_", " "), f" {tolerance.unit}".rstrip()
@@ -54,7 +54,7 @@ def read_back(run: Run) -> str:
 
 
 def tolerance_questions(run: Run, path: Path) -> list[BadInput]:
-    """What of the tolerances in `path` is possible, but more likely a mistake: all to be said with its mend."""
+    """Tolerances in `path` that are possible, but likely mistakes: each with its mend."""
     return [_question(tolerance, path) for tolerance in tolerances(run) if _odd(tolerance)]
 
 

@@ -1,4 +1,4 @@
-"""Lonely samples that no rig can have read: found by their neighbours, not counted, and said."""
+"""Single samples that no rig can have read: their neighbours show it; they do not count, and a sentence tells them."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -22,7 +22,7 @@ LEAST_LOAD = 1.0  # in the load's unit: noise about a load of 0 is no range
 
 
 def _beside(values: Rows, name: str, first: int, stop: int) -> Array:
-    """What the neighbours of samples `first` until `stop` read, in the channel's unit; shape (stop - first,)."""
+    """The value that the neighbours of samples `first` until `stop` suggest, in its unit; shape (stop - first,)."""
     others = np.ones(2 * BESIDE + 1, bool)
     others[BESIDE] = False
     begin = max(first - BESIDE, 0)
@@ -48,7 +48,7 @@ def _wild(samples: Rows, name: str, is_load: bool) -> Places:
 
 
 def wild_samples(run: Run, samples: Rows, path: Path, where: Where = by_row) -> tuple[Places, list[str]]:
-    """Rows of finite samples that motion, reading or load make impossible, rising; and a sentence a channel.
+    """Rows of finite samples that motion, reading or load make impossible, rising; and a sentence for each channel.
 
     The rows are given as places, shape (rows,).
 

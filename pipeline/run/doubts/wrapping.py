@@ -1,4 +1,4 @@
-"""An angle that begins anew each turn, as a single-turn encoder gives it: told by its jumps, and how to mend it."""
+"""An angle that begins anew each turn, as from a single-turn encoder: found by its jumps; and how to mend it."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ ABOUT = (0.9, 1.02)  # of a turn, that the range of a wrapped angle is
 
 
 def wraps(angle: Array) -> bool:
-    """Whether an angle, shape (rows,), in any unit, jumps by its range again and again and goes on."""
+    """Whether an angle, shape (rows,), in any unit, jumps by its range again and again, and goes on after each jump."""
     finite = angle[np.isfinite(angle)]
     if len(finite) < 2:
         return False
@@ -28,13 +28,13 @@ def wraps(angle: Array) -> bool:
 
 
 def unit_of_turn(angle: Array) -> str | None:
-    """The unit in which a wrapped angle, shape (rows,), in any unit, has the range of a turn; None where in none."""
+    """The unit in which a wrapped angle, shape (rows,), in any unit, has the range of a turn; None if there is none."""
     span = float(np.nanmax(angle) - np.nanmin(angle))
     return next((unit for unit, turn in TURN.items() if ABOUT[0] * turn <= span <= ABOUT[1] * turn), None)
 
 
 def unwrapping(unit: str | None) -> str:
-    """The mend of a wrapped angle in a unit, or of one whose unit nobody tells."""
+    """The mend of a wrapped angle in a known unit, or in an unknown one."""
     turn = f"{TURN[unit]:g}" if unit in TURN else "a turn"
     does = f"period={turn}) does it" if unit in TURN else "period=360) does it for degrees"
     return f"unwrap it in the file: from each jump down on add {turn}, from each jump up on take it off; {NUMPY}{does}"

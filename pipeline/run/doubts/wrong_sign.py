@@ -1,4 +1,4 @@
-"""A displacement that falls while the string is wound: the words and the mend, for whoever notices it."""
+"""A displacement that falls while the string is wound: the message and the mend, for every program that finds it."""
 
 from ..description import Channel, Run
 

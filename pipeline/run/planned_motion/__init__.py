@@ -1,1 +1,1 @@
-"""A motion that nobody has recorded, and where it leaves what was."""
+"""A motion that nobody has recorded, and its parts outside the recorded range."""

@@ -1,4 +1,4 @@
-"""A planned motion after a recorded one: the recorded rows, the way from their end to the plan, the plan's rows."""
+"""A planned motion after a recorded one: recorded rows, the way from their end to the plan, the plan's rows."""
 
 import numpy as np
 import pandas as pd
@@ -12,7 +12,7 @@ SAME = 0.01  # of a step, or of the recorded range: less is no other step, and n
 
 
 def continued(system: System, samples: pd.DataFrame, recorded: pd.DataFrame, drawn: bool) -> pd.DataFrame:
-    """Rows of a recording, then those of a plan, which are the last ones; both have `time_s` and their channels.
+    """Rows of a recording, then those of a plan at the end; both have `time_s` and their channels.
 
     A plan that begins elsewhere than the recording ended is reached on a straight line at the speed that the recording
     usually moved with; where the reading follows derivatives of the motion the way starts and ends softly, and takes
@@ -43,7 +43,7 @@ def continued(system: System, samples: pd.DataFrame, recorded: pd.DataFrame, dra
 
 
 def _at_step(recorded: pd.DataFrame, step_s: float, channel: str, drawn: bool) -> pd.DataFrame:
-    """A recording at another time step, its inputs smoothed; as it is where it has that step."""
+    """A recording at another time step, its inputs smoothed; unchanged where it has that step already."""
     time_s = recorded["time_s"].to_numpy(float)
     own_s = float(np.median(np.diff(time_s)))
     if not drawn and abs(own_s - step_s) <= SAME * step_s:

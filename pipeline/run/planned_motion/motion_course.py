@@ -1,4 +1,4 @@
-"""The course of a motion, and what recordings hold of courses: speeds, pauses, and where the motion turned."""
+"""The course of a motion, and the ranges of recorded courses: speeds, pauses, and turning places."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -44,23 +44,26 @@ class Course:
         return float(self.speed.max())
 
     def moves(self, least: float) -> Mask:
-        """Where it does not stand, beside a highest speed of `least` or its own. Shape (samples,)."""
+        """The samples that move, compared with a highest speed of `least` or its own. Shape (samples,)."""
         return np.asarray(self.speed >= STANDS * max(min(least, self.fastest), 1e-9))
 
     @property
     def high(self) -> Mask:
-        """Where it is wound: further than a part of its range from its lowest. Shape (samples,)."""
+        """The samples that are wound: further than a part of the range from the lowest place. Shape (samples,)."""
         return np.asarray(self.way > self.way.min() + UNWOUND * np.ptp(self.way))
 
     def lasted_s(self, mask: Mask) -> Array:
-        """For how long a mask has held already, in s, 0 where it does not. Both of shape (samples,)."""
+        """The time since a mask became True, in s, 0 where it is False. Both of shape (samples,)."""
         lasted_s = np.zeros(len(mask))
         for first, last in spans.of_mask(mask):
             lasted_s[first:last] = self.time_s[first:last] - self.time_s[first]
         return lasted_s
 
     def turns(self, span: float) -> tuple[NDArray[np.intp], Turns]:
-        """Samples at which it turns, with its ends; and where. `span`: the recorded range, in the driver's unit."""
+        """The samples at which the motion turns, with its ends; and the places.
+
+        `span`: the recorded range, in its unit.
+        """
         points = turning_points(self.way, TURNS * span)
         values, before = self.way[points[1:-1]], self.way[points[:-2]]
         return points, {True: values[values > before], False: values[values <= before]}
@@ -73,7 +76,7 @@ def longest_s(time_s: Array, mask: Mask) -> float:
 
 @dataclass(frozen=True)
 class Recorded:
-    """What the recordings of one rig hold: the samples of each, the strokes they were cut into, and its driver."""
+    """The recordings of one rig: the samples of each, the strokes they were cut into, and the driver."""
 
     samples: Sequence[pd.DataFrame]
     strokes: Sequence[pd.DataFrame]

@@ -1,4 +1,4 @@
-"""Where a planned motion leaves what was recorded, row by row: nothing there says how well a simulator does."""
+"""The rows of a planned motion outside the recorded range: no recording tests a simulator there."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ Part = tuple[Mask, str, str]  # rows of a plan that are outside, of shape (sampl
 
 @dataclass(frozen=True)
 class Outside:
-    """Which rows of a plan are outside, of shape (samples,); what it asks for there, and what would be inside.
+    """The rows of a plan outside the recorded range, of shape (samples,); the reasons, and the mends.
 
     `too_slow_below`: the speed below which its slow rows are outside, in the driver's unit per second; 0 without such.
     """
@@ -45,10 +45,10 @@ class Outside:
 def outside(
     run: Run, samples: pd.DataFrame, recorded: Recorded, turns_count: bool = False, paced: Sequence[str] = ()
 ) -> Outside:
-    """The rows of a planned motion that leave what was recorded; a share `ROOM` of it is no leaving.
+    """The rows of a planned motion outside the recorded range; up to a share `ROOM` beyond it still counts as inside.
 
-    `turns_count`: whether an effect at work remembers where the motion turned, so that other reversals count. `paced`:
-    the effects, at work or open, that follow speed or time, so that a speed counts as another one sooner.
+    `turns_count`: whether an acting effect remembers where the motion turned, so that new reversals count as outside.
+    `paced`: acting or open effects that follow speed or time; with them a speed counts as new sooner.
     """
     driver, channel = run.system.driver, run.system.channel
     kept = [name for name in samples.columns if name not in ("time_s", channel)]
@@ -94,7 +94,7 @@ def _faster(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
 
 
 def _longer(planned: Course, recorded: Recorded, name: str, wound: bool) -> Part:
-    """Rows of a stand, wound or unwound, that come after `LONGER` times the longest that was recorded."""
+    """Rows of a stand, wound or unwound, that come later in it than `LONGER` times the longest recorded stand."""
     stood_s = recorded.longest_s(name)
     limit_s = longest_stand_s(stood_s)
     lasted_s = planned.lasted_s(~planned.moves(recorded.fastest) & (planned.high == wound))
@@ -105,7 +105,7 @@ def _longer(planned: Course, recorded: Recorded, name: str, wound: bool) -> Part
 
 
 def _slower(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
-    """Rows that go on for longer than recorded at clearly less than the slowest recorded stroke's speed."""
+    """Rows that move clearly slower than the slowest recorded stroke, for longer than in the recording."""
     slowest, least = min(recorded.speeds), _least(recorded, paced)
     rows = _going_on(
         planned, recorded, [course.moves(recorded.fastest) & (course.speed < least) for course in recorded.courses],
@@ -120,7 +120,7 @@ def _slower(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
 
 
 def _quicker(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
-    """Rows that go on for longer than recorded at clearly more than the fastest stroke's speed, where that matters.
+    """Rows that move clearly faster than the fastest recorded stroke, for longer than recorded, if speed matters.
 
     Moments of the recording may have been as fast.
     """
@@ -138,7 +138,7 @@ def _quicker(planned: Course, recorded: Recorded, paced: Sequence[str]) -> Part:
 
 
 def _other(recorded: Recorded, paced: Sequence[str]) -> bool:
-    """Whether a speed counts as another one sooner: it matters, or nobody knows whether it does."""
+    """Whether a speed counts as new sooner: speed matters, or the recording cannot tell whether it does."""
     return bool(paced) or recorded.one_speed
 
 
@@ -148,27 +148,27 @@ def _least(recorded: Recorded, paced: Sequence[str]) -> float:
 
 
 def _move_slower(recorded: Recorded, paced: Sequence[str]) -> str:
-    """The mend of what is too fast, by each rule."""
+    """The mend for rows that are too fast by any rule."""
     limit = most_speed(max(recorded.speeds), recorded.fastest, _other(recorded, paced))
     return f"move at {up_to(limit)} {unit_of(recorded.driver)}/s or slower"
 
 
 def _recorded_speed(which: str, speed: float, recorded: Recorded) -> str:
-    """What a limit of speed is a share of: a sentence without its full stop."""
+    """The recorded speed that a limit is a share of: a sentence without its full stop."""
     if recorded.one_speed:
         return f"Recorded was one speed, {speed:.3g}"
     return f"The {which} stroke that was recorded had {speed:.3g}"
 
 
 def _since(recorded: Recorded, paced: Sequence[str]) -> str:
-    """Why a speed counts as another one so soon: a sentence after a full stop; nothing where it does not."""
+    """Why a speed counts as new so soon: a sentence after a full stop; empty where it does not."""
     if paced:
         return f". So near, since {' and '.join(paced)} {'follow' if len(paced) > 1 else 'follows'} speed or time"
     return ". Nothing that was recorded says what another speed does" if recorded.one_speed else ""
 
 
 def _going_on(planned: Course, recorded: Recorded, before: Sequence[Mask], rows: Mask) -> Mask:
-    """The stretches of some rows that last for longer than `LONGER` times the longest `before`, a mask a recording."""
+    """The stretches of rows that last longer than `LONGER` times the longest in `before`, masks by recording."""
     pairs = zip(recorded.courses, before, strict=True)
     least_s = max(LONGER * max(float(course.lasted_s(mask).max()) for course, mask in pairs), SHORT_S)
     lasted_s, going_on = planned.lasted_s(rows), np.zeros(len(rows), bool)
@@ -178,7 +178,7 @@ def _going_on(planned: Course, recorded: Recorded, before: Sequence[Mask], rows:
 
 
 def _turned(planned: Course, recorded: Recorded) -> Part:
-    """Rows from a reversal inside the recorded range, near which none was recorded, to the next one."""
+    """Rows after a reversal inside the recorded range where no recording reversed, up to the next reversal."""
     rows, places = np.zeros(len(planned.way), bool), []
     low, high = recorded.ends
     points, _ = planned.turns(high - low)

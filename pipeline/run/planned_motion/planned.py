@@ -1,4 +1,4 @@
-"""A motion that nobody has recorded: a table of time, motion and load → samples of a run, whose reading is 0."""
+"""A motion that nobody has recorded: a table of time, motion and load → samples of a run with a reading of 0."""
 
 from pathlib import Path
 
@@ -30,7 +30,7 @@ def read_plan(path: Path) -> pd.DataFrame:
 def planned(
     run: Run, plan_table: pd.DataFrame, path: Path, recorded: pd.DataFrame | None = None
 ) -> tuple[pd.DataFrame, bool]:
-    """Samples of the motion that a table plans for a run's rig, and whether it was drawn by corners.
+    """The samples of a planned motion for a run's rig, and whether the table gives only its corners.
 
     The table, which messages call `path`, has `time_s`, the motion (`motor_turns` of a string) and, where the rig has
     them, load and temperature, under these names and in these units, or under the names that run.yaml gives to the
@@ -80,13 +80,13 @@ def _check_times(time_s: Array, path: Path) -> None:
 
 
 def _own_column(run: Run, name: str) -> str | None:
-    """The name that the column of a channel has in a run's recording; None where it has none of its own."""
+    """The column name of a channel in a run's recording; None where the channel has no column."""
     column = run.channels[name].column if name in run.channels else None
     return column if isinstance(column, str) and column != name else None
 
 
 def _by_own_names(run: Run, table: pd.DataFrame, path: Path) -> pd.DataFrame:
-    """A table with the channels that stand in it under the names of the recording, read as the recording's are."""
+    """A table whose channels have the recording's column names, in our names and units."""
     own = {
         name: run.channels[name]
         for name in run.system.columns
@@ -102,7 +102,7 @@ def _by_own_names(run: Run, table: pd.DataFrame, path: Path) -> pd.DataFrame:
 
 
 def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
-    """The load of a plan that gives none; raises BadInput where it was recorded, and changed."""
+    """The load of a plan that gives none; raises BadInput where the recorded load changed."""
     name = run.system.load or ""
     if recorded is None or name not in recorded:  # else its channel wins over rig.load_n, which fills in for none
         return run.rig.get(name, 0.0)
@@ -114,7 +114,7 @@ def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
 
 
 def _joined(samples: pd.DataFrame) -> pd.DataFrame:
-    """Samples as they are; of points that are a motion's corners, one every `STEP_S` on the straight lines between."""
+    """The samples unchanged; or, for a motion given by corners, one every `STEP_S` on the lines between them."""
     time_s = samples["time_s"].to_numpy()
     rises = len(time_s) > 1 and bool((np.diff(time_s) > 0.0).all()) and bool(np.isfinite(time_s).all())
     if not rises or float(np.diff(time_s).max()) <= SPARSE_S or time_s[-1] - time_s[0] > LONGEST_S:

@@ -1,4 +1,4 @@
-"""How far a planned motion may leave what was recorded: limits of speed and of stands, and how they are said."""
+"""How far a planned motion may leave the recorded range: limits of speed and of stands, and their words."""
 
 import math
 from collections.abc import Callable
@@ -14,12 +14,12 @@ STILL = 0.02  # of a load: one that varies by less stands still but for noise, a
 
 
 def stands_still(least: float, most: float) -> bool:
-    """Whether what was recorded from `least` to `most`, in one unit, did not vary but for noise; 0 is no value."""
+    """Whether a recorded range from `least` to `most`, in one unit, is constant up to noise; 0 never is."""
     return 0.0 < most - least <= STILL * max(abs(least), abs(most)) or least == most != 0.0
 
 
 def share_of_slowest(other: bool) -> float:
-    """The speed from which on a plan is inside, as a share of the slowest stroke's; `other`: another speed counts."""
+    """The lowest speed of a plan inside, as a share of the slowest stroke's; `other`: new speeds count sooner."""
     return 1.0 / OTHER if other else SLOWER
 
 
@@ -39,12 +39,12 @@ def longest_stand_s(longest_s: float) -> float:
 
 
 def from_on(limit: float) -> str:
-    """A lower limit with three digits, rounded so that what is said is inside."""
+    """A lower limit with three digits, rounded up, so that the stated value is inside."""
     return _said(limit, math.ceil)
 
 
 def up_to(limit: float) -> str:
-    """An upper limit with three digits, rounded so that what is said is inside."""
+    """An upper limit with three digits, rounded down, so that the stated value is inside."""
     return _said(limit, math.floor)
 
 

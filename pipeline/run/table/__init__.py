@@ -1,1 +1,1 @@
-"""A recording in whatever form → a table of channels in our units."""
+"""A recording of any form → a table of channels in our units."""

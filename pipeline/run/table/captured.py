@@ -1,4 +1,4 @@
-"""What the capture program recorded, checked against what it wrote down in capture.json."""
+"""The capture program's recordings, checked against its account in capture.json."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -64,7 +64,7 @@ def read_frames(path: Path) -> tuple[pd.DataFrame, dict[str, str]]:
 
 
 def check_lines(path: Path) -> bool:
-    """Whether the capture program made a table, of printed lines; raises BadInput when it is not as it was made."""
+    """Whether the capture program made a table, from printed lines; raises BadInput if it was changed since."""
     info = capture_info(path.parent)
     if (path.parent / "recording.lines").is_file() or "csv_sha256" in info:
         if sha256(path) == info.get("csv_sha256"):

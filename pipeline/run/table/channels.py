@@ -1,4 +1,4 @@
-"""The channels of a run, told from its raw table, which may come in pieces: in our units, or refused."""
+"""The channels of a run from its raw table, which may come in pieces: in our units, or refused."""
 
 import sys
 from decimal import Decimal
@@ -20,7 +20,7 @@ from .no_number import are_few, no_number
 
 
 def _plain(value: object) -> object:
-    """A cell as a number, a text or nothing: what is neither of the first two becomes the text that shows it."""
+    """A cell as a number, a text or nothing; any other value becomes its text."""
     if isinstance(value, Decimal | np.number):
         return float(value)
     return (
@@ -31,7 +31,7 @@ def _plain(value: object) -> object:
 
 
 class Channels:
-    """Channels of a run by file `mapping`, from a raw table that stands at `path`; its pieces are given in order.
+    """The channels of a run by file `mapping`, from a raw table at `path`; its pieces must come in order.
 
     The first piece is looked at before it is told; where that says so, all others are looked at before that too.
     Where a recording is read `again`, nothing is said a second time. With `bear` few cells that are no numbers are
@@ -50,7 +50,7 @@ class Channels:
                 raise BadInput(mapping, f"channels.{key_name(name)}", "is not a known channel", mend)
 
     def _channel(self, table: pd.DataFrame, name: str) -> Channel | None:
-        """Where a channel stands; None for one that is not there and need not be."""
+        """The place of a channel; None for one that is missing and not needed."""
         if name in self.run.channels:
             return self.run.channels[name]
         named = [channel.column for channel in self.run.channels.values()]
@@ -70,7 +70,7 @@ class Channels:
         return place_of(table, name, channel, self.path, name in self.run.channels, self.mapping)
 
     def _check_columns(self, table: pd.DataFrame) -> None:
-        """Raise BadInput that names all columns at once, where several are missing."""
+        """Raise BadInput that names all missing columns at once, where several are missing."""
         channels = {name: self._channel(table, name) for name in self.run.system.columns}
         wanted = {name: channel for name, channel in channels.items() if channel and channel.step_s is None}
         check_columns(table, wanted, self.path, self.run.channels, self.mapping)
@@ -83,7 +83,7 @@ class Channels:
         return table.iloc[slice(*(max(row - first, 0) for row in rows))].reset_index(drop=True)
 
     def look(self, table: pd.DataFrame) -> bool:
-        """Note the time stamps of a piece that are dates or times of day; whether the next is to be looked at too."""
+        """Note the time stamps of a piece if they are dates or times; returns whether it needs the next piece too."""
         table, self._looked = self._asked(table, self._looked), self._looked + len(table)
         self._check_columns(table)
         channel = self._channel(table, "time_s")
@@ -141,7 +141,7 @@ class Channels:
         return pd.Series(step_s * np.arange(self._sample, self._sample + len(table)), index=table.index)
 
     def _in_our_unit(self, column: pd.Series, name: str, channel: Channel) -> pd.Series:
-        """A raw column in the unit of its channel; raises BadInput."""
+        """A raw column in its channel's unit; raises BadInput."""
         try:
             factor, shift = conversion(name, channel.unit, channel.counts_per_turn)
             if name == "time_s" and factor != 1.0 and self._stamps is not None:
@@ -154,11 +154,11 @@ class Channels:
             return factor * (channel.scale * self._numbers(column, name) + channel.offset) + shift
 
     def _refuses(self, wrong: np.ndarray) -> bool:
-        """Whether cells of this piece that are no numbers are refused, and not taken as empty."""
+        """Whether cells of this piece that are no numbers are refused instead of counting as empty."""
         return bool(wrong.any()) and not (self._bear and are_few(int(wrong.sum()), len(wrong)))
 
     def _clock(self, column: pd.Series, stamps: Stamps) -> pd.Series:
-        """A raw column of dates or times of day in seconds, NaN where it is empty; raises BadInput for what is none."""
+        """A raw column of dates or times of day in seconds, NaN where empty; raises BadInput for any other value."""
         seconds = stamps.seconds(column)
         wrong = (seconds.isna() & column.notna()).to_numpy()
         if self._refuses(wrong):
@@ -170,7 +170,7 @@ class Channels:
         return seconds
 
     def _numbers(self, column: pd.Series, name: str) -> pd.Series:
-        """A raw column as floats, NaN where it is empty; raises BadInput for what is no number."""
+        """A raw column as floats, NaN where empty; raises BadInput for a cell that is no number."""
         layout = self.run.file
         if name == "time_s" and self._stamps is not None:
             return self._clock(column, self._stamps)

@@ -1,4 +1,4 @@
-"""What the time stamps of a recording do from sample to sample, told in one pass over them and a median."""
+"""Statistics of a recording's time stamps, from one pass over them and a median."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

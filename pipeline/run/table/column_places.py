@@ -1,4 +1,4 @@
-"""In which column of a raw table a channel stands; columns that are not there are all named at once."""
+"""The column of a channel in a raw table; missing columns are all named at once."""
 
 from collections.abc import Container
 from pathlib import Path
@@ -17,7 +17,7 @@ class NoColumn(BadInput):
 
 
 def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, is_named: bool, described: Path) -> int:
-    """Index of a channel's column, which `described` tells; raises BadInput where the file has none, or two."""
+    """Index of a channel's column, as `described`; raises BadInput where the file has no such column, or two."""
     key = name if channel.column is None else channel.column
     if isinstance(key, int):
         if not 0 <= key < table.shape[1]:
@@ -38,7 +38,7 @@ def place_of(table: pd.DataFrame, name: str, channel: Channel, path: Path, is_na
 def check_columns(
     table: pd.DataFrame, wanted: dict[str, Channel], path: Path, own_channels: Container[str], described: Path
 ) -> None:
-    """Raise BadInput where two or more channels name a column that the table lacks, for all of them.
+    """Raise BadInput for all channels together if two or more name a column that the table lacks.
 
     `own_channels` are the channels whose columns the file `described` tells. One alone is for `place_of` to refuse.
     """

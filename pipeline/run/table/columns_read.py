@@ -1,4 +1,4 @@
-"""Which column of a recording was read as what, for a person to see: a wrong unit or column shows there."""
+"""Which column of a recording was read as which channel: it shows a person a wrong unit or column."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,7 +17,7 @@ NAMED = 8  # columns that nothing is read from
 def read_as(
     run: Run, samples: pd.DataFrame, path: Path, recorded: int | None = None, columns: Sequence[object] = ()
 ) -> str:
-    """How many samples, and a line each channel with its column, its unit there, and its range in our units.
+    """The number of samples, and a line a channel with its column, its unit there, and its range in our units.
 
     `samples` are the table with a column a channel, as `to_samples` gives it; where those that no rig can
     have read are not among them, `recorded` says how many there were. `columns` are all of the file, of which those
@@ -53,5 +53,5 @@ def _keys(run: Run, columns: Sequence[object]) -> set[object]:
 
 
 def has_no_load(run: Run) -> bool:
-    """Whether a run of a string says nowhere which load hangs on it, other than by a column load_n."""
+    """Whether a string's run has no load: neither a key for it nor a column load_n."""
     return run.system.load == "load_n" and "load_n" not in run.channels and not run.rig.get("load_n")

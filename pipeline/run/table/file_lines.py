@@ -1,4 +1,4 @@
-"""Which line of its file a row of a recording is: a person who mends the file counts its lines."""
+"""The line of a file that a row of a recording stands in, for a person who mends the file."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -18,17 +18,17 @@ Where = Callable[[int], str]  # of a row, which counts from 0: "line 504", or "r
 
 
 def line_or_row(path: Path) -> str:
-    """What a file consists of, for a person who mends it: of lines where it is text, else of rows."""
+    """The unit of a file that a person counts: lines of a text file, else rows."""
     return "line" if path.is_file() and path.suffix != ".frames" and ".csv" in format_of(path).suffixes else "row"
 
 
 def by_row(row: int) -> str:
-    """A row, which counts from 0, where nobody knows its line: "row 1"."""
+    """A row, counted from 0, whose line is unknown: "row 1"."""
     return f"row {row + 1}"
 
 
 def lines_of(path: Path, layout: TextFile, rows: Iterable[int]) -> dict[int, tuple[int, str]]:
-    """Number in the file, from 1, and text of the lines of some rows, which count from 0; nothing of other formats.
+    """Number in the file, from 1, and text of the lines of rows, counted from 0; empty for other formats.
 
     Lines that have more fields than the first one are no rows.
     """
@@ -48,7 +48,7 @@ def lines_of(path: Path, layout: TextFile, rows: Iterable[int]) -> dict[int, tup
 
 
 def named(path: Path, layout: TextFile, rows: list[int]) -> str:
-    """Some rows, which count from 0, by their lines: "line 1504, '75,0#;;'"; by their numbers where none is text."""
+    """Some rows, counted from 0, by their lines: "line 1504, '75,0#;;'"; by their numbers if the file is no text."""
     lines = lines_of(path, layout, rows[:NAMED])
     words = [f"line {lines[row][0]}, {short(lines[row][1])}" if row in lines else by_row(row) for row in rows[:NAMED]]
     more = [f"and {counted(len(rows) - NAMED, f'more {line_or_row(path)}')}"] if len(rows) > NAMED else []
@@ -72,7 +72,7 @@ class FileLines:
         return cls(path, layout, table.index.tolist())
 
     def __call__(self, row: int) -> str:
-        """A row, which counts from 0, as "line 504"; as "row 504" of a file that is no text."""
+        """A row, counted from 0, as "line 504"; as "row 504" if the file is no text."""
         number = (row if self.numbers is None else self.numbers[row]) + (self.layout.rows or (0, 0))[0]
         lines = lines_of(self.path, self.layout, [number])
         return f"line {lines[number][0]}" if number in lines else by_row(number)

@@ -1,4 +1,4 @@
-"""A printed clock that stands or falls back at a few samples: its stamps are mended as those of frames are.
+"""A printed clock that stands or falls back at a few samples: its stamps are mended like those of frames.
 
 Nothing else is touched: where every stamp rises, the times stay as they were printed.
 """
@@ -22,12 +22,12 @@ Read = Callable[[bool], Iterator[pd.DataFrame]]
 
 
 def far_moved(moved: int, samples: int) -> bool:
-    """Whether so many stamps of all were moved far that the clock itself was wrong."""
+    """Whether a large share of the stamps was moved so far that the clock itself must be wrong."""
     return moved > max(1, MOST_MOVED * samples)
 
 
 class MendedTime:
-    """Samples of a recording at `path` in pieces, their `time_s` mended; `read` reads them, and is told if again.
+    """Samples of a recording at `path` in pieces, with `time_s` mended; `read` reads them, and is told if it is again.
 
     `counted` says how often each rule of Mending was needed. Raises BadInput where the clock itself is wrong.
     """
@@ -72,7 +72,7 @@ class MendedTime:
         return (table["time_s"].to_numpy() for table in self._tables() if len(table))
 
     def _stamps_s(self) -> Iterator[Array]:
-        """Mended stamps in s; where the first one leaps, it alone is moved. Shape (stamps,) each."""
+        """Mended stamps in s; a leap at the first stamp moves only that stamp. Shape (stamps,) each."""
         times = np.zeros(0)
         for piece in self._times():
             times = np.append(times, piece)[:2]
@@ -111,7 +111,7 @@ def _differences(time_s: Array) -> Array:
 
 
 def _steps(times: Iterator[Array]) -> Iterator[Steps]:
-    """Steps in us from sample to sample, each of which is expected to be a usual one."""
+    """Steps in us from sample to sample, each expected to be one usual step."""
     last_s = np.zeros(0)
     for time_s in times:
         steps_us, last_s = _differences(np.append(last_s, time_s)), time_s[-1:]

@@ -1,4 +1,4 @@
-"""Columns whose names carry another unit than their channel's, such as time_ms for time_s."""
+"""Columns whose names carry another unit than the channel's, such as time_ms for time_s."""
 
 from collections.abc import Iterable
 
@@ -8,7 +8,7 @@ TIMES = {"time_ms": "ms", "t_ms": "ms", "time_us": "us", "t_us": "us", "millis":
 
 
 def _unit(name: str, column: str) -> str | None:
-    """The unit in which a column of this name holds the channel `name`; None where it does not say so."""
+    """The unit in which a column of this name holds the channel `name`; None if the name tells none."""
     if name == "time_s" and column in TIMES:
         return TIMES[column]
     own = unit_of(name)
@@ -25,6 +25,6 @@ def _unit(name: str, column: str) -> str | None:
 
 
 def in_its_unit(name: str, columns: Iterable[object]) -> tuple[str, str] | None:
-    """The one column that holds the channel `name` in another unit, and that unit; None where none or several do."""
+    """The only column that holds the channel `name` in another unit, and that unit; None if none or several do."""
     with_units = [(column, unit) for column in columns if isinstance(column, str) and (unit := _unit(name, column))]
     return with_units[0] if len(with_units) == 1 else None

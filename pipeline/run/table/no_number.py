@@ -1,4 +1,4 @@
-"""Cells that are no numbers: refused with the mend, or, where they are few, the rows that they cost, by their lines."""
+"""Cells that are no numbers: refused with the mend; or, if they are few, their rows are left out and named by line."""
 
 import re
 from pathlib import Path
@@ -18,7 +18,7 @@ SIGNED = re.compile(r"[+-]?\d+([.,' ]\d+)+([eE][+-]?\d+)?")  # digits with signs
 
 
 def are_few(wrong: int, rows: int) -> bool:
-    """Whether so many damaged rows of all are left out, and do not speak against the file."""
+    """Whether damaged rows are few enough to be left out."""
     return wrong <= MOST * rows
 
 
@@ -31,7 +31,7 @@ def _mend(cell: str, layout: TextFile) -> str:
 
 
 def no_number(column: pd.Series, wrong: np.ndarray, first: int, layout: TextFile, path: Path, name: str) -> BadInput:
-    """What is said of a raw column with cells that are no numbers, `wrong`, of shape (rows,) and without a unit.
+    """The message on a raw column whose cells `wrong`, of shape (rows,) and without a unit, are no numbers.
 
     `first` is the number of its first row in the file's table, from 0.
     """

@@ -1,4 +1,4 @@
-"""A log of another program as samples: a few damaged lines cost themselves and are named, and no more."""
+"""A log of another program as samples: a few damaged lines are left out and named; all others are read."""
 
 import gzip
 import io
@@ -26,7 +26,7 @@ from .recorded_table import to_samples
 
 @dataclass(frozen=True)
 class Log:
-    """A log's raw table, and its samples, whose index has the numbers of their rows in the table, from 0.
+    """A log's raw table, and its samples; their index has the numbers of their rows in the table, from 0.
 
     `rows` of the table are damaged, from 0, and `lines` of the file, from 1, have fields too many: both were left out.
     """
@@ -40,7 +40,7 @@ class Log:
 
     @property
     def gone(self) -> set[int]:
-        """Numbers in the file, from 1, of the lines that were left out; none of a table that is no text."""
+        """Numbers in the file, from 1, of the lines that were left out; none if the file is no text."""
         return {*self.lines, *(number for number, _ in lines_of(self.path, self.where.layout, self.rows).values())}
 
 
@@ -52,7 +52,7 @@ def too_long(lines: list[tuple[int, str]]) -> str:
 
 
 def read_log(run: Run, path: Path, mapping: Path, read: Callable[[], pd.DataFrame]) -> Log:
-    """The samples of a log that `read` gives as a raw table, by the channels of file `mapping`; raises BadInput.
+    """The samples of a log whose raw table `read` gives, by the channels of file `mapping`; raises BadInput.
 
     Damaged lines are left out and said on standard error where they are at most 1 % of all.
     """
@@ -74,7 +74,7 @@ def read_log(run: Run, path: Path, mapping: Path, read: Callable[[], pd.DataFram
 
 
 def recording_name(recording: Path) -> str:
-    """What a recording is called in its run folder; raises BadInput for a kind that has no name there."""
+    """The name of a recording in its run folder; raises BadInput for a format without one."""
     name = f"recording{''.join(recording.suffixes[-2:]) if recording.suffix == '.gz' else recording.suffix}"
     if not recording.is_file():
         raise BadInput(recording, "--recording", "is not there", "check the path")
@@ -86,7 +86,7 @@ def recording_name(recording: Path) -> str:
 
 
 def copy_log(log: Log, temporary: Path) -> str:
-    """Copy a log without its damaged lines, and give a remark for its run.yaml on them, empty where there are none."""
+    """Copy a log without its damaged lines; returns a remark on them for its run.yaml, empty if there are none."""
     if not log.rows and not log.lines:
         shutil.copyfile(log.path, temporary)
         return ""
@@ -106,6 +106,6 @@ def _remark(log: Log, without: str) -> str:
 
 
 def rows_left(log: Log) -> list[int] | None:
-    """What `file.rows` asks of a log's copy, in which the damaged rows are missing; None where it asks for all."""
+    """The value of `file.rows` for a log's copy without the damaged rows; None if it asks for all rows."""
     rows = log.where.layout.rows
     return None if rows is None else [rows[0], rows[1] - len(log.rows)]

@@ -1,4 +1,4 @@
-"""A recording, in whatever form it lies in a run folder or came from a logger, as a table of channels in our units."""
+"""A recording from a run folder or a logger, in any format, as a table of channels in our units."""
 
 from collections.abc import Callable, Iterator
 from itertools import chain
@@ -46,7 +46,7 @@ def _samples(
     again: bool = False,
     bear: bool = False,
 ) -> Iterator[pd.DataFrame]:
-    """What `to_samples` makes of a raw table that comes in pieces, and may come twice; raises BadInput."""
+    """The result of `to_samples` for a raw table that comes in pieces, and may come twice; raises BadInput."""
     channels, tables = Channels(run, path, mapping, again, bear), pieces()
     first = next(tables)
     if channels.look(first):
@@ -60,7 +60,7 @@ def _samples(
 
 
 def recording_pieces(run: Run, folder: Path) -> Iterator[pd.DataFrame]:
-    """Samples of a run folder, piece by piece: `time_s` and its channels, unchecked but for being numbers."""
+    """Samples of a run folder, piece by piece: `time_s` and its channels; only that they are numbers is checked."""
     path = recording_path(folder)
     if path.suffix == ".frames":
         units, pieces = frame_pieces(path)
@@ -83,6 +83,6 @@ def printed_samples(run: Run, folder: Path) -> MendedTime:
 
 
 def read_recording(run: Run, folder: Path) -> pd.DataFrame:
-    """Samples of a run folder, one row a sample: `time_s` and its channels, unchecked but for being numbers."""
+    """Samples of a run folder, one row a sample: `time_s` and its channels; only that they are numbers is checked."""
     pieces = list(recording_pieces(run, folder))
     return pieces[0] if len(pieces) == 1 else pd.concat(pieces, ignore_index=True)

@@ -11,7 +11,7 @@ HEAD = 4_000  # characters of a run.yaml in which its first comments stand
 
 
 def own_log(folder: Path) -> str:
-    """The ending of the file that a person put into a run folder as its recording; nothing where none did."""
+    """The ending of a recording file that a person put into a run folder; empty if there is none."""
     if any((folder / name).exists() for name in CAPTURED):
         return ""
     names = [name for name in RECORDINGS if name not in CAPTURED and (folder / name).is_file()]
@@ -19,7 +19,7 @@ def own_log(folder: Path) -> str:
 
 
 def mapping_of(folder: Path) -> str:
-    """The mapping through which a run was imported, as its run.yaml names it; nothing where it was not imported."""
+    """The mapping through which a run was imported, as its run.yaml names it; empty if it was not imported."""
     try:
         with (folder / "run.yaml").open(encoding="utf-8") as file:
             written = MAPPING.search(file.read(HEAD))

@@ -1,4 +1,4 @@
-"""The diagnosis' problem of training points: it sees their readings, and what moved between them."""
+"""The diagnosis' problem for training points: it has their readings, and the motion between them."""
 
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -24,7 +24,7 @@ SAMPLES = [*CHANNELS, *CUT]  # columns of a dataset that a problem is made of
 
 @dataclass(frozen=True)
 class HoledDrivers(Drivers):
-    """Drivers at instants with holes between: what neighbouring samples tell is taken from the whole motion."""
+    """Drivers at instants with gaps between; values that depend on neighbours come from the whole motion."""
 
     whole: Drivers | None = None  # of the motion without holes, from the same start
 
@@ -50,7 +50,7 @@ class HoledDrivers(Drivers):
 
 @dataclass(frozen=True)
 class Holed(Problem):
-    """A problem whose mechanisms act along the whole motion, of which only some instants have a reading."""
+    """A problem whose mechanisms act along the whole motion, with readings only at some instants."""
 
     whole: Drivers | None = None  # of the motion without holes, from the same start
 
@@ -74,13 +74,13 @@ class Holed(Problem):
 
 
 def recorded_of(run: Run, samples: pd.DataFrame) -> RecordedRun:
-    """Points of a dataset, columns `SAMPLES`, as a run in the strokes that its recording was cut into."""
+    """Points of a dataset, columns `SAMPLES`, as a run, in the strokes of its recording."""
     cut = stretches(samples["stroke"].to_numpy(np.intp), samples["phase"].to_numpy(object))
     return RecordedRun(run, samples[CHANNELS], cut)
 
 
 def plain(run: Run, samples: pd.DataFrame, started_s: float) -> Problem:
-    """A simulator's problem for samples of any number, whose events are timed from `started_s`."""
+    """A simulator's problem for any number of samples, whose events are timed from `started_s`."""
     record = joined([recorded_of(run, samples)], len(samples))
     # A point that is asked from before the training must not shift what was timed from its start.
     counted_s = samples["time_s"].to_numpy() - started_s
@@ -96,7 +96,7 @@ def along(run: Run, motion: Motion, started_s: float) -> Problem:
 
 
 def holed(run: Run, samples: pd.DataFrame, without: frozenset[str]) -> Problem:
-    """The problem that the diagnosis is given, with every sample as it is; raises BadInput where they show too little.
+    """The problem for the diagnosis, with every sample as it is; raises BadInput where they show too little.
 
     The motion between the samples goes straight, as it does when the simulator is asked afterwards: what a mechanism
     listens to, such as a rate, must not differ between the two.

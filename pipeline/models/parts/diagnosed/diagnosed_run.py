@@ -1,4 +1,4 @@
-"""A run's simulator with what was found missing in it: it goes through a motion, forward, or finds the motion."""
+"""A run's simulator with the mechanisms found missing: it maps a motion forward, or finds the motion."""
 
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
@@ -23,7 +23,7 @@ MARGIN = 0.01  # of the range of twist that was seen, by which an answer may lea
 
 
 class SavedAct(TypedDict):
-    """A mechanism at work: a set of its nonlinear parameters each time it acts, and its terms' coefficients."""
+    """A mechanism at work: its sets of nonlinear parameters, one for each action, and its terms' coefficients."""
 
     id: str
     nonlinear: list[dict[str, float]]
@@ -31,7 +31,7 @@ class SavedAct(TypedDict):
 
 
 class SavedSimulator(TypedDict):
-    """A run's simulator as its file holds it; `run` is a run.yaml's content, `known` its training points by column."""
+    """A run's simulator in its file; `run` is a run.yaml's content, `known` its training points by column."""
 
     verdict: str
     named: list[list[str]]
@@ -46,7 +46,7 @@ class SavedSimulator(TypedDict):
 
 @dataclass(frozen=True)
 class Simulator:
-    """One run's simulator: the values of its dimensions, its zero, what acts in it, and the motion it was seen in."""
+    """One run's simulator: values of its dimensions, its zero, the acting mechanisms, and the training motion."""
 
     run: Run
     known: pd.DataFrame  # the training points, in order of time
@@ -64,7 +64,7 @@ class Simulator:
         return Motion.of(self.known)
 
     def base_mm(self, turns: Array, load_n: Array) -> Array:
-        """Contraction in mm by the simulator in which nothing acts, shape (points,)."""
+        """Contraction in mm by the simulator without any mechanism, shape (points,)."""
         return self._base_mm(turns, load_n, self.values, self.zero_mm)
 
     def _base_mm(self, turns: Array, load_n: Array, values: list[float], zero_mm: float) -> Array:
@@ -111,12 +111,12 @@ class Simulator:
         return best_turns
 
     def _slope(self, turns: Array, load_n: Array) -> Array:
-        """Slope of the simulator in which nothing acts, in mm/turn, shape (points,)."""
+        """Slope of the simulator without any mechanism, in mm/turn, shape (points,)."""
         further_mm = self.base_mm(turns + NUDGE_TURNS, load_n) - self.base_mm(turns - NUDGE_TURNS, load_n)
         return further_mm / (2.0 * NUDGE_TURNS)
 
     def _added_mm(self, points: pd.DataFrame, turns: Array) -> tuple[Array, Array]:
-        """What acts adds at asked points that the motor moved through `turns`, in mm, and its slope in mm a turn."""
+        """What the mechanisms add at points that the motor moved to `turns`, in mm, and its slope in mm a turn."""
         if not self.acts:
             return np.zeros(len(points)), np.zeros(len(points))
         moved = points[["time_s", "load_n", *CUT]].assign(motor_turns=turns)
@@ -132,7 +132,7 @@ class Simulator:
         return np.interp(at, even.time_s, added_mm + self.level_mm - level_mm), np.interp(at, even.time_s, steep)
 
     def _along_mm(self, motion: Motion, nudge_turns: Array) -> Array:
-        """What acts adds along a motion that is moved by nudges, in mm, shape (points of the motion,)."""
+        """What the mechanisms add along a motion with small changes, in mm, shape (points of the motion,)."""
         turns = motion.motor_turns + nudge_turns
         problem = along(self.run, replace(motion, motor_turns=turns), float(self.motion.time_s[0]))
         state = State(np.array(self.values), np.array([self.zero_mm]), self.acts)

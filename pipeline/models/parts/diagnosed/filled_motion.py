@@ -1,4 +1,4 @@
-"""What a motor did in a run, as far as it is known: measured points and estimates, the gaps between them filled."""
+"""The motion of a run's motor, as far as it is known: measured points and estimates, with the gaps filled."""
 
 from dataclasses import dataclass
 
@@ -28,7 +28,7 @@ class Motion:
 
     @classmethod
     def of(cls, points: pd.DataFrame) -> "Motion":
-        """The motion through points, one a time stamp: of several the first in the table."""
+        """The motion through points, one for each time stamp: of several the first in the table."""
         _, first = np.unique(points["time_s"].to_numpy(float), return_index=True)
         time_s, turns, load_n = (points[name].to_numpy(float)[first] for name in ("time_s", "motor_turns", "load_n"))
         stroke, phase = points["stroke"].to_numpy(np.intp)[first], points["phase"].to_numpy(object)[first]
@@ -40,7 +40,7 @@ class Motion:
         return float(np.median(np.diff(self.time_s)))
 
     def evenly(self, step_s: float) -> "Motion":
-        """The same motion with a point every step or a little less, straight between the points that it has.
+        """The same motion with a point every step or a little less, on straight lines between its points.
 
         A gap has the same samples whatever else is asked, so that a mechanism sees motion as dense as in its fit. It
         belongs to the stroke and the phase that it follows, as a stand does where a recording is cut.
@@ -58,7 +58,7 @@ class Motion:
 
 
 def one_way(time_s: Array, turns: Array, weight: Array, rising: bool) -> Array:
-    """Twist of one winding (rising) or unwinding that is nearest to estimates by weight, shape (points,).
+    """Twist of one winding (rising) or unwinding that fits weighted estimates best, shape (points,).
 
     A motor has inertia: what moves one way alone would go in steps, and steps are rates that no motor had. Time in s,
     twist in turns, weights beside each other.
@@ -71,7 +71,7 @@ def one_way(time_s: Array, turns: Array, weight: Array, rising: bool) -> Array:
 
 
 def path(known_points: pd.DataFrame, points: pd.DataFrame, turns: Array, weight: Array) -> Array:
-    """Twist of asked points of one run, in turns, whose estimates have weights: each stretch of a stroke moves one way.
+    """Twist of points of one run, in turns, from weighted estimates: each stretch of a stroke moves one way.
 
     Known points of the same stretch hold it where they are. `turns` and `weight` have the shape (asked points,), and so
     has the answer.

@@ -1,1 +1,1 @@
-"""What the networks are made of, and how they are trained."""
+"""The parts of the networks, and their training."""

@@ -89,7 +89,7 @@ def mixing_layers(count: int, size: int, composite: str, seed: int) -> list[Tens
 
 
 def product(layers: list[Tensor], size: int) -> Tensor:
-    """The one permutation that does what the layers do one after the other. Shape (size,): columns, as indices."""
+    """The one permutation that equals the layers one after the other. Shape (size,): columns, as indices."""
     columns = torch.arange(size)
     for permutation in layers:
         columns = columns[permutation]
@@ -97,7 +97,7 @@ def product(layers: list[Tensor], size: int) -> Tensor:
 
 
 class InvertibleNet(nn.Module):
-    """Coupling blocks with a mixing layer between each two, from (points, size) to (points, size) and back."""
+    """Coupling blocks with mixing layers between them, from (points, size) to (points, size) and back."""
 
     def __init__(
         self,

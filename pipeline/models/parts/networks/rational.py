@@ -33,7 +33,7 @@ class Knots:
 
 @dataclass(frozen=True)
 class _Piece:
-    """Where each point lies: its bin, how far in it (0 to 1), and what the bin's curve is made of."""
+    """The position of each point: its bin, how far in it (0 to 1), and the bin's curve."""
 
     bin: NDArray[np.intp]
     share: Array
@@ -55,7 +55,7 @@ def _piece(knots: Knots, u: Array) -> _Piece:
 
 
 def _beyond(knots: Knots, u: Array) -> Array:
-    """Value added by the straight lines outside the outer knots."""
+    """The value added by the straight lines outside the outer knots."""
     below, above = np.minimum(u - knots.at[0], 0.0), np.maximum(u - knots.at[-1], 0.0)
     return below * knots.slope[:, 0] + above * knots.slope[:, -1]
 
@@ -85,7 +85,7 @@ def inverse(knots: Knots, y: Array) -> Array:
 
 
 def by_logarithms(knots: Knots, u: Array) -> tuple[Array, Array]:
-    """Change of the value by the logarithm of each rise and of each slope.
+    """The change of the value with the logarithm of each rise and of each slope.
 
     Shape (points, knots - 1) and (points, knots), in the unit of the knots' values.
     """

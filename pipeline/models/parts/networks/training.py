@@ -42,14 +42,14 @@ def write_weights(path: Path, content: SavedNetwork) -> None:
 
 
 def read_weights(path: Path) -> SavedNetwork:
-    """What `write_weights` wrote; raises BadInput for a damaged file, anything for a model of another kind."""
+    """The content that `write_weights` wrote; raises BadInput for a damaged file, anything for another model."""
     content: SavedNetwork = torch.load(io.BytesIO(read_bytes(path)), weights_only=True)
     return content
 
 
 @contextmanager
 def repeatable(seed: int) -> Iterator[None]:
-    """Make what runs inside give the same numbers for the same seed, and leave torch's own generator as it was.
+    """Make the code inside give the same numbers for the same seed, and leave torch's own generator unchanged.
 
     One thread: sums do not depend on the number of cores, and on shared cores two threads are slower.
     """
@@ -61,12 +61,12 @@ def repeatable(seed: int) -> Iterator[None]:
 
 
 def tensor(values: object) -> Tensor:
-    """An array as a float32 tensor. It stays of its shape and in its unit."""
+    """An array as a float32 tensor. It keeps its shape, and stays in its unit."""
     return torch.as_tensor(values, dtype=torch.float32)
 
 
 class Adam(torch.optim.Adam):
-    """torch's own, bare of what tells torch's compiler to leave it alone: that imports the compiler, 2 s a process."""
+    """Adam of torch, without its mark for torch's compiler: the mark imports the compiler, 2 s a process."""
 
     add_param_group = inspect.unwrap(torch.optim.Adam.add_param_group)
     zero_grad = inspect.unwrap(torch.optim.Adam.zero_grad)

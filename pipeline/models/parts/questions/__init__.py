@@ -1,1 +1,1 @@
-"""Questions of a table → answers with intervals, or why there is none."""
+"""Questions of a table → answers with intervals, or the reason why there is none."""

@@ -1,4 +1,4 @@
-"""Rows of a file of questions that cannot be answered: all of them are named at once, and the others answered."""
+"""Rows of a file of questions that cannot be answered: all are named at once, and the others are answered."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,7 +14,7 @@ SHOWN = 10  # rows, or stretches of rows, that are named; of the others it is sa
 
 
 class BadRow(NamedTuple):
-    """What is wrong with a row, and the mend: its `column` (or none) `is`, and what that is `not`."""
+    """A fault of a row, and the mend: its `column` (or none) is `what`, and not `instead`."""
 
     row: int  # 1 stands below the header
     column: str
@@ -24,14 +24,14 @@ class BadRow(NamedTuple):
 
 
 def of_mask(mask: NDArray[np.bool_], column: str, what: Sequence[str] | str, instead: str, mend: str) -> list[BadRow]:
-    """A bad row for each place of a mask, of the shape (rows,), without unit; `what` is one for all or one for each."""
+    """A bad row for each True of a mask, of the shape (rows,), without unit; `what` is one for all or one for each."""
     rows = np.flatnonzero(mask)
     texts = [what] * len(rows) if isinstance(what, str) else what
     return [BadRow(int(row) + 1, column, text, instead, mend) for row, text in zip(rows, texts, strict=True)]
 
 
 def first_of_each(wrong: Sequence[BadRow]) -> list[BadRow]:
-    """Each bad row once, by the first thing that is wrong with it, in the order of the rows."""
+    """Each bad row once, with its first fault, in the order of the rows."""
     by_row: dict[int, BadRow] = {}
     for entry in wrong:
         by_row.setdefault(entry.row, entry)
@@ -39,7 +39,7 @@ def first_of_each(wrong: Sequence[BadRow]) -> list[BadRow]:
 
 
 def reason(entry: BadRow) -> str:
-    """What is wrong with a row, and the mend, in the words of its answer."""
+    """The fault of a row, and the mend, in the words of its answer."""
     return f"no question: {entry.column} {entry.what}{entry.instead}; {entry.mend}".replace(":  ", ": ")
 
 
@@ -58,7 +58,7 @@ def refusal(path: Path, bad: Sequence[BadRow], answered: int) -> BadInput:
 
 
 def _mends(bad: Sequence[BadRow]) -> str:
-    """Each mend with the rows that it is for; without rows where all have the same."""
+    """Each mend with its rows; without rows where all have the same mend."""
     rows_by_mend: dict[str, list[int]] = {}
     for entry in bad:
         rows_by_mend.setdefault(entry.mend, []).append(entry.row)

@@ -13,7 +13,7 @@ from .unanswered import reasons
 
 
 def with_intervals(intervals: Intervals, points: pd.DataFrame, from_column: str, level: float) -> pd.DataFrame:
-    """Value, low and high in the answer's unit, whether the question lies inside, and why not.
+    """Value, low and high in the answer's unit, whether the question lies inside, and the reason if not.
 
     Where there is no interval low and high are no numbers.
     """
@@ -26,7 +26,7 @@ def with_intervals(intervals: Intervals, points: pd.DataFrame, from_column: str,
 
 
 def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str], pd.DataFrame]) -> pd.DataFrame:
-    """What was asked beside its answer; of the other columns, such as the load, those that the questions tell.
+    """The questions beside their answers; other columns, such as the load, only if the questions give them.
 
     Where some rows ask for the twist and others for the contraction, the column `asked_for` says which. A row that is
     no question stays in its place, without an answer: its reason is in `why`.
@@ -48,7 +48,7 @@ def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str],
 
 
 def _with_bad(table: pd.DataFrame, questions: Questions) -> pd.DataFrame:
-    """The answers in the order of the file's rows, and what stands in the bad ones beside what is wrong with it."""
+    """The answers in the order of the file's rows, and the reasons in the rows that are bad."""
     if not questions.bad:
         return table
     why = [reason(entry) for entry in questions.bad]

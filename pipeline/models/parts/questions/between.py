@@ -1,4 +1,4 @@
-"""How wide an interval is between recorded loads, or between recorded values of whatever else differs.
+"""The width of an interval between recorded loads, or between recorded values of other conditions.
 
 A recorded value with others on both sides is left out whole, and a model fitted to the rest is asked about it. Between
 recorded values intervals are wider by what those errors have above the usual half width. The points of one value err
@@ -29,7 +29,7 @@ MOST = 4  # values of a condition that are left out, evenly chosen: each costs a
 
 
 class Between:
-    """What tells the errors between recorded values; the fits are made when the first question asks for them."""
+    """Measures the errors between recorded values; the fits are made when the first question needs them."""
 
     def __init__(self, make: Callable[[], Model], points: pd.DataFrame, seed: int) -> None:
         self.make, self.points, self.seed = make, points, seed
@@ -39,7 +39,7 @@ class Between:
         self, model: Model, points: pd.DataFrame, pairs: tuple[Paired, ...], wanted: str, turns: Array, level: float,
         value: Array, half: Array,
     ) -> tuple[Array, Array]:  # fmt: skip
-        """The ends of intervals, reaching further than `half` where a question lies between recorded values.
+        """The ends of intervals, wider than `half` where a question lies between recorded values.
 
         Value, half and ends are in the wanted column's unit, twist in turns; all have the shape (points,).
         """
@@ -63,19 +63,19 @@ class Between:
         return low, high
 
     def left_out(self, paired: Paired) -> list[tuple[float, float]]:
-        """The recorded ranges of a condition that can be left out, as others lie on both sides; in its unit."""
+        """The recorded ranges of a condition that can be left out, since others lie on both sides; in its unit."""
         inner = paired.groups()[1:-1]
         return [inner[place] for place in np.unique(np.linspace(0, len(inner) - 1, MOST).astype(int))] if inner else []
 
     def said(self, paired: Paired) -> str:
-        """What an interval between recorded values of a condition rests on."""
+        """What an interval between recorded values of a condition is based on."""
         count = len(self.left_out(paired))
         if not count:
             return "the interval reaches over the answers at both"
         return f"the interval is as wide as the errors at {counted(count, 'recorded value')} left out whole"
 
     def _half(self, paired: Paired, wanted: str, turns: Array, direction: Array, level: float) -> Array:
-        """Half widths by the values left out, in the wanted column's unit; twist in turns; shape (points,)."""
+        """Half widths from the left-out values, in the wanted column's unit; twist in turns; shape (points,)."""
         if paired.name not in self.errors:
             values = self.points[paired.name]
             apart = [values.between(*ends) for ends in self.left_out(paired)]
@@ -91,6 +91,6 @@ class Between:
 
 
 def few(values: int, level: float) -> float:
-    """How much wider an interval is that rests on errors at so few values: Student's quantile over the normal one."""
+    """The factor on an interval from errors at so few values: Student's quantile over the normal one."""
     tail = 0.5 * (1.0 + level)
     return float(special.stdtrit(values, tail) / special.ndtri(tail))

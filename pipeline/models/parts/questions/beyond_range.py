@@ -1,4 +1,4 @@
-"""A number of a question that lies beyond a range, in words: which one, which end, and what that end is."""
+"""A number of a question beyond a range, in words: which number, which end, and the value of that end."""
 
 import math
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ DIGITS = 4  # of a limit
 
 
 def beyond(name: str, value: float, low: float, high: float, range_is: str) -> str:
-    """Say that a number, in its column's unit, is none from `low` to `high`; `range_is` such as "was recorded"."""
+    """Say that a number, in its column's unit, is beyond a range; `range_is` such as "was recorded"."""
     if name == "direction":
         way = "winding" if value > 0 else "unwinding"
         return f"{way} (direction {value:g}) is nothing that {range_is}"
@@ -30,7 +30,7 @@ def with_unit(name: str, value: float) -> str:
 
 
 def inward(limit: float, up: bool) -> float:
-    """An end of a range to four digits, rounded into the range: whoever asks that very number is inside."""
+    """An end of a range to four digits, rounded into the range, so that a question with that number is inside."""
     if limit == 0.0 or not math.isfinite(limit):
         return limit
     scale = 10.0 ** (DIGITS - 1 - math.floor(math.log10(abs(limit))))
@@ -39,12 +39,12 @@ def inward(limit: float, up: bool) -> float:
 
 
 def also(sentence: str, reason: str, between: str = "; ") -> str:
-    """A sentence with one reason more."""
+    """A sentence with one more reason."""
     return between.join(filter(None, (sentence, reason)))
 
 
 def held(turns: float, least_mm: float, most_mm: float, conditions: Sequence[str], around: str = "") -> str:
-    """Say that a twist, in turns, is an end of its range, since the range gives only contractions between two.
+    """Say that a twist, in turns, is held at an end of its range, since the range only gives contractions between two.
 
     `conditions` are the columns of those that a question tells; `around` those, in words, around which no more was
     recorded.

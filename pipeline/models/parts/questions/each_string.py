@@ -1,4 +1,4 @@
-"""Questions about several strings, each answered by what its own string was fitted to."""
+"""Questions about several strings, each answered by the model of its own string."""
 
 from collections.abc import Callable
 
@@ -8,7 +8,7 @@ Answer = Callable[[pd.DataFrame, str], pd.DataFrame]  # of questions, and the co
 
 
 def by_string(answer_of: Callable[[str], Answer]) -> Answer:
-    """What answers questions about any string: `answer_of` gives what answers those about one, and is asked once."""
+    """A function that answers questions about any string; `answer_of` gives that for one string, and is called once."""
     of_string: dict[str, Answer] = {}
 
     def answer(points: pd.DataFrame, from_column: str) -> pd.DataFrame:

@@ -1,4 +1,4 @@
-"""How a model errs on points that it was fitted without, and which column each of its maps predicts from which."""
+"""The errors of a model on points left out of its fit, and the input and output column of each of its maps."""
 
 from collections.abc import Callable
 
@@ -13,7 +13,7 @@ MAPS = {"displacement_mm": "forward", "motor_turns": "inverse"}
 
 
 def foreseen(make: Callable[[], Model], training: pd.DataFrame, rest: pd.DataFrame, seed: int) -> pd.DataFrame:
-    """Errors of both maps on points that a model fitted on the known ones has not seen."""
+    """Errors of both maps on left-out points, by a model fitted on the known points."""
     model = make()
     model.fit(training, seed)
     turns = model.inverse(rest.assign(motor_turns=np.nan))

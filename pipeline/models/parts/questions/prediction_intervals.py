@@ -1,4 +1,4 @@
-"""Prediction intervals, forward and inverse, from how well a model foresaw the last strokes that it had not yet seen.
+"""Prediction intervals, forward and inverse, from a model's errors on last strokes that it had not seen.
 
 Conformal in kind: no law of the errors is assumed. The model is fitted without the last strokes, then without fewer,
 and each time asked about those that follow (rolling origin). Errors are counted in units of the local scatter, which
@@ -34,17 +34,17 @@ from .scatter import Scatter, quantile
 
 
 class TooFew(ValueError):
-    """Points from which it cannot be learnt how a model errs."""
+    """Raised for too few points to learn a model's errors from."""
 
 
 class Intervals:
-    """A fitted model with what its errors are like; `make` returns an unfitted model of its kind."""
+    """A fitted model with its error statistics; `make` returns an unfitted model of its kind."""
 
     def __init__(self, make: Callable[[], Model]) -> None:
         self.make = make
 
     def fit(self, points: pd.DataFrame, seed: int) -> None:
-        """Fit the model on all points, and on parts of them to see how it errs on the rest.
+        """Fit the model on all points, and on parts of them to measure its errors on the rest.
 
         Raises TooFew where the points are all of one block.
         """
@@ -90,7 +90,7 @@ class Intervals:
         return self._predicted(points, "motor_turns", level)
 
     def quantile(self, wanted: str, ahead: int, level: float) -> float:
-        """Half width, in units of the scatter, so many strokes ahead of those seen; infinite where none was tried."""
+        """Half width, in units of the scatter, so many strokes ahead of those seen; infinite where never measured."""
         width_by_ahead = {n: quantile(values, level) for n, values in self.scores[wanted].items() if len(values)}
         numbers = sorted(width_by_ahead)
         if ahead > numbers[-1]:
@@ -98,7 +98,7 @@ class Intervals:
         return float(np.interp(ahead, numbers, np.maximum.accumulate([width_by_ahead[n] for n in numbers])))
 
     def outside(self, points: pd.DataFrame, wanted: str, turns: Array) -> dict[str, Mask]:
-        """Which questions lie outside what was recorded, by the column that is why: masks of shape (points,).
+        """Which questions lie outside the recorded range, by the column at fault: masks of shape (points,).
 
         `pairs` are those whose twist was not recorded around their load, or what else differs, `under` those whose
         stroke was not, as far as their twist in turns, which was asked with or answered; of shape (points,).
@@ -114,11 +114,11 @@ class Intervals:
         return {name: np.asarray(mask, bool) for name, mask in wrong.items() if mask.any()}
 
     def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:
-        """The range of twists recorded around each question's conditions, with its room, in turns; shape (points,)."""
+        """The range of recorded twists around each question's conditions, with its room, in turns; shape (points,)."""
         return turns_at(self.pairs, points, (self.box.low["motor_turns"], self.box.high["motor_turns"]))
 
     def brought(self, points: pd.DataFrame, level: float) -> tuple[Array, Mask]:
-        """Twists in turns, within those recorded, and which are held at their end; each of shape (points,).
+        """Twists in turns, within the recorded ones, and which are held at an end; each of shape (points,).
 
         Held is one whose contraction is further from the asked one than the interval of the level.
         """
@@ -130,7 +130,7 @@ class Intervals:
         return last_seen(points, self.strokes)
 
     def ahead(self, wanted: str) -> int:
-        """How many strokes after the last recorded one have an interval."""
+        """For how many strokes after the last recorded one there is an interval."""
         return max(number for number, values in self.scores[wanted].items() if len(values))
 
     def _predicted(self, points: pd.DataFrame, wanted: str, level: float) -> pd.DataFrame:

@@ -1,4 +1,4 @@
-"""Questions as points of a dataset: each row tells the twist or the contraction, and is asked for the other."""
+"""Questions as points of a dataset: each row gives the twist or the contraction, and asks for the other."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ LABELS = ("actuator", "string", "material", "phase")  # columns of words that ar
 
 @dataclass(frozen=True)
 class Questions:
-    """The questions of a file: `points`, those that can be answered, with the dataset's columns; numbered anew.
+    """The questions of a file: `points` are those that can be answered, with the dataset's columns; numbered anew.
 
     In each point the wanted one of twist and contraction is NaN.
     """
@@ -58,7 +58,7 @@ def questions_of(table: pd.DataFrame, dataset: pd.DataFrame, each_string: bool =
 
 
 def _known(dataset: pd.DataFrame) -> list[str]:
-    """The columns of questions about a dataset that are read."""
+    """The columns that questions about a dataset may have."""
     return [name for name in (*COLUMNS, *LABELS) if name in dataset]
 
 
@@ -105,7 +105,7 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_
 
 
 def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.DataFrame]]:
-    """Of twist and contraction each that some rows tell, with those rows' places and the rows, numbered anew.
+    """For twist and contraction, if some rows give it: the places of these rows, and the rows, numbered anew.
 
     Places have the shape (rows,), without unit.
     """
@@ -116,7 +116,7 @@ def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.D
 
 
 def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset: pd.DataFrame) -> list[BadRow]:
-    """The rows that ask nothing, ask two things, or ask what has no sense; raises BadInput for another actuator."""
+    """The rows that ask nothing, two things, or something impossible; raises BadInput for another actuator."""
     given_by = [points[name].notna().to_numpy() for name in EITHER]
     both, neither = " and ".join(EITHER), " nor ".join(EITHER)
     strange = (points["actuator"].notna() & ~points["actuator"].isin(set(dataset["actuator"]))).to_numpy()
@@ -145,14 +145,14 @@ def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset
 
 
 def _unrecorded(strings: pd.Series, dataset: pd.DataFrame) -> list[BadRow]:
-    """The rows about a string without a recording, where nothing answers for that string alone."""
+    """The rows about a string without a recording, where no model answers for that string alone."""
     strange = (strings.notna() & ~strings.astype(str).isin(set(dataset["string"].astype(str)))).to_numpy()
     each = [f"is {shown(str(string))}" for string in strings[strange]]
     return of_mask(strange, "string", each, ", which has no recording", _which(dataset["string"]))
 
 
 def _which(recorded: pd.Series) -> str:
-    """What a column holds in the recordings, for whoever is to fill it in."""
+    """The recorded values of a column, as a help for filling it in."""
     if recorded.dtype.kind in "iuf":
         unit = unit_of(str(recorded.name)).replace("1", "")
         return f"recorded are {recorded.min():.4g} to {recorded.max():.4g} {unit}".rstrip()

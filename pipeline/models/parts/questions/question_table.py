@@ -1,4 +1,4 @@
-"""A csv of questions as it stands: every cell where its header says, every column known, nothing guessed."""
+"""A csv of questions, read strictly: every cell under its header, every column known, nothing guessed."""
 
 import difflib
 from collections.abc import Collection
@@ -43,7 +43,7 @@ def question_table(path: Path, columns: Collection[str]) -> pd.DataFrame:
 
 
 def known_columns(cells: pd.DataFrame, path: Path, columns: Collection[str]) -> pd.DataFrame:
-    """The table as it is, if each of its columns is known and stands once; raises BadInput naming the column."""
+    """The table unchanged, if each of its columns is known and occurs once; raises BadInput naming the column."""
     wrong = [name for name in cells.columns if name not in columns]
     if wrong:
         are = "are not columns that are read" if len(wrong) > 1 else "is not a column that is read"
@@ -55,7 +55,7 @@ def known_columns(cells: pd.DataFrame, path: Path, columns: Collection[str]) -> 
 
 
 def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty: bool = False) -> list[BadRow]:
-    """Rows of a column with words or infinite numbers where numbers belong, or empty where no recorded one is."""
+    """Rows of a column with words or infinite numbers in place of numbers, or empty where recordings have a value."""
     name, bad = str(cells.name), []
     empty = cells.isna().to_numpy()
     if recorded.notna().all() and not may_be_empty:
@@ -77,7 +77,7 @@ def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty
 
 
 def _all_meant(names: list[str], columns: Collection[str]) -> str:
-    """What to write for each of several wrong columns; where one is near none, which columns there are."""
+    """The right name for each of several wrong columns; for one without a near name, all names."""
     if len(names) == 1:
         return _meant(names[0], columns)
     near = {name: column for name in names if (column := _nearest(name, columns))}
@@ -88,13 +88,13 @@ def _all_meant(names: list[str], columns: Collection[str]) -> str:
 
 
 def _renamed(name: str, columns: Collection[str]) -> str:
-    """The column of the quantity that a name is another word for; empty where it is none."""
+    """The known column for a name with the same meaning; empty where there is none."""
     words = {name.lower(), name.lower().rpartition("_")[0]}
     return next((column for column, others in OTHER_NAMES.items() if others & words and column in columns), "")
 
 
 def _nearest(name: str, columns: Collection[str]) -> str:
-    """The column that a misspelt or shortened one stands for; empty where none or several may be meant."""
+    """The known column for a misspelt or shortened name; empty where none or several fit."""
     if renamed := _renamed(name, columns):
         return renamed
     begun = [column for column in columns if len(name) > 2 and column.startswith(name)]
@@ -103,7 +103,7 @@ def _nearest(name: str, columns: Collection[str]) -> str:
 
 
 def _meant(name: str, columns: Collection[str]) -> str:
-    """The column that a misspelt one is nearest to, with its unit; or all of them."""
+    """The known column nearest to a misspelt name, with its unit; or all of them."""
     if renamed := _renamed(name, columns):
         return f"rename it: {renamed}? That is in {unit_of(renamed)}"
     nearest = _nearest(name, columns)
@@ -114,7 +114,7 @@ def _meant(name: str, columns: Collection[str]) -> str:
 
 
 def _has_comma(cell: str) -> bool:
-    """Whether a cell is a number but for its decimal comma."""
+    """Whether a cell is a number with a decimal comma."""
     try:
         float(cell.replace(",", ".", 1))
     except ValueError:

@@ -1,4 +1,4 @@
-"""Which contractions no twist of a range gives by a model, at each question's stroke, direction and load."""
+"""Contractions that a model gives for no twist of a range, at each question's stroke, direction and load."""
 
 from collections.abc import Callable
 
@@ -13,7 +13,7 @@ Turns = tuple[float, float] | tuple[Array, Array]  # the least and the largest t
 
 
 def reached_mm(model: Model, points: pd.DataFrame, turns: Turns) -> tuple[Array, Array]:
-    """The least and the largest contraction that a model gives between two twists, in mm.
+    """The least and the largest contraction of a model between two twists, in mm.
 
     Each has the shape (points,); twists in turns. Contraction rises with twist but for a flat beginning, so the ends
     of the range tell.
@@ -23,12 +23,12 @@ def reached_mm(model: Model, points: pd.DataFrame, turns: Turns) -> tuple[Array,
 
 
 def contraction_mm(model: Model, points: pd.DataFrame, turns: float | Array) -> Array:
-    """What a model gives at a twist in turns, one or of shape (points,), in each question's state, in mm."""
+    """The contraction of a model at a twist in turns, one or of shape (points,), in each question's state, in mm."""
     return model.forward(points.assign(motor_turns=turns, displacement_mm=np.nan))
 
 
 def unreached(model: Model, points: pd.DataFrame, turns: Turns) -> NDArray[np.bool_]:
-    """Whether each question's contraction lies beyond what the model gives between two twists.
+    """Whether each question's contraction lies beyond those of the model between two twists.
 
     `points` tell the contraction in mm, `turns` the two twists in turns. The mask has the shape (points,).
     """
@@ -40,7 +40,7 @@ def unreached(model: Model, points: pd.DataFrame, turns: Turns) -> NDArray[np.bo
 def brought(
     model: Model, points: pd.DataFrame, turns: tuple[Array, Array], room_mm: Callable[[Array], Array]
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Each question's twist, brought into its range, and whether it gives another contraction than the one asked for.
+    """Each question's twist, limited to its range, and whether it then gives another contraction than asked for.
 
     Another is one that is further off than `room_mm`, by twists in turns, at the answered twist. `points` tell the
     contraction in mm, `turns` the ends of the range in turns; all have the shape (points,).

@@ -1,4 +1,4 @@
-"""Which twists were recorded at which load, or at which value of whatever else differs among the recordings.
+"""Which twists were recorded at which load, or at which value of another condition.
 
 Two numbers can each lie in their range, and nothing near the two together was ever recorded: a load that was wound
 only half as far. So the recorded pairs of a condition and the twist count with all that lies between them, their
@@ -44,18 +44,18 @@ class Paired:
         return cls(name, values, wide, (below, upper(values, wide, most.to_numpy(float) + turns_wide)))
 
     def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:
-        """Least and largest twist around each question's value of the condition, in turns; each of shape (points,)."""
+        """Least and largest recorded twist around each question's value, in turns; each of shape (points,)."""
         at = points[self.name].to_numpy(float)
         below, above = (np.interp(at, *corners.T) for corners in self.corners)
         return below, above
 
     def groups(self) -> list[tuple[float, float]]:
-        """The recorded values in ranges that nothing parts by more than their room; least and most, in its unit."""
+        """The recorded values in groups with gaps wider than their room; the least and most of each, in its unit."""
         parted = np.split(self.values, 1 + np.flatnonzero(np.diff(self.values) > 2.0 * self.room))
         return [(float(near[0]), float(near[-1])) for near in parted]
 
     def neighbours(self, points: pd.DataFrame) -> tuple[Array, Array]:
-        """The recorded values below and above each question's that lies between them and near neither, else NaN.
+        """The recorded values below and above a question's value, if it is near neither; else NaN.
 
         In the condition's unit, each of shape (points,).
         """
@@ -68,7 +68,7 @@ class Paired:
         return ends[0], ends[1]
 
     def gaps(self, points: pd.DataFrame) -> list[str]:
-        """Of each question whose value lies between recorded ones, and near none, which ones; else empty."""
+        """For each question with a value between recorded ones, and near none, these; else an empty text."""
         unit = unit_of(self.name)
         sentences = [""] * len(points)
         for row, (below, above) in enumerate(zip(*self.neighbours(points), strict=True)):
@@ -79,7 +79,7 @@ class Paired:
         return sentences
 
     def never(self, points: pd.DataFrame, turns: Array) -> list[str]:
-        """Of each question whose twist was not recorded around its value of the condition, that it was not.
+        """For each question whose twist was not recorded around its value of the condition, a sentence on that.
 
         Empty for the others, and for one whose condition is out of its range. Twists in turns, of shape (points,).
         """
@@ -103,7 +103,7 @@ def pairs_of(points: pd.DataFrame) -> tuple[Paired, ...]:
 
 
 def turns_at(pairs: tuple[Paired, ...], points: pd.DataFrame, turns: tuple[float, float]) -> tuple[Array, Array]:
-    """The range of twists at each question's conditions, within one of all, in turns; each of shape (points,)."""
+    """The range of twists at each question's conditions, within an overall one, in turns; each of shape (points,)."""
     low, high = (np.full(len(points), end) for end in turns)
     for paired in pairs:
         least, most = paired.turns(points)
@@ -112,7 +112,7 @@ def turns_at(pairs: tuple[Paired, ...], points: pd.DataFrame, turns: tuple[float
 
 
 def around(pairs: tuple[Paired, ...], points: pd.DataFrame, ends: Array) -> list[str]:
-    """Of each question the conditions, in words, that make a twist in turns the end of its range; ends: (points,)."""
+    """For each question the conditions, in words, that limit its twists in turns to the end given; ends: (points,)."""
     words = [""] * len(points)
     for paired in pairs:
         least, most = paired.turns(points)
@@ -122,7 +122,7 @@ def around(pairs: tuple[Paired, ...], points: pd.DataFrame, ends: Array) -> list
 
 
 def upper(values: Array, wide: float, heights: Array) -> Array:
-    """Corners of the upper hull, shape (corners, 2), of heights over values that count so wide to either side.
+    """Corners of the upper hull, shape (corners, 2), of heights over values that extend by `wide` to either side.
 
     Values and heights have the shape (values,), each in its own unit, which the corners have as well.
     """

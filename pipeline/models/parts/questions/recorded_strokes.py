@@ -1,4 +1,4 @@
-"""Which strokes were recorded under which load: of runs that follow each other under other loads, not every pair.
+"""Which strokes were recorded under which load: of runs one after another under other loads, not every pair is.
 
 A stroke and a load can each lie in their range, and no stroke near was ever recorded under a load near: a string that
 was worked under 30 N in strokes 1 to 6 and under 20 N after. So the recorded pairs of load and stroke count with all
@@ -29,7 +29,7 @@ Corners = tuple[Array, Array]  # below and above, each (corners, 2): load in N, 
 
 @dataclass(frozen=True)
 class Under:
-    """The recorded pairs of load, in N, and stroke, by how far the stroke was wound under it."""
+    """The recorded pairs of load, in N, and stroke, for several depths of winding."""
 
     values: Array  # (values,): loads, each once, rising; in N
     room: float
@@ -40,7 +40,7 @@ class Under:
 
     @classmethod
     def of(cls, points: pd.DataFrame, ahead: int) -> "Under | None":
-        """The pairs of recorded points, of which errors were measured so many strokes ahead; None of one load alone."""
+        """The pairs of recorded points, with errors measured up to `ahead` strokes later; None for a single load."""
         if LOAD not in Conditions.of(points, (LOAD,)).names or not np.isfinite(points[LOAD].to_numpy(float)).all():
             return None
         numbers = {LOAD: float, "stroke": float, "motor_turns": float}
@@ -63,7 +63,7 @@ class Under:
         return cls(values, wide, np.array(levels), tuple(hulls), float(table["stroke"].max()))
 
     def strokes(self, points: pd.DataFrame, turns: Array) -> tuple[Array, Array]:
-        """First and last stroke around each question's load at its twist in turns, with what is near.
+        """First and last recorded stroke around each question's load at its twist in turns.
 
         Each of shape (points,).
         """
@@ -74,7 +74,7 @@ class Under:
         return below[rows, level], above[rows, level]
 
     def never(self, points: pd.DataFrame, turns: Array) -> list[str]:
-        """Of each question whose stroke was not recorded around its load and twist, that it was not; else empty.
+        """For each question whose stroke was not recorded around its load and twist, a sentence on that; else empty.
 
         Empty as well where the load is out of its range. Twists in turns, of shape (points,).
         """
@@ -91,12 +91,12 @@ class Under:
         return sentences
 
     def _level(self, turns: Array) -> np.ndarray:
-        """The place of each question's hull, shape (points,), without unit; of a twist that is no number the first."""
+        """The place of each question's hull, shape (points,), without unit; for a twist that is NaN the first hull."""
         return np.maximum(np.searchsorted(self.levels, np.nan_to_num(turns, nan=-np.inf), "right") - 1, 0)
 
 
 def _hull(table: pd.DataFrame, wide: float) -> Corners:
-    """The hull of the pairs of a table, whose loads count so wide to either side, in N."""
+    """The hull of the pairs of a table, with loads that extend by `wide` to either side, in N."""
     strokes = table.groupby(LOAD, sort=True)["stroke"]
     least, most = strokes.min(), strokes.max()
     values = least.index.to_numpy(float)

@@ -1,4 +1,4 @@
-"""How large a map's errors are at a twist and a direction, and the quantiles of errors counted in that size.
+"""The size of a map's errors at a twist and a direction, and the quantiles of errors relative to that size.
 
 Source: Vovk, Gammerman and Shafer, Algorithmic Learning in a Random World, 2005 (conformal prediction).
 """
@@ -42,7 +42,7 @@ class Scatter:
 
 
 def quantile(sorted_scores: Array, level: float) -> float:
-    """The conformal quantile: the least score that at least a share `level` of n + 1 scores do not pass.
+    """The conformal quantile: the least score that a share `level` of n + 1 scores do not exceed.
 
     Scores have the shape (scores,), without unit.
     """

@@ -1,4 +1,4 @@
-"""Strings that a model does not tell apart: who asks about one of them gets the answer for all."""
+"""Strings that a model cannot tell apart: a question about one of them gets the answer for all."""
 
 import numpy as np
 import pandas as pd
@@ -12,7 +12,7 @@ ANSWER_OF = "answer_of"  # the column that says of which strings together an ans
 
 
 def strings_alike(dataset: pd.DataFrame) -> dict[str, str]:
-    """Each string of a dataset that no size and no material sets apart from another: those alike, in words."""
+    """Each string of a dataset with others of the same size and material: those alike, in words."""
     conditions = Conditions.of(dataset, SIZES)
     by_sizes: dict[tuple[float, ...], list[str]] = {}
     for string, points in dataset.groupby("string"):
@@ -22,7 +22,7 @@ def strings_alike(dataset: pd.DataFrame) -> dict[str, str]:
 
 
 def one_answer(model: str, alike: dict[str, str], options: str) -> str:
-    """That a model of a name has one answer for strings that are alike; empty where none are.
+    """The remark that a model has one answer for strings that are alike; empty where none are.
 
     The `options` are those of the command that answers for each string alone.
     """
@@ -36,7 +36,7 @@ def one_answer(model: str, alike: dict[str, str], options: str) -> str:
 
 
 def with_whom(answers: pd.DataFrame, strings: pd.Series, alike: dict[str, str]) -> pd.DataFrame:
-    """Answers with a column that says of which strings together each is; as they are where no strings are alike.
+    """Answers with a column of the strings that each is for; unchanged where no strings are alike.
 
     `strings` are those that were asked about, with the answers' index; an answer of one string alone has an empty cell.
     """

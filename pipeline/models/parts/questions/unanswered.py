@@ -1,4 +1,4 @@
-"""Why a question got no interval: which number it gives, and what was recorded of that.
+"""Why a question got no interval: which of its numbers is at fault, and its recorded range.
 
 A question lies outside the box of the recordings, at a twist or in a stroke that was not recorded around its load, or
 too many strokes ahead of the last recorded one of its string, or asks for a contraction that no recorded twist gives,
@@ -26,7 +26,7 @@ SHOWN = 5  # reasons that are printed; the file has all
 def reasons(
     intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDArray[np.bool_], level: float
 ) -> list[str]:
-    """Why each question is not `inside`, a sentence each, and that it lies between what was recorded; else empty.
+    """Why each question is not `inside`, a sentence each, or that it lies between recorded values; else empty.
 
     `points` are the questions, of which `wanted` is asked, with intervals of the `level`; `inside` has the shape
     (points,), without unit.
@@ -85,7 +85,7 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
 
 
 def first_of(sentences: Sequence[str]) -> list[str]:
-    """The first reasons, each once with the numbers of its rows; empty sentences are none."""
+    """The first reasons, each once with the numbers of its rows; empty sentences are left out."""
     rows_by_reason: dict[str, list[int]] = {}
     for number, sentence in enumerate(sentences, start=1):
         if sentence:
@@ -96,7 +96,7 @@ def first_of(sentences: Sequence[str]) -> list[str]:
 
 
 def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: int) -> str:
-    """What is wrong with one number of a question."""
+    """The fault of one number of a question."""
     box = intervals.box
     if name == "string":
         return f"string {value} has no recording here"
