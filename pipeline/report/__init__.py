@@ -1,1 +1,1 @@
-"""Metrics and predictions → what a person reads: tables, comparison, figures. Stands on files, not on models."""
+"""Metrics and predictions → pages for a person: tables, comparison, figures. It reads files, and no models."""

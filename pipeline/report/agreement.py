@@ -14,7 +14,7 @@ NAMES = {"average": "average error", "maximum": "maximum error", "rmse": "RMSE"}
 
 
 def differences(whole: pd.DataFrame) -> dict[tuple[int, str], list[float]]:
-    """Relative differences of the model's errors from the paper's by table and metric, one a stroke that both have.
+    """Relative differences of the model's errors from the paper's by table and metric, one for each common stroke.
 
     `whole` holds the metrics over the whole range of twist.
     """

@@ -90,7 +90,7 @@ def table(metrics: pd.DataFrame, number: int, strokes: list[str], titles: dict[s
 
 
 def another_rig(mark: MadeBy) -> str:
-    """Why nothing of this page can agree with the paper, and what makes a page that can."""
+    """Why no number on this page can agree with the paper, and how to make a page that can."""
     short = ", and its trainings are short" if mark.kind == "small" else ""
     return (
         f"No agreement with the paper is expected here: {plain(mark.name)} records another synthetic rig than the one "

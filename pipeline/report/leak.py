@@ -56,14 +56,14 @@ def parts_of(leak: pd.DataFrame, group: str) -> tuple[float, float]:
 
 
 def cancelled(leak: pd.DataFrame) -> str:
-    """How often the leak alone or the rest alone is larger than the whole error, and how; empty where it never is."""
+    """How often the leak alone or the rest alone exceeds the whole error, and how; empty where it never does."""
     mine = leak[leak["map"] == "inverse"].pivot_table(index=["model", "seed"], columns="metric", values="value")
     larger = {f"the {PARTS[part][2]}": int((mine[part] > LARGER * mine["rmse"]).sum()) for part in PARTS}
     return " ".join(CANCELS.format(words, count, len(mine)) for words, count in larger.items() if count)
 
 
 def is_large(leak: pd.DataFrame) -> bool:
-    """Whether an INN that was trained on the forward error alone errs on its way back mostly by leak."""
+    """Whether the inverse error of an INN trained only forward comes mostly from leak."""
     leaking, rest = parts_of(leak, "random_forward")
     return leaking > rest
 
@@ -76,7 +76,7 @@ def title(leak: pd.DataFrame) -> str:
 
 
 def outcome(leak: pd.DataFrame) -> str:
-    """Leak and rest of each kind of training, and which changes are remedies here: they bring it below the rest."""
+    """Leak and rest of each kind of training, and the remedies among them: those with less leak than rest."""
     parts = {letter: parts_of(leak, group) for group, letter in LETTERS.items()}
     numbers = []
     for letter, (leaking, rest) in parts.items():

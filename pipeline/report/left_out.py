@@ -19,7 +19,7 @@ HEAD = ("Run", "Material", "Why, and how to mend it")
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
-    """Add to a command line where the runs stand that were left out."""
+    """Add the option for the left-out runs to a command line."""
     more = "what the stages left out: JSON, or a run's table"
     parser.add_argument("--left-out", type=Path, nargs="*", default=[], metavar="FILE", help=more)
     parser.add_argument("--planned", default="[]", metavar="JSON", help="what the plan left out, as JSON")
@@ -46,7 +46,7 @@ def told(arguments: argparse.Namespace) -> list[LeftOut]:
 
 
 def beneath(suffix: str, runs: Sequence[LeftOut]) -> list[str]:
-    """What stands beneath a table in Markdown (`md`) or LaTeX (`tex`) where runs were left out; csv stays as it is."""
+    """The lines beneath a table in Markdown (`md`) or LaTeX (`tex`) on left-out runs; csv stays unchanged."""
     if suffix == "md":
         return [plain(f"Left out: run {quoted(left_out.run)}: {left_out.why}") for left_out in runs]
     return [f"Left out: {', '.join(quoted(left_out.run) for left_out in runs)}."] if runs else []

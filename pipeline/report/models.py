@@ -55,7 +55,7 @@ direction may do so in the column of winding, if it is worse in that of unwindin
 
 
 def columns(metrics: pd.DataFrame) -> dict[str, tuple[str, str, str]]:
-    """Heads of the columns and the stroke, phase and angle band that each is of.
+    """Heads of the columns, with the stroke, phase and angle band of each.
 
     Strokes are the paper's; if at most one of them is there, also the first and the last held-out stroke.
     """

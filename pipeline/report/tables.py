@@ -29,7 +29,7 @@ MOST = 3  # runs that a table names
 
 
 def shown(metrics: pd.DataFrame, number: int) -> pd.DataFrame:
-    """The metrics that Table I or II is of: winding, split `within`, the whole range of twist, one direction."""
+    """The metrics of Table I or II: winding, split `within`, the whole range of twist, one direction."""
     return metrics[
         (metrics["split"] == "within")
         & (metrics["phase"] == "winding")
@@ -59,7 +59,7 @@ def rows(
 
 
 def of_what(metrics: pd.DataFrame, number: int, titles: dict[str, str], runs: Sequence[str]) -> str:
-    """What the numbers of Table I or II are: of which material, points, seeds and runs."""
+    """The sources of the numbers in Table I or II: material, points, seeds and runs."""
     chosen = shown(metrics, number)
     seeds = chosen[chosen["model"].isin(titles)].groupby("model")["seed"].nunique()
     many = {count: [titles[model] for model in titles if seeds.get(model) == count] for count in sorted({*seeds} - {1})}
@@ -75,7 +75,7 @@ def of_what(metrics: pd.DataFrame, number: int, titles: dict[str, str], runs: Se
 
 
 def columns(number: int, material: str) -> list[Column]:
-    """What the columns of a material's csv hold."""
+    """The meaning of the columns of a material's csv."""
     unit = {1: "mm", 2: "turns of the motor"}[number]
     words = [
         "the model's title",

@@ -112,7 +112,7 @@ def check(run: Run, samples: pd.DataFrame, path: Path, where: Where = by_row) ->
 
 
 def _beyond(gone: Places, where: Where) -> Where:
-    """Where a row stands in the table without the rows `gone`."""
+    """Where a row stands, as a function of its number in a table without the rows `gone`."""
     before = gone - np.arange(len(gone))  # how many rows are left before each that is gone
     return lambda row: where(row + int(np.searchsorted(before, row, side="right")))
 

@@ -72,7 +72,7 @@ def spikes(rows: Rows, name: str) -> Places:
 
 
 def _hidden(rows: Rows, name: str, off: Callable[[int, int], Array], least: float) -> float:
-    """The noise that may hide below the resolution of a channel, from the samples' residuals `off`; all in its unit.
+    """The noise that may hide within the steps of a coarse channel, from its samples' distances `off`; in its unit.
 
     A sample that stands alone is no step: steps are common, or small beside the reading.
     """

@@ -122,7 +122,7 @@ def in_words(deviations: float) -> str:
 def chosen(
     options: Sequence[ProposedRun], number: int, limits: Limits | None, budget_left: Budget
 ) -> tuple[Step | None, str]:
-    """The run with the largest gap within limits and budget, and why it is not a better one.
+    """The best run that limits and budget allow, and why it is not a better one.
 
     Without such a run None, and the sentence that ends the loop.
     """

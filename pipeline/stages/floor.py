@@ -41,7 +41,7 @@ def knots(at: Array, pieces: int, degree: int) -> Array:
 
 
 def smooth(at: Array, values: Array, pieces: int) -> tuple[Array, Array]:
-    """Least-squares spline of values over `at`: what it leaves, and the leverage of each point, both shape (points,).
+    """Least-squares spline of values over `at`: its residual, and the leverage of each point, both shape (points,).
 
     The leverages sum to the coefficients that the data has determined. What is left is in the unit of the values.
     """
@@ -57,7 +57,7 @@ def smooth(at: Array, values: Array, pieces: int) -> tuple[Array, Array]:
 
 
 def noise(at: Array, values: Array) -> Array:
-    """What a smooth curve leaves of each value, as large as if the curve had not been fitted to it, shape (points,).
+    """The residual of each value from a smooth curve that was not fitted to it, shape (points,).
 
     The number of pieces has the least generalised cross-validation error. A fitted point's residual has lost the share
     of its variance that its leverage says, over all points as many as there are coefficients: it gets it back. In the
@@ -75,7 +75,7 @@ def noise(at: Array, values: Array) -> Array:
 
 
 def residuals(dataset: pd.DataFrame, together: list[str]) -> tuple[Array, Array]:
-    """What the oracle misses at every point, in mm forward and in turns inverse, each of shape (points,).
+    """The oracle's errors at every point, in mm forward and in turns inverse, each of shape (points,).
 
     `together` names the columns whose values the points of one curve share.
     """

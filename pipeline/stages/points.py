@@ -17,7 +17,7 @@ CHANNELS = ["time_s", "motor_turns", "displacement_mm", "load_n"]
 
 @dataclass(frozen=True)
 class Piece:
-    """Samples `first` until `stop` of a run, of one phase of one of its strokes, of which `before` come earlier.
+    """Samples `first` until `stop` of one phase of a stroke in a run; `before` samples of that phase come earlier.
 
     The phase has `samples` in all; `number` is the stroke's number in the string's life.
     """
@@ -63,7 +63,7 @@ class Piece:
 def moving(
     recorded: Recorded, strokes_before: int, offset_mm: float, left_out: frozenset[int] = frozenset()
 ) -> list[Piece]:
-    """What moves in a run, in its order, but for the strokes `left_out`; raises BadInput when that is every stroke."""
+    """The moving pieces of a run, in order, without the strokes `left_out`; raises BadInput if none are left."""
     strokes = recorded.strokes
     stretches = strokes[strokes["phase"].isin(MOVING) & (strokes["stroke"] > 0) & ~strokes["stroke"].isin(left_out)]
     if stretches.empty:

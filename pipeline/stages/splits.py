@@ -1,4 +1,4 @@
-"""Which points of a material are held out, and which are learnt from: evenly spaced over all that may be."""
+"""Which points of a material are held out, and which are for training: evenly spaced over all that may be."""
 
 from collections.abc import Iterable
 
@@ -44,7 +44,7 @@ def held_out(block: Numbers, stroke: Numbers) -> Mask:
 
 
 class Thinned:
-    """Of the points that may be chosen, at most so many, evenly spaced over them; points come in pieces, in order."""
+    """At most that many of the points that may be chosen, evenly spaced; points come in pieces, in order."""
 
     def __init__(self, count: int, most: int) -> None:
         self.count = min(count, most)
@@ -64,7 +64,7 @@ class Thinned:
 
 
 class Split:
-    """Labels "train", "test" and "" of points in pieces, of which each says what is held out and what may be used."""
+    """Labels "train", "test" and "" of points in pieces; each piece says which are held out and which may be used."""
 
     def __init__(self, pieces: Iterable[tuple[Mask, Mask]]) -> None:
         """Count what there is; each piece is a mask of what is held out, and one of what may be used."""
@@ -73,7 +73,7 @@ class Split:
         self.train, self.test = Thinned(learnt, TRAINING_POINTS), Thinned(test_count, HELD_OUT_POINTS)
 
     def labels(self, test: Mask, may: Mask) -> NDArray[np.object_]:
-        """The labels of the next piece, of which both masks are given; shape (points,), as labels."""
+        """The labels of the next piece, from its two masks; shape (points,), as labels."""
         labels = np.full(len(test), "", object)  # a pointer each: text side by side is as large as all channels
         labels[self.train.chosen(may & ~test)] = "train"
         labels[self.test.chosen(test)] = "test"

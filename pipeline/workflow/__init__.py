@@ -1,1 +1,1 @@
-"""What there is to make: the plan that the Snakefile asks, and what is known of the files of an earlier start."""
+"""The plan of the files to make, for the Snakefile, and the memory of files from earlier starts."""

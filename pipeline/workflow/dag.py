@@ -1,4 +1,4 @@
-"""What there is to make: which runs lie in `raw/`, of which material each is, and which fits that asks for."""
+"""The plan of the files to make: the runs in `raw/`, their materials, and the fits for them."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -24,7 +24,7 @@ SYNTHETIC_FILES = ("run.yaml", "recording.frames", "capture.json")
 
 @dataclass
 class Plan:
-    """Runs by material, the runs that no table is made of, and the folders that nothing is made of."""
+    """Runs by material, runs that are in no table, and folders that are not used at all."""
 
     materials: dict[str, list[str]] = field(default_factory=dict)
     others: list[str] = field(default_factory=list)  # no string
@@ -37,7 +37,7 @@ class Plan:
         self.materials.setdefault(material, []).append(run)
 
     def leave_out(self, refused: Mapping[str, LeftOut]) -> None:
-        """Make nothing of runs that are refused, as of those whose run.yaml is; a material without another run goes."""
+        """Make nothing for refused runs, as for runs with a bad run.yaml; a material without another run is dropped."""
         for material, runs in list(self.materials.items()):
             self.refused += [replace(refused[run], material=material) for run in runs if run in refused]
             self.materials[material] = [run for run in runs if run not in refused]
@@ -48,12 +48,12 @@ class Plan:
 
     @property
     def runs(self) -> list[str]:
-        """Runs that something is made of."""
+        """Runs with files to make."""
         return [run for runs in self.materials.values() for run in runs] + self.others
 
     @property
     def left_out(self) -> list[LeftOut]:
-        """Folders that nothing is made of."""
+        """Folders that are not used."""
         return self.refused + self.unfinished + self.misnamed
 
 
@@ -100,7 +100,7 @@ def _place(plan: Plan, folder: Path) -> None:
 
 
 def make_plan(raw: Path, synthetic: list[str]) -> Plan:
-    """Plan for the runs in a folder and the ones that the pipeline records itself; one bad folder costs itself alone.
+    """Plan for the runs in a folder and those that the pipeline records itself; a bad folder affects only itself.
 
     Raises BadInput when a name of the latter is none that a run can have, or belongs to a real recording, which must
     never be made again.
@@ -121,7 +121,7 @@ def make_plan(raw: Path, synthetic: list[str]) -> Plan:
 
 
 def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
-    """Files of a run that its samples are made from."""
+    """Files of a run that its samples come from."""
     if run in synthetic:
         return [str(raw / run / name) for name in SYNTHETIC_FILES]
     names = ("run.yaml", *RECORDINGS, "capture.json")
@@ -129,7 +129,7 @@ def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
 
 
 def stored(models: Mapping[str, ModelPlan], plan: Plan) -> Iterator[str]:
-    """Tables and models that the workflow keeps between its jobs, by which a damaged one is looked for."""
+    """Tables and models that the workflow keeps between its jobs; they are checked for damage."""
     for run in plan.runs:
         yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
     for material in plan.materials:
@@ -141,7 +141,7 @@ def stored(models: Mapping[str, ModelPlan], plan: Plan) -> Iterator[str]:
 
 
 def fits(models: Mapping[str, ModelPlan], material: str, only: str | None = None) -> Iterator[str]:
-    """Predictions file of every fit of a material that the configuration asks for, or of one model's fits within."""
+    """The predictions files of all fits of a material in the configuration, or of one model's fits within."""
     for model, settings in models.items():
         for split, count in settings["seeds"].items():
             if only is None or (model == only and split == "within"):

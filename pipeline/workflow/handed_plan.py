@@ -1,4 +1,4 @@
-"""What a start hands the nodes that run its jobs: its plan, so that no node reads or needs all of `raw/` for one job.
+"""The plan that a start hands to the nodes of its jobs, so that no node needs all of `raw/` for one job.
 
 The plan travels in a variable of the environment, which every executor passes on, with or without a shared file system.
 """
@@ -18,7 +18,7 @@ LONGEST = 120_000  # bytes; Linux takes 131,072 in one variable
 
 
 def packed(plan: Plan, files: Mapping[str, list[str]]) -> str:
-    """Text of a plan and of each run's recorded files; nothing where it is too long: then a node plans for itself."""
+    """The plan and each run's recorded files as text; empty if too long: then each node makes its own plan."""
     short = {run: tuple(path.removeprefix(f"raw/{run}/") for path in files[run]) for run in plan.runs}
     kinds = list(dict.fromkeys(short.values()))  # few: most runs have files of the same names
     which = [kinds.index(short[run]) for run in plan.runs]

@@ -1,4 +1,4 @@
-"""What is known of files by their content, kept between starts: a file is read again only when its key is new.
+"""Facts on files by their content, kept between starts: a file is read again only when its key is new.
 
 The key is size, both times and the inode: replacing a file by an older one, or setting its time back, changes it.
 """
@@ -35,7 +35,7 @@ class KnownFiles:
         self.notes: dict[str, Any] = notes if isinstance(notes, dict) else {}
 
     def _fact(self, path: Path, find: Any) -> Any:
-        """What `find` says of a file, or said when the file was as it is now; raises OSError."""
+        """The result of `find` for a file, now or from when the file was last the same; raises OSError."""
         stat = os.stat(path)
         key = [stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns, stat.st_ino]
         noted = self.facts.get(str(path))
@@ -57,7 +57,7 @@ class KnownFiles:
         return whole.hexdigest()[:32]
 
     def damaged(self, paths: Iterable[str]) -> dict[str, str]:
-        """What is wrong with each stored file that is there and is not what was written."""
+        """The damage of each stored file that has changed since it was written."""
         damages = {}
         for path in map(Path, paths):
             try:
@@ -73,7 +73,7 @@ class KnownFiles:
         self.facts = {path: fact for path, fact in self.facts.items() if fact[1] != ""}
 
     def save(self) -> None:
-        """Keep what is known; without a place to keep it, the next start reads the files again."""
+        """Keep the known facts; if they cannot be stored, the next start reads the files again."""
         with suppress(OSError):
             write_text(self.cache, json.dumps({"facts": self.facts, "notes": self.notes}))
 

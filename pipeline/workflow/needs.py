@@ -1,4 +1,4 @@
-"""What a job of each rule may take on a machine: memory and minutes, from `config/resources.yaml`."""
+"""The limits for a job of each rule on a machine: memory and minutes, from `config/resources.yaml`."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Where the files of a job lie on a machine that shares no file system: in a copy of a part of the storage."""
+"""The place of a job's files on a machine without a shared file system: a copy of a part of the storage."""
 
 from pathlib import Path
 from typing import Any
@@ -6,7 +6,7 @@ from urllib.parse import urlparse
 
 
 def copy_of_storage(settings: Any) -> str:
-    """The folder of a machine that stands for the root of Snakemake's default storage; empty where there is none.
+    """The local folder for the root of Snakemake's default storage; empty where there is none.
 
     Rules name `raw/`, `processed/` and `reports/`, so commands start there. Raises ValueError for a relative folder.
     """

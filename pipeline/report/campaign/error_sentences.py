@@ -1,4 +1,4 @@
-"""What a campaign's errors on new strings say: sentences and tables, every number and name taken from the errors."""
+"""The results of a campaign on new strings, in words: sentences and tables, with every number taken from the errors."""
 
 import pandas as pd
 
@@ -35,7 +35,7 @@ def _strokes(numbers: list[int]) -> str:
 
 
 def leaders(few_shot: pd.DataFrame, column: str, unit: str, titles: dict[str, str]) -> str:
-    """Who is best from how many strokes, and on how many strings it beats whoever learns best otherwise."""
+    """Which model is best from how many strokes on, and on how many strings it beats the best other way to learn."""
     table = middles(few_shot, column, titles)
     sentences = []
     for name, shots, values in runs_of_best(table):
@@ -57,7 +57,7 @@ def _won(few_shot: pd.DataFrame, table: pd.DataFrame, column: str, shots: int) -
 
 
 def nearest(few_shot: pd.DataFrame, column: str, unit: str, level: float, titles: dict[str, str]) -> str:
-    """Who first comes near the floor; or, where nobody does, who comes nearest."""
+    """Which model first comes near the floor; if none does, which comes nearest."""
     table = middles(few_shot, column, titles)
     near, limit = first_near(table, NEAR_FLOOR * level), f"{NEAR_FLOOR:g} times the floor"
     if near is not None:
@@ -73,7 +73,7 @@ def nearest(few_shot: pd.DataFrame, column: str, unit: str, level: float, titles
 
 
 def without_others(few_shot: pd.DataFrame, column: str, unit: str, titles: dict[str, str]) -> str:
-    """From how many strokes a model that learns from the string alone errs less than all that learnt from others."""
+    """From how many strokes on a model of one string alone beats all models that learnt from others."""
     table = middles(few_shot, column, titles)
     others, own = table[table["how"] == TRANSFER], table[table["how"] == ALONE]
     if others.empty or own.empty:
@@ -114,7 +114,7 @@ def shots_table(few_shot: pd.DataFrame, floor: pd.DataFrame, column: str, titles
 
 
 def untold(few_shot: pd.DataFrame, titles: dict[str, str]) -> list[str]:
-    """What each fitted model does not read, and where that leaves it before it is shown a stroke."""
+    """The inputs that each fitted model does not read, and its errors before it sees a stroke."""
     lines = [
         "Found by giving each fitted model other strings' values, one quantity at a time: what does not move its",
         "answers it cannot tell. A string's own correction, on top of it, does know eq. 4, direction and stroke.",

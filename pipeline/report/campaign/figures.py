@@ -1,4 +1,4 @@
-"""A campaign's two figures: errors on new strings against strokes shown, and what prediction intervals held."""
+"""A campaign's two figures: errors on new strings against strokes shown, and how often prediction intervals held."""
 
 from pathlib import Path
 

@@ -52,7 +52,7 @@ def first_near(table: pd.DataFrame, limit: float) -> pd.Series | None:
 
 
 def ahead_of(few_shot: pd.DataFrame, column: str, leader: pd.Series, other: pd.Series, shots: int) -> tuple[int, int]:
-    """On how many strings one row of `middles` has a smaller error than another, and how many strings there are."""
+    """On how many strings one row of `middles` has a smaller error than another, and the number of strings."""
     errors = [
         few_shot[(few_shot["model"] == row["model"]) & (few_shot["how"] == row["how"]) & (few_shot["shots"] == shots)]
         .set_index("string")[column]

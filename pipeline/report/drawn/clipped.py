@@ -1,4 +1,4 @@
-"""What the traditional model answers where the contraction is negative, in words beneath a figure that shows it."""
+"""The traditional model's answer where the contraction is negative, in words beneath a figure that shows it."""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""How every figure looks and how it is saved: the same bytes for the same data, marked with its configuration."""
+"""The look of every figure and its saving: the same bytes for the same data, marked with its configuration."""
 
 import textwrap
 from pathlib import Path
@@ -33,7 +33,7 @@ def name(axes: Axes, title: str, x: str, y: str) -> None:
 
 
 def wrapped(figure: Figure, *sentences: str) -> str:
-    """How a figure is read, in lines no wider than it: each sentence begins a line; empty ones do not count."""
+    """How to read a figure, in lines no wider than it: each sentence begins a line; empty ones do not count."""
     width = int(LETTERS * figure.get_figwidth())
     return "\n".join(textwrap.fill(sentence, width) for sentence in sentences if sentence)
 

@@ -1,4 +1,4 @@
-"""Figure 4 of the paper: what strokes do to the string, and to the error of the traditional model."""
+"""Figure 4 of the paper: the change of the string over strokes, and that of the traditional model's error."""
 
 from typing import Any
 
@@ -24,7 +24,7 @@ MEANS = f"(b), (d): faint every sample, thick the mean over each of {PARTS} equa
 
 
 def strokes_shown(recorded: list[int], material: str) -> list[int]:
-    """The paper's strokes of the rig that was fitted to the paper; of any other string the tables' and the last."""
+    """The paper's strokes for the rig fitted to the paper; for other strings those of the tables, and the last."""
     return drawn(recorded, STROKES) if material == SYNTHETIC else tabled_and_last(recorded, paper.STROKES, len(COLOURS))
 
 

@@ -63,7 +63,7 @@ def _logarithmic(axes: Axes) -> None:
 
 
 def as_bars(middle: Array, size: Array, width: float) -> tuple[Array, Array]:
-    """Each size over the whole of its range, and a gap behind it: nothing joins ranges to a line.
+    """Each size as a level line over its range, with a gap behind it, so that no line joins two ranges.
 
     `middle` and `width` in the unit of what is given, `size` in that of the error; from shape (ranges,) to shape
     (3 · ranges,).
@@ -74,7 +74,7 @@ def as_bars(middle: Array, size: Array, width: float) -> tuple[Array, Array]:
 
 
 def foot_of(sizes: list[Array]) -> float:
-    """The lowest size that an axis shows: below a quarter of what the best model usually has lie lucky ranges alone.
+    """The lowest size that an axis shows: only by luck is a range below a quarter of the best model's usual size.
 
     Errors in the unit of the axis, each of shape (ranges,).
     """
@@ -85,7 +85,7 @@ def foot_of(sizes: list[Array]) -> float:
 
 
 def _footed(row: list[Axes], unit: str) -> str:
-    """Smaller errors of a row of axes stand on its foot; that foot with its unit where there are such, else empty."""
+    """Smaller errors are drawn on the foot of their row of axes; returns the foot with its unit, if any are."""
     lines = [line for axes in row for line in axes.get_lines()]
     by_model: dict[str, list[Array]] = {}
     for line in lines:
@@ -122,7 +122,7 @@ def _drawn(
 
 
 def _legend(figure: Figure, styles: dict[str, dict[str, Any]], columns: int, reading: str) -> None:
-    """How to read the figure, and what is drawn: of a model that learned its points, and beneath them its bars."""
+    """How to read the figure: the curves of models that learned the points, and the bars beneath."""
     handles: list[Any] = [Line2D([], [], **MEASURED), Line2D([], [], **TRADITIONAL)]
     words = ["measured", "traditional model, and its error"]
     for title, style in styles.items():

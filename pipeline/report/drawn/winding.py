@@ -1,4 +1,4 @@
-"""The points that figures show: one stroke's winding, measured and as models predict it."""
+"""The points of the figures: one stroke's winding, measured and predicted."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ SHOWN = ["motor_turns", "displacement_mm", "forward_mm", "inverse_turns"]
 
 
 def with_nominal(points: pd.DataFrame) -> pd.DataFrame:
-    """The points with what the traditional model predicts for them, `forward_mm` and `inverse_turns`."""
+    """The points with the traditional model's predictions, `forward_mm` and `inverse_turns`."""
     return points.assign(forward_mm=point_contraction_mm(points), inverse_turns=point_motor_turns(points))
 
 

@@ -1,4 +1,4 @@
-"""Where an untwisted string stands on the axis of the displacement, in words beneath a figure."""
+"""The place of an untwisted string on the axis of the displacement, in words beneath a figure."""
 
 import pandas as pd
 
@@ -10,7 +10,7 @@ ANEW = "; a further run with `tare: run` in its run.yaml goes on where the run b
 
 
 def zero_of_x(points: pd.DataFrame) -> str:
-    """A sentence on what the displacement is tared to, and where that puts a string without twist; empty of no point.
+    """A sentence on the tare of the displacement, and the resulting place without twist; empty without points.
 
     `points` are those of a dataset.
     """

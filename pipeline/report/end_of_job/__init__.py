@@ -1,1 +1,1 @@
-"""What the main job does and says at its end: the summary, what failed, and stale reports that go."""
+"""The end of the main job: its summary, its failures, and the removal of stale reports."""

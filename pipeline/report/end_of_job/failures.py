@@ -1,4 +1,4 @@
-"""What the main job says last when not all was made: each job that failed and each run left out, why, and the mend."""
+"""The last words of a main job that did not make everything: failed jobs and left-out runs, with reasons and mends."""
 
 from collections.abc import Collection, Iterable
 from pathlib import Path
@@ -14,7 +14,7 @@ STOPPED = "Stopped by Ctrl-C. What is made is kept: the same command goes on fro
 
 
 def reasons(log: Path) -> list[str]:
-    """Why a job failed, from its log: what it left out, and its last error, or the last line of a log without one."""
+    """Why a job failed, from its log: the runs that it left out, and its last error, or else the log's last line."""
     try:
         lines = [line.strip() for line in log.read_text(encoding="utf-8", errors="replace").splitlines()]
     except OSError:
@@ -25,7 +25,7 @@ def reasons(log: Path) -> list[str]:
 
 
 def concerned(left_out: Iterable[LeftOut], asked_files: Collection[str]) -> list[LeftOut]:
-    """What was left out of what was asked for, by its files: of its materials and runs, or of no known material.
+    """The left-out runs that belong to the files asked for: to their materials and runs, or to no known material.
 
     All, where everything was asked for.
     """
@@ -38,13 +38,13 @@ def concerned(left_out: Iterable[LeftOut], asked_files: Collection[str]) -> list
 
 
 def without(left_out: Iterable[str]) -> str:
-    """The last lines of a main job that made everything else: each run that was left out, and why."""
+    """The last lines of a main job that made everything else: each left-out run with its reason."""
     lines = [f"left out: {why}" for why in dict.fromkeys(left_out)]
     return "\n".join([ALL_ELSE, *lines]) if lines else ""
 
 
 def told(failed: Iterable[tuple[str, str]], left_out: Iterable[str], keep_going: bool) -> str:
-    """The last lines: of failed jobs, each a name and a log, and of runs that were left out, each its reason.
+    """The last lines on failed jobs, each a name and a log, and on left-out runs, each a reason.
 
     A reason is said once. That other runs could still be made is said where the command line did not ask for it.
     """

@@ -1,4 +1,4 @@
-"""Stale reports: those of a run that is gone are removed, and after a failure no page shows an old state as new."""
+"""Stale reports: those of runs that are gone are removed, and after a failure no page shows an old state as new."""
 
 import os
 import shlex
@@ -16,7 +16,7 @@ ALL = "all of "  # before a material's name, where a whole material is left out
 
 
 def remove_stale(noted: Iterable[str], wanted: Iterable[str]) -> list[str]:
-    """Remove the reports that earlier starts made and that no run asks for any more; returns their paths.
+    """Remove earlier reports that no run asks for any more; returns their paths.
 
     Touched is only what lies in `reports/` and was noted; a folder goes with it once it is empty.
     """
@@ -36,7 +36,7 @@ def remove_stale(noted: Iterable[str], wanted: Iterable[str]) -> list[str]:
 
 
 def unmade(materials: Iterable[str], runs: Iterable[str], missing: set[str]) -> list[LeftOut]:
-    """Materials and runs of whose files this start could not make some that it should have made."""
+    """Materials and runs with files that this start should have made, but could not."""
     notes = []
     for material in materials:
         if any(path.startswith((f"reports/{material}/", f"processed/{material}/")) for path in missing):
@@ -51,7 +51,7 @@ def unmade(materials: Iterable[str], runs: Iterable[str], missing: set[str]) -> 
 
 
 def without(command: str, all_left_out: list[LeftOut], names: Iterable[str]) -> list[str]:
-    """The words of a rule's command without what is left out, which it is told of instead.
+    """The words of a rule's command without the left-out materials and runs; these go into an option of it.
 
     A material of which all reports, by their `names`, are still there stays on a page that says how old they are.
     """
@@ -75,7 +75,7 @@ def without(command: str, all_left_out: list[LeftOut], names: Iterable[str]) -> 
 
 
 def rewrite(commands: Iterable[str], all_left_out: list[LeftOut], names: Iterable[str], project: str) -> list[str]:
-    """Run the commands of the last pages without what could not be made; returns what went wrong."""
+    """Run the commands of the last pages without the parts that could not be made; returns the errors."""
     wrong = []
     environment = {**os.environ, "PYTHONPATH": project}
     for command in commands:

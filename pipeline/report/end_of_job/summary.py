@@ -1,4 +1,4 @@
-"""What a run of the workflow says at its end: the tables that it was asked for, the pages, and the verdicts."""
+"""The last words of a workflow: the tables that were asked for, the pages, and the verdicts."""
 
 import re
 from collections.abc import Iterable
@@ -25,7 +25,7 @@ WHOLE = {
 
 
 def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]:
-    """What comes next for a material: its page, the model to take and its export; `alone`: both tables before them.
+    """The next steps for a material: its page, its model and the export; `alone`: both tables before them.
 
     Without a page of all of it both tables as well, and where each file that was asked for lies. What was not asked for
     is not named.
@@ -62,7 +62,7 @@ def _table(path: Path) -> list[str]:
 
 
 def _mark(folder: Path, paths: set[Path]) -> str:
-    """That a material's tables are of small fits, as their titles have it; empty where they are not."""
+    """The remark that a material's tables come from small fits, as in their titles; else empty."""
     table = next((path for path in sorted(paths) if path.parent == folder and path.name == "table_1.md"), None)
     title = table.read_text(encoding="utf-8").partition("\n")[0] if table else ""
     marked = MARK.search(spoken(title))
@@ -70,7 +70,7 @@ def _mark(folder: Path, paths: set[Path]) -> str:
 
 
 def summary(made_paths: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:
-    """What comes next: of each material its page and its model to take, a line on each run's diagnosis, all pages.
+    """The next steps: each material's page and model, a line on each run's diagnosis, and all pages.
 
     `made_paths` lists what the run was asked for and is whole: nothing else is named, however old it lies there. The
     tables of one material are shown; of several, their pages are named.

@@ -19,7 +19,7 @@ SHOWN = 3  # of the differences from the default configuration, in a sentence
 
 @dataclass(frozen=True)
 class MadeBy:
-    """A configuration: what it is called, a hash of all of it, what its fits are, and how it differs from the default.
+    """A configuration: its name, a hash of its content, its fits, and its differences from the default.
 
     `kind` is "default", "small" (fewer seeds, epochs, strings or cases than the default), "own" (differs otherwise) or
     "unknown" (a program was started by hand and was not told). `rig` says which synthetic rig it records, where that is
@@ -35,7 +35,7 @@ class MadeBy:
 
     @property
     def version(self) -> str:
-        """The hash in words: two configurations of one name are the same where it is."""
+        """The hash in words: two configurations of one name are equal if it is equal."""
         return f"checksum of its settings {self.digest}"
 
     def packed(self) -> str:
@@ -44,7 +44,7 @@ class MadeBy:
 
 
 def unpacked(text: str) -> MadeBy:
-    """What `packed` wrote; raises ValueError for any other text."""
+    """The content that `packed` wrote; raises ValueError for any other text."""
     try:
         content = json.loads(text)
         made_by = MadeBy(**{**content, "changed": tuple(content["changed"])})
@@ -66,7 +66,7 @@ def _leaves(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str,
 
 
 def _amounts(config: Mapping[str, object]) -> dict[tuple[str, ...], float]:
-    """What a configuration has much or little of; entries of a list add up."""
+    """The entries of a configuration that are amounts; entries of a list add up."""
     amounts: dict[tuple[str, ...], float] = {}
     for path, value in _leaves(config):
         if path[-1:] and path[-1] in AMOUNTS and isinstance(value, int | float):
@@ -109,7 +109,7 @@ def _fits(models: Mapping[str, ModelPlan]) -> str:
 def made_by(
     config: Mapping[str, object], default: Mapping[str, object], name: str, parts: list[str], rig: str = ""
 ) -> MadeBy:
-    """The mark of what is made with some parts (top-level keys) of a configuration; `rig` counts with `synthetic`."""
+    """The mark of results of some parts (top-level keys) of a configuration; `rig` counts with `synthetic`."""
     hashed = {key: value for key, value in config.items() if key not in NOT_HASHED}
     digest = hashlib.sha256(json.dumps(hashed, sort_keys=True).encode()).hexdigest()[:7]
     mine, usual = ({part: whole.get(part) for part in parts} for whole in (config, default))
@@ -122,7 +122,7 @@ def made_by(
 
 
 def sentence(mark: MadeBy, versioned: bool = True) -> str:
-    """What a reader must know of the configuration, in one or two plain sentences; `versioned` with the hash of it."""
+    """The remark on the configuration for a reader, in one or two plain sentences; `versioned` with its hash."""
     if mark.kind == "unknown":
         return "Made by hand: which configuration made its numbers is not known."
     rig = f" Material {SYNTHETIC}, and no other, is of another synthetic rig: {mark.rig}." if mark.rig else ""
@@ -146,6 +146,6 @@ def warning(mark: MadeBy) -> str:
 
 
 def called(files: list[str], options: bool) -> str:
-    """What to call a configuration: the files that stand on top of the default one, and whether options came on top."""
+    """The name of a configuration: the files on top of the default one, and whether options were added."""
     names = " + ".join(PurePath(file).name for file in files) or "default.yaml"
     return f"{names} with --config" if options else names

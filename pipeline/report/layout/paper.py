@@ -1,4 +1,4 @@
-"""What the paper printed: Tables I and II of Liu et al., and how they are laid out."""
+"""The printed numbers of the paper: Tables I and II of Liu et al., and their layout."""
 
 STROKES = (1, 5, 9)
 METRICS = ("average", "maximum", "rmse")

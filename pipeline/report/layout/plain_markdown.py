@@ -9,7 +9,7 @@ ESCAPED = re.compile(r"\\([\\`*\[\]<|])")
 
 
 def plain(text: str) -> str:
-    """One line of text in which no name becomes a link, a table's border or HTML."""
+    """One line of text in which no name can become a link, a table's border or HTML."""
     return SPECIAL.sub(r"\\\1", " ".join(text.splitlines()))
 
 
@@ -19,7 +19,7 @@ def line(cells: list[str]) -> str:
 
 
 def spoken(text: str) -> str:
-    """Markdown as a terminal shows it: what `plain` wrote, as it was before."""
+    """Markdown as a terminal shows it: the inverse of `plain`."""
     return ESCAPED.sub(r"\1", text)
 
 

@@ -1,4 +1,4 @@
-"""Beside a csv table: what its columns are and which configuration made it, as W3C "CSV on the Web" metadata."""
+"""The file beside a csv table: its columns and its configuration, as W3C "CSV on the Web" metadata."""
 
 import json
 from collections.abc import Iterable

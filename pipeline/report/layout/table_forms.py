@@ -32,7 +32,7 @@ def to_csv(number: int, table: list[Row]) -> str:
 
 
 def _spans(table: list[Row]) -> list[int]:
-    """For each row how many rows its model has when it is the first of them, else 0."""
+    """For each row the number of its model's rows if it is the first of them, else 0."""
     titles = [title for title, _, _ in table]
     return [titles.count(title) if titles.index(title) == row else 0 for row, title in enumerate(titles)]
 
@@ -64,7 +64,7 @@ def to_markdown(number: int, table: list[Row], warning: str = "", notes: tuple[s
 
 
 def from_markdown(text: str) -> tuple[str, list[str], list[list[str]], list[str]]:
-    """Caption, head, rows and notes of what `to_markdown` wrote, the model's name in every row."""
+    """Caption, head, rows and notes from the text of `to_markdown`, the model's name in every row."""
     caption, _, rest = text.partition("\n")
     cells = [
         [re.sub(r"\\(.)", r"\1", cell.strip()) for cell in re.split(r"(?<!\\)\|", line)[1:-1]]

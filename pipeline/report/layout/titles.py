@@ -1,4 +1,4 @@
-"""What the models are called in the reports, and in which order they stand."""
+"""The titles of the models in the reports, and their order."""
 
 from ...ground.errors import BadInput
 

@@ -1,4 +1,4 @@
-"""What the pages read of a diagnosis.json: numbers whose key ends in the reading's unit are read by that key."""
+"""The parts of a diagnosis.json that the pages read; keys that end in the reading's unit are read by that key."""
 
 from typing import TypedDict
 
@@ -51,14 +51,14 @@ class Fit(TypedDict, total=False):
 
 
 class Evidence(TypedDict, total=False):
-    """What is named without the strokes that no fit has seen, and what comes closest there, as ids."""
+    """The ids named without the held-out strokes, and the closest ids there."""
 
     chosen_without_them: list[str] | None
     closest_without_them: list[str]
 
 
 class Content(TypedDict, total=False):
-    """A verdict: its word, what it names, what ties with that, how well each fits, and the run to make next."""
+    """A verdict: its word, its named effects, the tied explanations, their fit, and the run to make next."""
 
     verdict: str
     mechanisms: list[NamedEffect]

@@ -1,1 +1,1 @@
-"""Which model to take of a material, why, how it errs, and how it is asked and exported."""
+"""The model to take for a material, the reason, its errors, and how to ask and export it."""

@@ -1,4 +1,4 @@
-"""Where the fitted models of a material lie, and how they are used: for whoever wants to ask or export one."""
+"""The files of a material's fitted models and how to use them, for a person who asks or exports one."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -45,7 +45,7 @@ def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
 
 
 def lines_at_end(material: str, made_paths: Iterable[Path], models_csv: Path, short: bool = False) -> list[str]:
-    """Lines for the end of the main job, of the fitted models among the files that it made, by their errors there.
+    """Lines for the end of the main job on the fitted models among its files, ordered by error.
 
     `short`: which to take and how to export it, where a page has the rest.
     """

@@ -1,4 +1,4 @@
-"""How the model to take errs at the inverse, which a position controller asks, and which other model is better there.
+"""The inverse error of the model to take, which a position controller needs, and any model that is better there.
 
 The model to take is chosen by its forward error alone (`usual_model.py`). Errors here are RMSEs on all points of a
 split, `within` or `later`, by model and split: inverse ones in turns, forward ones in mm.
@@ -40,7 +40,7 @@ def inverse_of(chosen: str, models: list[str], errors_turns: Errors) -> Inverse 
 
 
 def better(chosen: str, models: list[str], errors_turns: Errors) -> str:
-    """The model that is clearly better at the inverse than the chosen one; empty where none is."""
+    """The model that is clearly better at the inverse than the chosen one; empty if there is none."""
     inverse = inverse_of(chosen, models, errors_turns)
     return inverse.better if inverse else ""
 

@@ -1,4 +1,4 @@
-"""What a table of every model says in words: who errs least where, whom the INN beats, what the simulator misses."""
+"""The table of all models in words: which errs least where, how the INN stands, and what the simulator misses."""
 
 from collections.abc import Iterable
 
@@ -22,13 +22,13 @@ def _named(rows: pd.DataFrame, words: Iterable[str]) -> str:
 
 
 def _least(models: pd.DataFrame) -> pd.DataFrame:
-    """The models that show the least error: several where a table cannot tell them apart."""
+    """The models with the least error: several where the table shows the same number."""
     shown = models.apply(_shown, axis=1)
     return models[shown == _shown(models.loc[models["median"].idxmin()])]
 
 
 def on_all_points(models: pd.DataFrame, where: str, unit: str) -> str:
-    """Who errs least of all models, and of those that are not told the direction where these are others."""
+    """The model with the least error of all, and the least without knowing the direction, if that is another."""
     text = ""
     for rows, of in ((models, ""), (models[~models["direction"]], "; of the models that are not told the direction: ")):
         if rows.empty or (of and not _least(models)["direction"].any()):
@@ -39,7 +39,7 @@ def on_all_points(models: pd.DataFrame, where: str, unit: str) -> str:
 
 
 def by_column(chosen: pd.DataFrame) -> str:
-    """Who errs least in which column, in the order of the table; empty where it has the column of all alone."""
+    """The model with the least error in each column, in order; empty where one model leads in all."""
     parts = chosen[chosen["column"] != "all"]
     least = [_least(models) for _, models in parts.groupby("column", sort=False)]
     if not least:
@@ -53,7 +53,7 @@ def by_column(chosen: pd.DataFrame) -> str:
 
 
 def against_others(inn: pd.Series, models: pd.DataFrame, unit: str) -> str:
-    """Than whom the INN errs less, and than whom more."""
+    """The models that the INN beats, and those that beat it."""
     others = models[models["model"] != PAPER]
     sides = {"less": others[others["median"] > inn["median"]], "more": others[others["median"] <= inn["median"]]}
     words = []
@@ -67,7 +67,7 @@ def against_others(inn: pd.Series, models: pd.DataFrame, unit: str) -> str:
 
 
 def cost_of_direction(chosen: pd.DataFrame, inn: pd.Series, unit: str) -> str:
-    """What it costs the INN that it is not told the direction, by the floors; empty where it is, or floors lack."""
+    """The cost for the INN of not knowing the direction, from the floors; empty if it knows it."""
     floors = chosen[chosen["column"] == "all"].set_index("model")["median"]
     if inn["direction"] or not set(FLOORS) <= set(floors.index):
         return ""
@@ -91,7 +91,7 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
 
 
 def on_simulator(table_of: pd.DataFrame, split: str, way: str) -> list[str]:
-    """A line on why the diagnosed simulator errs far above the floor on later strokes; none where it does not."""
+    """A line on the diagnosed simulator's large error on later strokes; empty where it is not large."""
     mine = table_of[(table_of["model"] == WHOLE_MOTION) & (table_of["column"] == "all") & (table_of["map"] == way)]
     own = mine.set_index("split")
     if split != "later" or split not in own.index or not own.loc[split, "ratio"] > FAR:

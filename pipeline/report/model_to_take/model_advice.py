@@ -1,4 +1,4 @@
-"""What is said of the model to take, for the end of the main job and for a material's page: which, why, for what."""
+"""The words on the model to take, for the end of the main job and for a material's page: which, why, for what."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,7 +10,7 @@ from .usual_model import why
 
 
 class Advice(NamedTuple):
-    """The `model` to take, why, and how it errs at the inverse; each is empty where it is not known.
+    """The `model` to take, the reason, and its inverse error; each is empty where it is not known.
 
     `controllers` are the models to export, by the kind of controller.
     """

@@ -83,11 +83,11 @@ class Models(NamedTuple):
         return Markup('<span class="far">{}</span>').format(words) if self.ratios.get(key, 0.0) > FAR else words
 
     def weighed(self) -> str:
-        """Which other model errs less than the one to take; empty where none does."""
+        """The other model that errs less than the one to take; empty if there is none."""
         return weighed(self.titles, self.forward_mm())
 
     def at_inverse(self) -> str:
-        """Which other model is clearly better at the inverse, and by how much; empty where none is."""
+        """The other model that is clearly better at the inverse, and by how much; empty if there is none."""
         chosen, turns = self.chosen(), self.inverse_turns()
         if not inverse_beside.better(chosen, list(self.titles), turns):
             return ""
@@ -95,13 +95,13 @@ class Models(NamedTuple):
 
 
 def later_apart(models: Path) -> str:
-    """What the page of every model says of later strokes that differ in more than their number; empty where nothing."""
+    """The remark on later strokes that differ in more than their number, from the models' page; else empty."""
     lines = models.read_text(encoding="utf-8").splitlines() if models.is_file() else []
     return next((line for line in lines if line.startswith(APART)), "")
 
 
 def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
-    """By which rule these models, the commands that use one, and what the simulator beside them is."""
+    """The rule for these models, the commands that use one, and the meaning of the simulator's column."""
     by_model: dict[str, list[str]] = {}
     for material, models in materials.items():
         by_model.setdefault(models.chosen(), []).append(material)

@@ -30,7 +30,7 @@ def errors_of(metrics: pd.DataFrame) -> dict[tuple[str, str], float]:
 
 
 def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
-    """Which model of those to take away errs less than the chosen one on held-out points; empty where none does."""
+    """The excluded model that errs less than the chosen one on held-out points; empty if there is none."""
     chosen, split = chosen_of(titles, errors_mm), "within"
     others = [model for model in titles if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_mm]
     best = min(others, key=lambda model: errors_mm[model, split], default="")

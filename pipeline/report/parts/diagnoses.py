@@ -1,4 +1,4 @@
-"""What a diagnosis wrote → a cell, a line, a run's part of the pages: its verdict in words, its figure, its files."""
+"""The files of a diagnosis → a cell, a line, a run's part of the pages: its verdict, its figure, its files."""
 
 import json
 import re
@@ -31,7 +31,7 @@ FILES = {
 
 
 def content_of(folder: Path) -> Content | None:
-    """What a diagnosis wrote, or None where the recording was refused."""
+    """The content of a diagnosis, or None where the recording was refused."""
     path = folder / "diagnosis.json"
     content: Content | None = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
     return content
@@ -43,14 +43,14 @@ def verdict_of(content: Content | None) -> str:
 
 
 def explanations(content: Content | None) -> list[list[str]]:
-    """What the best explanation names, then each that ties with it."""
+    """The ids of the best explanation, then those of each tied one."""
     if content is None or not content["mechanisms"]:
         return []
     return [[entry["id"] for entry in content["mechanisms"]], *content["alternatives"]]
 
 
 def named_of(content: Content | None) -> Markup:
-    """What a verdict names, each id with its meaning, and how many other explanations tie with it."""
+    """The ids that a verdict names, each with its meaning, and the number of tied explanations."""
     sets = explanations(content)
     best = Markup(" + ").join(word(id_) for id_ in sets[0]) if sets else Markup("")
     others = len(sets) - 1
@@ -58,7 +58,7 @@ def named_of(content: Content | None) -> Markup:
 
 
 def badge_of(content: Content | None) -> str:
-    """The verdict as its badge says it: with a warning where its names do not last, or make the simulator worse."""
+    """The verdict on its badge, with a warning if its names may not last, or make the simulator worse."""
     verdict = verdict_of(content)
     if (
         content is not None
@@ -102,7 +102,7 @@ def sizes(content: Content | None) -> list[str]:
 
 
 def why_no_number(content: Content | None) -> str:
-    """Why `sizes` has no error of what is named, and which other effects have one; empty where it has it."""
+    """Why `sizes` lacks the error of the named effects, and which effects have one; else empty."""
     if content is None:
         return ""
     if verdict_of(content) == "unknown":
@@ -132,7 +132,7 @@ def _said(size: float, unit: str) -> str:
 
 
 def _of_others(content: Content) -> bool:
-    """Whether the error on unseen strokes is of other effects, named without them, as `verdict.txt` takes it."""
+    """Whether the error on unseen strokes belongs to other effects, named without them, as in `verdict.txt`."""
     chosen = (content.get("evidence") or {}).get("chosen_without_them")
     named = {entry["id"] for entry in content["mechanisms"]}
     return bool(named) and chosen is not None and set(chosen) != named
@@ -145,12 +145,12 @@ def words_of(folder: Path) -> str:
 
 
 def to_do_of(folder: Path) -> str:
-    """What a verdict says to do, on one line; empty where it has no such part."""
+    """The next steps of a verdict, on one line; empty where it has none."""
     return " ".join(to_do(words_of(folder)).split())
 
 
 def why_nothing(folder: Path) -> str:
-    """Why a verdict advises against adopting anything, in its own words; empty where it does not."""
+    """The verdict's reason against adopting anything, in its own words; else empty."""
     reason = re.search(r"Adopt nothing: (.*?)(?=\.(\s|$))", to_do_of(folder))
     return reason.group(1) if reason else ""
 

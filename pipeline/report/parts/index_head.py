@@ -42,7 +42,7 @@ Name = Callable[[str], Text]  # the name of a material or a run as a link to its
 
 
 def shortened(text: str) -> str:
-    """The first words of a run to make: up to its first colon or semicolon, or as many words as fit."""
+    """The first words of a run to make: up to its first colon or semicolon, or as many as fit."""
     first = min((text.split(sign)[0] for sign in (": ", "; ", ". ")), key=len).rstrip(".")
     if len(first) <= LONGEST:
         return first
@@ -50,7 +50,7 @@ def shortened(text: str) -> str:
 
 
 def next_run(content: Content | None, folder: Path) -> Text:
-    """The run that a diagnosis asks for, or the recording that its verdict does, in a few words; else empty.
+    """The run that a diagnosis proposes, or the recording that its verdict asks for, in a few words; else empty.
 
     Words that are cut off are whole in a title.
     """
@@ -60,7 +60,7 @@ def next_run(content: Content | None, folder: Path) -> Text:
 
 
 def advice(verdict: str, folder: Path) -> str:
-    """That nothing is to be adopted, why, and what the verdict says all the same; empty where this is not advised."""
+    """The advice against adopting, its reason, and the verdict's other words; empty where adopting is advised."""
     why = why_nothing(folder)
     fits = "explains what was recorded, but " if verdict in NAMING else ""
     return f"{fits}adopt nothing: {why}" if why else ""
@@ -102,7 +102,7 @@ def glance(
     run_name: Name,
     jumped: jumps.Notes = jumps.NONE,
 ) -> Markup:
-    """The opening of the index; `of` gives a run's material, `jumped` what is said of jumps of a material's zero."""
+    """The opening of the index; `of` gives a run's material, `jumped` the remark on a material's zero."""
     contents = {run: content_of(reports / "diagnosis" / run) for run in runs}
     parts: list[Text] = [paragraph(WHAT) if materials or runs else "", Markup('<h2 id="glance">At a glance</h2>')]
     below_runs: list[Text] = []

@@ -19,18 +19,18 @@ UNTIL = (
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
-    """Add to a command line where the jumps stand that the dataset's stage saw."""
+    """Add the option for the jumps of the zero to a command line."""
     parser.add_argument("--jumps", type=Path, nargs="*", default=[], metavar="FILE", help="zero_jumps.json, as made")
 
 
 def by_material(files: Sequence[Path]) -> dict[str, list[str]]:
-    """What the notes of materials say, each in its material's folder; no entry of one that says nothing."""
+    """The notes of materials, each from its folder; a material without a note has no entry."""
     notes = {path.parent.name: read_jumps([path]) for path in files}
     return {material: own for material, own in notes.items() if own}
 
 
 def beneath(suffix: str, notes: Sequence[str]) -> list[str]:
-    """What stands beneath a table in Markdown (`md`) or LaTeX (`tex`); csv stays as it is."""
+    """The lines beneath a table in Markdown (`md`) or LaTeX (`tex`) on jumps; csv stays unchanged."""
     if suffix == "md":
         return [plain(f"Beware: {note}") for note in notes]
     return ["Beware: the zero jumps between runs of one string; see the log of the dataset."] if notes else []
@@ -49,7 +49,7 @@ def box(notes: Sequence[str]) -> Markup:
 
 
 def hint(material: str, notes: Notes) -> Markup:
-    """What stands in a material's row: that its zero jumps, and where the page says more; empty where it does not."""
+    """The remark in a material's row that its zero jumps, and where to read more; else empty."""
     shape = Markup('<br><a class="far" href="#jumps">its zero jumps between runs: these errors may be of that</a>')
     return shape if notes.get(material) else Markup("")
 

@@ -1,4 +1,4 @@
-"""The first lines of a material's page: the model to take, and how to ask what the simulator leaves out of its runs."""
+"""The first lines of a material's page: the model to take, and the commands for a diagnosis of its runs."""
 
 import shlex
 from collections.abc import Mapping, Sequence
@@ -35,7 +35,7 @@ def model_to_take(folder: Path) -> Markup:
 
 
 def left_out_of(runs_of: Mapping[str, Sequence[str]]) -> Markup:
-    """The commands that say what the simulator leaves out of the runs of each string; empty of no run.
+    """The commands that find what the simulator leaves out, for the runs of each string; empty without runs.
 
     The verdict itself would make another page wherever a diagnosis lies beside it.
     """

@@ -31,7 +31,7 @@ PAGES = {
 
 
 def html_table(folder: Path, number: int, up: str) -> Markup:
-    """Table I or II, the model's name once until it is sorted, and where to take it from."""
+    """Table I or II, with a model's name once until the table is sorted, and links to its files."""
     stem = f"table_{number}"
     caption, head, rows, notes = from_markdown((folder / f"{stem}.md").read_text(encoding="utf-8"))
     head = [title.replace("(θ/2π)", "(turns)") for title in head]  # the paper's word for them
@@ -49,12 +49,12 @@ def html_table(folder: Path, number: int, up: str) -> Markup:
 
 
 def _again(rows: Sequence[Sequence[str]]) -> list[bool]:
-    """Whether each row is of the model of the row above it, whose name then stands there already."""
+    """Whether each row has the same model as the row above, so that its name is not repeated."""
     return [place > 0 and row[0] == rows[place - 1][0] for place, row in enumerate(rows)]
 
 
 def _apart(csv: str, number: int) -> str:
-    """In what the files of Table I or II differ from the page; empty where in nothing."""
+    """How the files of Table I or II differ from the page; empty where they do not."""
     empty = sorted({line.split(",")[-4] for line in csv.splitlines()[1:] if line.endswith(",,")})
     differences = ["the files call the turns θ/2π, as the paper does"] if paper.UNITS[number] == "θ/2π" else []
     if empty:
@@ -63,7 +63,7 @@ def _apart(csv: str, number: int) -> str:
 
 
 def part(reports: Path, material: str, runs: Sequence[Text] = (), up: str = "") -> Markup:
-    """The part of one material, with the links to its runs; what was not made is not shown.
+    """The part of one material, with the links to its runs; missing files are left out.
 
     `up` leads from the page to `reports/`.
     """

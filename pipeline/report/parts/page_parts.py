@@ -28,7 +28,7 @@ class Parts:
         return f"{FOLDER}/{anchor(self.kind, name)}.html" if self.kind == "run" else f"{link(name)}/index.html"
 
     def link(self, name: str, up: str = "") -> Markup:
-        """A name that leads to its part: on the index where it is there, else to its page."""
+        """A name that links to its part: on the index if it is there, else on its own page."""
         place = f"#{anchor(self.kind, name)}" if self.few and not up else up + self.page(name)
         return Markup('<a href="{}">{}</a>').format(place, name)
 

@@ -1,4 +1,4 @@
-"""Which strings a material's page is of: their sizes, their load, their runs and strokes."""
+"""The strings of a material's page: their sizes, their load, their runs and strokes."""
 
 from collections.abc import Collection, Iterable
 from pathlib import Path
@@ -54,7 +54,7 @@ def by_stroke(path: Path) -> pd.DataFrame:
 
 
 def _span(low: float, high: float) -> str:
-    """A size, or its least and largest: 20, 19.8 to 20.2; none for what the rig does not have."""
+    """A size, or its least and largest: 20, 19.8 to 20.2; "none" if the rig lacks it."""
     if np.isnan(low):
         return NONE
     ends = [0.0 if abs(value) < NOTHING * abs(high) else value for value in (low, high)]
@@ -102,7 +102,7 @@ def sentence(row: list[str]) -> str:
 
 
 def recorded_strings(strokes: pd.DataFrame, material: str, tared: Collection[str] | None = None) -> Markup:
-    """What a material's page is of, from `by_stroke`: two sentences a string, or a table of many.
+    """The strings of a material's page, from `by_stroke`: two sentences a string, or a table of many.
 
     `tared` names the runs whose run.yaml says `tare: run`, None where that is not known.
     """

@@ -111,7 +111,7 @@ def matrices(pairs: pd.DataFrame) -> list[tuple[str, str]]:
 
 
 def figure(results: list[Result], carried: pd.DataFrame, unit: str) -> Figure:
-    """All panels; those of what was learnt elsewhere only where there is any."""
+    """All panels; those for transfer only where there is any."""
     pairs, left_out = apart(carried)
     shown = sum(1 for result in results if result.heldout)
     drawn_below = matrices(pairs)

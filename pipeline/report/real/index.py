@@ -65,7 +65,7 @@ def overview(rows: pd.DataFrame, rigs: dict[str, Rig]) -> str:
 
 
 def doubts(rows: pd.DataFrame) -> str:
-    """The verdicts that are no firm, expected ones, and why."""
+    """The verdicts that are not firm or not expected, and the reasons."""
     doubted = rows[rows["doubt"] != ""]
     count = (
         f"{len(doubted)} of {len(rows)} verdicts are ambiguous, unknown or missing, or disagree with the literature."
@@ -99,7 +99,7 @@ def beaten(rows: pd.DataFrame) -> str:
 
 
 def ignored(files: list[str]) -> str:
-    """The files that nothing was made of, and why."""
+    """The files that were not used, and the reasons."""
     if not files:
         return ""
     listed = "".join(f"<li>{html.escape(name)}</li>" for name in files)

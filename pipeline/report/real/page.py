@@ -1,4 +1,4 @@
-"""What was made of a public rig's recordings → its page: where, what, how much better, beside which figures."""
+"""The results of a public rig's recordings → its page: where they differ, why, how much better, with figures."""
 
 import argparse
 import html
@@ -51,7 +51,7 @@ def sizes(values: dict[str, float], methods: list[str]) -> list[str]:
 
 
 def where(results: list[Result]) -> str:
-    """Where each recording and its simulator differ, and what explains it."""
+    """The place of the mismatch of each recording, and its explanation."""
     head = ["Recording", "Verdict", "Left out", "Ties", "Mismatch", "Noise", "Where", "Strokes", "Phase", "It follows"]
     rows = []
     for result in results:
@@ -89,7 +89,7 @@ def better(results: list[Result], unit: str) -> str:
 
 
 def relative(results: list[Result]) -> str:
-    """What is left over the reading itself, where a diagnosis says it."""
+    """The residual over the reading itself, where a diagnosis gives it."""
     rows, filters = [], set()
     for result in results:
         residuals: Mapping[str, Any] | None = ((result.content or {}).get("fit") or {}).get("relative_residual")
@@ -136,7 +136,7 @@ def transferred(carried: pd.DataFrame, unit: str) -> str:
 
 
 def anchor(result: Result) -> str:
-    """Where a verdict stands on the page."""
+    """The place of a verdict on the page."""
     return f"together-{result.group}" if result.together else result.name
 
 

@@ -1,4 +1,4 @@
-"""What was made of a public rig's recordings, read from the files: verdicts, held-out errors, black boxes, transfer."""
+"""The results of a public rig's recordings, read from files: verdicts, held-out errors, black boxes, transfer."""
 
 import json
 from collections.abc import Mapping
@@ -116,7 +116,7 @@ def read_result(folder: Path, together: bool = False) -> Result:
 
 
 def apart(transfer: pd.DataFrame) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """What was learnt on one recording, and what on all the others."""
+    """Results learnt on one recording, and results learnt on all the others."""
     whole = transfer["learnt_from"] == ALL_OTHERS
     return transfer[~whole], transfer[whole]
 

@@ -1,4 +1,4 @@
-"""Where a verdict on a real recording is no firm, expected one: which kind of doubt that is, and what it comes from."""
+"""Verdicts on real recordings that are not firm or not expected: the kind of doubt, and its cause."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -36,7 +36,7 @@ def satisfies(ids: set[str], expected: Expected) -> bool:
 
 
 def contradictions(verdict: str, named: set[str], content: Content, expected: Expected | None) -> list[str]:
-    """What a verdict says against the literature, a sentence each."""
+    """The contradictions between a verdict and the literature, a sentence each."""
     if expected is None:
         return []
     sentences = []
@@ -61,7 +61,7 @@ def contradictions(verdict: str, named: set[str], content: Content, expected: Ex
 
 
 def _seen(content: Content, missing: list[list[str]]) -> str:
-    """How small an effect would have been seen."""
+    """From which size on an effect would have been seen."""
     fit: Mapping[str, Any] = content["fit"]
     key = next((key for key in fit if key.startswith("detectable_")), "")
     size_by_id = fit.get(key) or {}
@@ -106,7 +106,7 @@ def _unknown(content: Content) -> str:
 
 
 def found_answer(content: Content, answer: Answer) -> tuple[float, float, float] | None:
-    """Value, low and high of a parameter that the literature knows, in its unit, or None where it is not said."""
+    """Value, low and high of a parameter known from the literature, in its unit; None if it is missing."""
     parameters = content["parameters"]
     if answer.mechanism is not None:
         entries = [entry for entry in content["mechanisms"] if entry["id"] == answer.mechanism]

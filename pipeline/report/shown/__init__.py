@@ -1,1 +1,1 @@
-"""Which strokes a page shows, of which runs and strings, and under which load and to which twist they were recorded."""
+"""The strokes that a page shows, with their runs and strings, their load and their twist."""

@@ -1,4 +1,4 @@
-"""Which strokes of a string are of which of its runs, and which run was re-zeroed, in words."""
+"""The strokes of each run of a string, and the runs that were re-zeroed, in words."""
 
 from collections.abc import Collection, Sequence
 from pathlib import Path
@@ -18,7 +18,7 @@ def tared_runs(folders: Sequence[Path]) -> set[str]:
 
 
 def strokes_of_runs(own: pd.DataFrame, tared: Collection[str] | None) -> str:
-    """A sentence on the strokes of each run of one string, by an index of `run` and `stroke`; empty of one run.
+    """A sentence on the strokes of each run of one string, by `run` and `stroke`; empty for one run.
 
     `tared` names the runs that were tared anew, None where that is not known.
     """

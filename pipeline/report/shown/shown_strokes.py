@@ -1,4 +1,4 @@
-"""Which strokes a page shows: the paper's where the material has them, else strokes spread over those that it has."""
+"""The strokes that a page shows: the paper's if the material has them, else strokes spread over its own."""
 
 from collections.abc import Iterable, Sequence
 
@@ -13,7 +13,7 @@ def there_of(strokes: Iterable[str | int]) -> list[int]:
 
 
 def drawn(strokes: Sequence[int], wanted: Sequence[int]) -> list[int]:
-    """The wanted strokes where all are there; else as many, from the first to the last that is there."""
+    """The wanted strokes if all exist; else as many, spread from the first to the last."""
     if len(strokes) <= len(wanted):
         return list(strokes)
     if set(wanted) <= set(strokes):
@@ -23,12 +23,12 @@ def drawn(strokes: Sequence[int], wanted: Sequence[int]) -> list[int]:
 
 
 def tabled(strokes: Sequence[int], wanted: Sequence[int]) -> list[int]:
-    """The wanted strokes that are there; where none is, strokes from the first to the last."""
+    """The wanted strokes that exist; if none does, strokes spread from the first to the last."""
     return [stroke for stroke in wanted if stroke in strokes] or drawn(strokes, wanted)
 
 
 def tabled_and_last(strokes: Sequence[int], wanted: Sequence[int], most: int) -> list[int]:
-    """All strokes where `most` or fewer are there; else those that a table shows, and the last."""
+    """All strokes if there are at most `most`; else those of a table, and the last."""
     return list(strokes) if len(strokes) <= most else sorted({*tabled(strokes, wanted), strokes[-1]})
 
 
@@ -44,12 +44,12 @@ def listed(names: Sequence[str | int]) -> str:
 
 
 def rows_of(material: str) -> str:
-    """The file that holds the numbers of every stroke of a material."""
+    """The file with the numbers of every stroke of a material."""
     return f"processed/{material}/metrics.parquet"
 
 
 def shown_of(strokes: Sequence[int], wanted: Sequence[int], material: str) -> str:
-    """A sentence on which strokes a table shows of those that the material has, and where all are.
+    """A sentence on which of the material's strokes a table shows, and where all are.
 
     The paper's are named where one of them is not there.
 
@@ -67,7 +67,7 @@ def shown_of(strokes: Sequence[int], wanted: Sequence[int], material: str) -> st
 
 
 def in_figure(strokes: Sequence[int], shown: Sequence[int], wanted: Sequence[int]) -> str:
-    """A sentence on which strokes a figure shows, and which of the `wanted` the tables do; empty of no stroke."""
+    """A sentence on which strokes a figure shows, and which `wanted` ones the tables show; empty for none."""
     if not shown:
         return ""
     of_all = ", all that there are" if len(shown) == len(strokes) else f" of {ranges(strokes)}"

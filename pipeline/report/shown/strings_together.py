@@ -11,7 +11,7 @@ NAMED = 4  # strings that are named
 
 
 def together(dataset: pd.DataFrame | None, strokes: Sequence[int]) -> str:
-    """A sentence on shown strokes that several strings have, as each string counts its own; empty where none is."""
+    """A sentence on shown strokes that come from several strings, since each string counts its own; else empty."""
     if dataset is None:
         return ""
     strings = dataset.groupby("stroke")["string"].agg(lambda names: sorted(set(map(str, names))))

@@ -1,4 +1,4 @@
-"""Under which load and to which twist strokes were recorded: which later ones differ in it, and words for a legend."""
+"""The load and the twist of recorded strokes: which later ones differ, and words for a legend."""
 
 import argparse
 from collections.abc import Iterable, Sequence
@@ -18,12 +18,12 @@ NEAR = 0.05  # of a load or a twist: what differs by less is the same
 
 
 def add_dataset(parser: argparse.ArgumentParser) -> None:
-    """Let a program be told the points that its metrics are of."""
+    """Add the option for the points behind the metrics to a command line."""
     parser.add_argument("--dataset", type=Path, help="the material's dataset.parquet: what its strokes were like")
 
 
 def dataset_from(path: Path | None) -> pd.DataFrame | None:
-    """The points of a command line, where they are given."""
+    """The points named on a command line, if any."""
     return schemas.read(path, schemas.DATASET) if path else None
 
 
@@ -40,7 +40,7 @@ def _between(values: Iterable[float], unit: str) -> str:
 
 
 def _in_words(by_stroke: pd.DataFrame, kinds: Iterable[Kind]) -> str:
-    """Under which load and to which twist: at 20 N and to 16 turns."""
+    """A load and a twist in words: at 20 N and to 16 turns."""
     return " and ".join(f"{word}{_between(by_stroke[column], unit)}" for column, word, unit, _ in kinds)
 
 
@@ -53,7 +53,7 @@ def _is_other_twist(top_turns: float, tops_turns: Iterable[float]) -> bool:
 
 
 def later_apart(dataset: pd.DataFrame | None) -> str:
-    """A sentence on held-out later strokes of another load or twist than all that a model saw; empty where none is."""
+    """A sentence on held-out later strokes with another load or twist than all training strokes; else empty."""
     if dataset is None:
         return ""
     by_stroke = conditions(dataset)
@@ -77,12 +77,12 @@ def later_apart(dataset: pd.DataFrame | None) -> str:
 
 
 def _usual(sizes: pd.Series) -> float:
-    """The size that most strokes have, or nearly."""
+    """The size that most strokes share, or nearly."""
     return float(max(sizes, key=lambda size: (abs(sizes - size) <= NEAR * abs(size)).sum()))
 
 
 def otherwise(dataset: pd.DataFrame | None, strokes: Sequence[int] | None = None) -> str:
-    """A sentence on strokes of another load or twist than most have, of the named ones alone; empty where none is."""
+    """A sentence on named strokes with another load or twist than most strokes; else empty."""
     if dataset is None:
         return ""
     by_stroke = conditions(dataset)
@@ -119,7 +119,7 @@ def _by_condition(others: pd.DataFrame, kinds: Iterable[Kind]) -> list[str]:
 
 
 def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kinds: Sequence[Kind]) -> str:
-    """The same where strings differ: `every` are all strokes of another condition, `shown` those that a table has."""
+    """The same where strings differ: `every` are all strokes of another condition, `shown` those in a table."""
     named = []
     for string in dict.fromkeys(shown.index.get_level_values("string")):
         own = every.xs(string, level="string", drop_level=False)

@@ -1,4 +1,4 @@
-"""The words of the pages: a list at the end, and on a word itself what it means."""
+"""The words of the pages: a list at the end, and the meaning of a word under the pointer."""
 
 from markupsafe import Markup
 

@@ -1,4 +1,4 @@
-"""How the mark of a configuration looks on a page, and beneath a table, and how a program is told it."""
+"""The mark of a configuration: its look on a page and beneath a table, and its command line option."""
 
 import argparse
 from pathlib import Path
@@ -11,12 +11,12 @@ from .markdown import web_page
 
 
 def add_mark(parser: argparse.ArgumentParser) -> None:
-    """Let a program be told which configuration made what it reads."""
+    """Add the option for the mark of a configuration to a command line."""
     parser.add_argument("--made-by", metavar="JSON", default=MadeBy().packed(), help="the mark of the configuration")
 
 
 def mark_from(text: str, option: str = "--made-by") -> MadeBy:
-    """The mark of a command line; raises BadInput for what is none."""
+    """The mark from a command line; raises BadInput for an invalid one."""
     try:
         return unpacked(text)
     except ValueError as error:

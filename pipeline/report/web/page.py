@@ -62,7 +62,7 @@ def band(mark: MadeBy | None) -> Markup:
 
 
 def foot(mark: MadeBy | None) -> Markup:
-    """Which state of its configuration made the page, for whoever compares two; none where it is not known."""
+    """The state of the configuration that made the page, for a comparison of two pages; empty if unknown."""
     if mark is None or not mark.name:
         return Markup("")
     return Markup('\n<p class="soft">Made by {}, {}.</p>').format(mark.name, mark.version)

@@ -1,1 +1,1 @@
-"""A campaign over many strings: what was learnt on some is asked about others."""
+"""A campaign over many strings: models learn on some strings and are asked about others."""

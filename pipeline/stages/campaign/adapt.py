@@ -20,7 +20,7 @@ ROUNDS = 4  # of the inverse: correct the contraction, invert, correct again
 
 
 def terms(points: pd.DataFrame) -> Array:
-    """What an error may look like over twist, direction and strokes, shape (points, terms).
+    """The possible forms of an error over twist, direction and strokes, shape (points, terms).
 
     Each without a unit.
     """
@@ -33,7 +33,7 @@ def terms(points: pd.DataFrame) -> Array:
 
 
 class Adaptation:
-    """What to expect of a new string, learnt from how a fitted model errs on strings that it has not seen."""
+    """The expected errors on a new string, learnt from a fitted model's errors on unseen strings."""
 
     def __init__(self, model: Model, tune: pd.DataFrame) -> None:
         self.model = model
@@ -53,7 +53,7 @@ class Adaptation:
         return points["displacement_mm"].to_numpy() - self.model.forward(points)
 
     def to(self, few: pd.DataFrame) -> "Adapted":
-        """The model adapted to the string of a few points; with none, to what strings are like on average."""
+        """The model adapted to the string of a few points; without points, to the average string."""
         if few.empty:
             return Adapted(self.model, self.mean)
         table = terms(few)

@@ -1,4 +1,4 @@
-"""What the campaign's stages find, as tables: errors from few strokes, the floor beneath them, coverage."""
+"""The results of the campaign's stages, as tables: errors from few strokes, the floor beneath them, coverage."""
 
 import pyarrow as pa
 

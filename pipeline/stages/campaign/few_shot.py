@@ -43,7 +43,7 @@ def fitted(name: str, settings: Mapping[str, object], points: pd.DataFrame, seed
 
 
 def reads(model: Model, points: pd.DataFrame) -> str:
-    """Names of the columns, besides twist and contraction, that a model's answers depend on, joined by spaces.
+    """Names of the columns, beside twist and contraction, that change a model's answers, joined by spaces.
 
     Found by asking: each column in turn gets the values of the points in reverse order, so those of other strings.
     """
@@ -58,7 +58,7 @@ def reads(model: Model, points: pd.DataFrame) -> str:
 
 
 def asked_and_shown(points: pd.DataFrame) -> Iterator[tuple[pd.DataFrame, dict[int, pd.DataFrame]]]:
-    """Of each string to ask about: the points asked, and by number of strokes the points shown.
+    """For each string to ask about: the points asked, and by number of strokes the points shown.
 
     Strokes are counted from the first recorded one. Raises BadInput for a string with none left to ask about.
     """
