@@ -9,7 +9,7 @@ from ..choice.outcome import rms
 from ..fit.problem import Act, Problem, State
 from ..words.measured.moved_reading import Size
 
-NEAR = 0.02  # of the motion's range: what is nearer to its highest or lowest value is at it
+NEAR = 0.02  # of the motion's range: places nearer to its highest or lowest one count as that
 
 
 def sizes(problem: Problem, state: State) -> list[list[Size]]:

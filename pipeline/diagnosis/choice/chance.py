@@ -9,7 +9,7 @@ from ..fit.problem import Act, Problem, State
 from ..mechanisms.interface import Nonlinear
 from ..mechanisms.library import mechanisms
 
-LEAST_BESIDE = 0.7  # of the random effect's size, that another mechanism must take away: less is chance's own trend
+LEAST_BESIDE = 0.7  # of the random effect's size: a mechanism that takes away less only follows a trend of chance
 STILL = 0.01  # of the highest rate: slower is a rest
 LEAST_REST_S = 1.0  # shorter is no rest
 

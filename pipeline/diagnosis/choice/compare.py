@@ -6,13 +6,13 @@ Source: Cox, Tests of separate families of hypotheses, 4th Berkeley Symposium, 1
 from ...ground.outside_library import is_outside
 from .search import EXPLAINED, INEXACT, LEAST_EFFECT, LEAST_MORE, TRIED, Explanation, Search
 
-CONTENDER = 0.75  # of the best one's gain: less is no contender
-LEAST_GAP = 10.0  # of the price, in log-likelihood: two explanations that are less apart are not told apart
+CONTENDER = 0.75  # of the best one's gain: an explanation with less is no contender
+LEAST_GAP = 10.0  # of the price, in log-likelihood: explanations with a smaller difference count as alike
 SHARE, CLEAR = 0.4, 0.85  # of the expected gap: what must be seen at least, and what leaves no doubt
 FLAW = 0.15  # of the whole mismatch: what a formula that is only nearly right may leave
-COMPLETED = 0.8  # of what an explanation leaves: a larger one that takes so much of it explains to the noise
-IDLE = 0.1  # of the energy that the best of them takes away: an explanation that takes less does nothing
-REPLACED = 0.7  # of a further mechanism's gain, had by another in its place
+COMPLETED = 0.8  # of an explanation's residual: a larger one that takes away this share explains to the noise
+IDLE = 0.1  # of the energy that the best one takes away: an explanation that takes away less does nothing
+REPLACED = 0.7  # of a further mechanism's gain: if another one in its place gains so much, it is not needed
 
 
 def price(search: Search, explanation: Explanation) -> float:

@@ -12,9 +12,9 @@ from ..numerics.recursions import whiten
 from .search import Explanation
 
 STRETCHES = 5  # of the recording, each left out once
-FUTURE = 2  # stretches at its end, left out together: nothing tells as well what would run away
-LEAST_SEEN = 1e-6  # of a column's square: less in the stretches that are fitted says nothing about its number
-AS_WELL = 1.35  # times the best error: hardly worse to a person who predicts
+FUTURE = 2  # stretches at its end, left out together: an explanation that would run away shows there
+LEAST_SEEN = 1e-6  # of a column's square: with less in the fitted stretches its coefficient stays unknown
+AS_WELL = 1.35  # times the best error: up to this a prediction counts as equally good
 
 
 def left_out_errors(linear: Linear, sets: list[Explanation]) -> list[float]:

@@ -11,8 +11,8 @@ from ...ground.kinematics import Array
 from ...ground.numbers.spans import of_mask
 from ..fit.problem import Problem, State
 
-FAR = 5.0  # robust spreads of what is left: noise is never so far off for so long
-LASTS_S = 0.5  # at least: what is shorter is a spike
+FAR = 5.0  # robust spreads of the residual: noise is never so far off for so long
+LASTS_S = 0.5  # a shorter excursion is a spike
 
 
 @dataclass(frozen=True)

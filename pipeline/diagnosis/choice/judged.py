@@ -12,9 +12,9 @@ from . import compare, cross_validation
 from .search import Explanation, Search
 from .weigh import weighed
 
-HELD = 0.8  # of the probability of all explanations, that the sets of a verdict have together at least
+HELD = 0.8  # of the probability of all explanations: the sets of a verdict hold at least this together
 TAUGHT = 2  # effects in a lesson at most
-UNKNOWN = 0.4  # of the probability of "none of them", from which on the verdict is `unknown`
+UNKNOWN = 0.4  # probability of "none of them" from which on the verdict is `unknown`
 
 
 @dataclass(frozen=True)

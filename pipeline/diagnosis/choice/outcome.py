@@ -19,8 +19,8 @@ from .search import EXPLAINED, LEAST_EFFECT, Explanation, Search
 UNKNOWN_FROM = 0.35  # noise floors of mismatch that no noise makes
 SWALLOWED = 0.1  # of the noise, that the dictionary may take without making its floor doubtful
 PARAMETERS_FROM = 0.15  # noise floors of improvement that make moved parameters worth a verdict
-HELPED = 0.7  # of the mismatch (half of its energy) that makes a helper the explanation
-CANCELS = 8.0  # times what effects do together: one so much larger is balanced by another
+HELPED = 0.7  # of the mismatch (half of its energy): a helper that takes more counts as the explanation
+CANCELS = 8.0  # times the joint effect: a single effect that is larger is balanced by another one
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ from ..mechanisms.interface import Term, physics
 from ..mechanisms.library import mechanisms
 from .search import Explanation
 
-TAKEN_BACK = 1000.0  # times what calibration leaves of an effect: so much larger, it is another set of dimensions
-STRAIGHT = 1e-3  # of a signal: what a line may leave of it
+TAKEN_BACK = 1000.0  # times its part that dimensions cannot imitate: a larger effect is another set of dimensions
+STRAIGHT = 1e-3  # of a signal: a line that leaves less is the signal
 IDLE, OUTSIDE, DIMENSIONS = "idle", "outside", "dimensions"  # why an explanation is no name
 Why = tuple[str, tuple[str, ...]]  # that, and of which of its mechanisms
 LINES = {"twist": 1, "radius": 0, "length": 0}  # degree in the motion that a dimension could have, by port

@@ -13,16 +13,16 @@ from ..mechanisms.library import mechanisms
 from ..mechanisms.shared_laws import varied
 from .candidates import apart
 
-LEAST_GAIN, EXPLAINED = 10.0, 0.9  # the latter of the mismatch's energy: less is no explanation
+LEAST_GAIN, EXPLAINED = 10.0, 0.9  # the latter of the mismatch's energy: an explanation must take away more
 LEAST_EFFECT = 0.2  # noise floors: smaller imperfections are real everywhere and matter nowhere
-LEAST_MORE = 100.0  # gain of a further mechanism, over whatever a discrepancy of the others' formulas can do
+LEAST_MORE = 100.0  # gain of a further mechanism, beyond what a discrepancy of the others' formulas can do
 MORE_SHARE, MORE_EFFECT = 0.12, (0.2, 0.4)  # its size: of the whole mismatch's rms, within noise floors
 INEXACT = 0.035  # of the whole mismatch: what no formula of a real rig gets right, however low the noise
 LARGEST = 3  # mechanisms of an explanation
 LARGEST_BESIDE_DRAG = 4  # where the reading is a force that moves a mass: drag alone is two or three
 PARTNERS = 8  # of the best mechanisms: how many may have a partner
 TRIED = 4  # of the best larger explanations
-SIGNS_TRIED = 24  # of the best further events, until one goes the same way as those before it
+SIGNS_TRIED = 24  # of the best further events, until one has the same sign as those before it
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ SINGLES, PAIRS, TRIPLES = 10, 12, 6  # explanations of each size that are weighe
 BY_ENERGY = 4  # more of each size, by what they leave
 NO_MORE = {"more_gain": 0.0, "more_completes": 0.0}  # signs of a further mechanism where none is weighed
 LEAST_LEFT = 1e-4  # of the noise's energy: less is left to the noise's own chance
-MOST_CANCELLED = 5.0  # of the logarithm by how much parts are larger than what they do together: more counts as so much
+MOST_CANCELLED = 5.0  # logarithm of the ratio of single effects to their joint effect: a larger one counts as this
 
 
 def candidates(search: Search) -> list[Explanation]:

@@ -6,7 +6,7 @@ from .effects_named import WithParameters
 
 BRANCH_S = re.compile(r"(?:^|_)([0-9.]+)_s_")  # in the name of a strength
 COULD_SHOW = {"fastest_s", "slowest_s"}
-CARRIES = 0.2  # of all strengths: time constants with less are not worth a word
+CARRIES = 0.2  # of all strengths: time constants with less are not mentioned
 
 
 def time_constants_s(entry: WithParameters) -> list[float]:

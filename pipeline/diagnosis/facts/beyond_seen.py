@@ -5,8 +5,8 @@ import numpy as np
 from ...ground.kinematics import Array
 from ..recording.working_samples import Record
 
-ENDS = (5.0, 95.0)  # per cent of the samples: what is beyond is noise or a moment
-FARTHER = 0.1  # of the largest that was seen: less is alike
+ENDS = (5.0, 95.0)  # percentiles of the samples: values beyond are noise or last a moment
+FARTHER = 0.1  # of the largest seen: a smaller excess counts as equal
 
 
 def beyond_seen(record: Record, until_s: float) -> dict[str, list[list[float]]]:

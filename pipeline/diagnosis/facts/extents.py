@@ -9,8 +9,8 @@ from ...ground.kinematics import Array
 from ..mechanisms.library import mechanisms
 from ..recording.working_samples import Record
 
-LIKE = 0.05  # of a load: what differs by less is the same
-TOP = 0.02  # of the motion's range: what is nearer to its highest value is the top
+LIKE = 0.05  # of a load: loads that differ by less count as the same
+TOP = 0.02  # of the motion's range: places nearer to the highest one count as the top
 
 
 def spans(effects: dict[str, Array]) -> dict[str, float]:

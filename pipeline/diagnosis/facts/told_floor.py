@@ -10,7 +10,7 @@ from ..choice.outcome import Study, rms
 from ..fit.problem import Problem
 from ..numerics.noise import robust
 
-ABOVE = 1.1  # times what is left: an estimate that is so much more is no size of the noise; less is chance
+ABOVE = 1.1  # times the residual: a larger estimate is no size of the noise; a smaller excess is chance
 
 
 def told_floor(study: Study) -> float:

@@ -17,11 +17,11 @@ from .problem import Act, Problem, State
 
 ITERATIONS = 4  # linearised steps of full reach in a calibration, at most
 MOST_STEPS = 25  # steps in all, where whole ones lead astray
-REFINEMENTS = 3  # rounds of a search between the candidates of a nonlinear parameter, ever nearer
+REFINEMENTS = 3  # rounds of a search between the candidates of a nonlinear parameter, with ever smaller steps
 FEW = 5  # values among the candidates: fewer are kinds, more are samples of a continuous parameter
 EVENT_REFINEMENTS = 8  # the same for an event: when something happened suddenly must be known to a sample
-FIRST_STEP, NEARER = 0.6, 0.55  # of the way to the next candidate: the first refinement; of that, each further one
-MOST_WILD = 0.03  # of the samples: where more are wild, they are no lonely readings
+FIRST_STEP, NEARER = 0.6, 0.55  # first step, as a share of the way to the next candidate; factor on each further step
+MOST_WILD = 0.03  # of the samples: if more are wild, they are no lonely readings
 
 
 def calibrate(problem: Problem, noise: Noise, state: State | None = None, acts: tuple[Act, ...] = ()) -> State:

@@ -12,7 +12,7 @@ from .linear import Key, Linear
 from .problem import Act, Problem, State
 
 SHORTER, LONGER = 0.25, 3.0  # times the reach of a step, after one that failed and after one that did not
-SHORTEST = 1e-4  # of what calibration may move: who finds no better simulator so near stands at an optimum
+SHORTEST = 1e-4  # of the range of calibration: without a better simulator within it, the fit is at an optimum
 ROUNDING = 1e-9  # of a misfit
 
 

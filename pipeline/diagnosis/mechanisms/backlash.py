@@ -7,7 +7,7 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import grid
 
-INSIDE = {"share": 1.0, "inner_share": 0.5}  # of the half-width: contacts that yield close a part of it earlier
+INSIDE = {"share": 1.0, "inner_share": 0.5}  # of the half-width: yielding contacts close a part of it earlier
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

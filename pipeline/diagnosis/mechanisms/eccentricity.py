@@ -12,13 +12,13 @@ WAVES = {"sine": np.sin, "cosine": np.cos}
 HARMONICS = (2, 3)  # of the motor's turn; those of a wheel that turns a few times would copy any curve
 LEAST_WHEEL_MM = 8.0  # circumference: no sensor has a smaller wheel
 FEWEST, MOST = 4.0, 250.0  # periods in the range of a motion without turns: fewer are any curve, more are not sought
-SAMPLES = 3.0  # of the fastest motion in a period at least: of a finer one the samples show another
+SAMPLES = 3.0  # least samples in a period at the fastest motion: with fewer, another period is seen
 APART = 0.25  # of a wave number: the spectrum over the place has four bins a period in the range
 SMOOTH = 6  # degree of the curve along the range that is no ripple
 AROUND = 61  # bins that make the background of a line
 LINE = 25.0  # times the background: by chance once in some 10^8 bins
 NEAR = np.linspace(-0.4, 0.4, 5)  # bins beside a line at which its pitch is tried
-MOVES = 0.05  # of the highest rate: what is slower dwells on one place
+MOVES = 0.05  # of the highest rate: a slower motion stays at one place
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

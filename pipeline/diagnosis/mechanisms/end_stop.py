@@ -9,7 +9,7 @@ from .shared_laws import hinge
 
 UPPER = np.linspace(0.45, 1.09, 36)  # of the nominal range; calibration may stretch it
 SOFT = 0.015  # of the nominal range: how softly a stop of rubber begins
-LEAST_HELD = 0.7  # a stop holds all of what lies beyond it, but for calibration; what gives way is no stop
+LEAST_HELD = 0.7  # least share: a stop holds all motion beyond it, calibration aside; a softer one is no stop
 TOP, FEWEST = 95.0, 20  # percentile of the reading above which it is highest; moving samples there
 BELOW = (0.0, 0.001, 0.002, 0.004, 0.007, 0.011)  # of the range of the reading: how far a stop lies below its highest
 HIGHEST = 99.7  # percentile of the reading that counts as its highest

@@ -9,8 +9,8 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import hinge
 
-LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of a loop that all coils together have
-COIL_LOOPS = (0.02, 0.04, 0.06, 0.09, 0.12)  # the same of the loop that a single coil has
+LOOPS = (0.02, 0.06, 0.12)  # of the highest twist: half-widths of the loop of all coils together
+COIL_LOOPS = (0.02, 0.04, 0.06, 0.09, 0.12)  # the same for the loop of a single coil
 BORN = (0.15, 0.32, 0.5, 0.67, 0.85)  # of the way from the critical to the highest twist: where more coils are born
 SUDDEN = 0.03  # of the same way: within which a coil is born
 SLOWLY_S = 1.0  # in which coils come over a barrier

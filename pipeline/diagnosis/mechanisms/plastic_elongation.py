@@ -11,7 +11,7 @@ from .shared_laws import saturations
 SHARES = {"root": 0.5, "whole": 1.0}  # powers of the load of the moment, with which a grown length is seen
 STEEPER = {"flat": 0.0, "half": 0.5, "twice": 2.0}  # by how much a tension grows from no helix to the steepest
 YIELDS = (0.5, 0.65, 0.8, 0.9)  # of the highest tension: below it nothing yields
-YIELDS_WITHIN_S = 1.0  # for all but a third of what yields at once
+YIELDS_WITHIN_S = 1.0  # time constant of sudden yielding: after it about a third is still to come
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

@@ -8,7 +8,7 @@ from .interface import Mechanism, Nonlinear, Term
 from .plain_drag import drag, drag_along, leaves
 from .shared_laws import half_waves
 
-WAVES = 8.0  # half waves over the recording, at most: what a drift does that is no law but a walk
+WAVES = 8.0  # half waves over the recording, at most: for a drift that wanders without a law
 SETTLING = 0.1  # of the recording: time constant of a drift that settles
 WARMINGS = (0.25, 0.5, 1.0, 4.0)  # of the recording: time constants with which a true zero is left as it begins
 CLEARLY = 0.8  # of the mean square that an offset leaves

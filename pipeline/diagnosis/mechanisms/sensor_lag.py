@@ -11,7 +11,7 @@ from .plain_drag import drag, drag_along, leaves, scaled
 TIMES_S = (0.03, 0.1, 0.3, 1.0)  # time constants of a first-order lag
 DELAYS_S = (0.02, 0.05, 0.1, 0.2, 0.4)  # of a reading that is late as a whole
 DRIVES_DELAYS_S = (0.02, 0.05, 0.2)  # of a drive without a string
-LEAST_SHARE = 0.2  # of what plain friction leaves, that must follow the jerk
+LEAST_SHARE = 0.2  # of plain friction's residual: the part that must follow the jerk
 LEAST_WORTH = 0.06  # of the whole mismatch, rms: any controller is late by a sample or two
 
 

@@ -6,10 +6,10 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import hinge
 
-SHARP = 0.05  # of the take-up: how softly one that ends at once ends
+SHARP = 0.05  # of the take-up: softness of a take-up that ends at once
 # of the highest twist: what may be taken up
 SHARES = (0.015, 0.03, 0.05, 0.075, 0.1, 0.14, 0.18, 0.24, 0.3, 0.38, 0.46)
-FINER = 4  # times as many takes-up that end at once: a coarse grid would call each a sag
+FINER = 4  # times as many take-ups that end at once: on a coarse grid each would look like a sag
 SAGGING = (0.3, 0.6, 1.0, 1.6)  # of the sag: where parts of the length of a sagging string are taken up
 
 

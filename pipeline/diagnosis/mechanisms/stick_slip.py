@@ -9,7 +9,7 @@ from ..numerics.recursions import sticking
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 
-# samples whose median is taken off; spreads beyond which a step is cut; steps that tell
+# samples for the median that is taken off; spreads at which a step is cut; least number of steps
 AROUND, CLIP, FEWEST = 101, 5.0, 100
 STILL = 0.01  # of the highest rate
 LOUDER = 1.15  # times the steps at rest

@@ -9,9 +9,9 @@ from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import AS_THE_FIRST, GOES_ON, LATER_RUNS, begun, remembered, time_constants, within
 
 TIMES_S = (10.0, 30.0, 90.0, 270.0, 800.0)  # in which the string takes on heat
-LEAST_RANGE_K = 0.3  # of a logged temperature: one that moves less tells nothing
+LEAST_RANGE_K = 0.3  # of a logged temperature: a smaller range tells nothing
 MOVING = 0.05  # of the highest rate: faster is moving, for heat that comes whenever the motor turns
-BEHIND_S = 30.0  # of the node between what heats and the string, where there are two
+BEHIND_S = 30.0  # time constants of the node between the heat source and the string, where there are two
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

@@ -8,7 +8,7 @@ from .interface import Mechanism, Nonlinear, Term
 
 RELAXING_S = (0.08, 0.2, 0.5)  # a loss with a memory of its own, as a Kelvin-Voigt element in series with a spring
 
-GROWING = 2.0  # times what it is without twist, that a loss may gain at the highest: a lag has nothing without twist
+GROWING = 2.0  # largest growth of a loss from no twist to the highest: a lag would be 0 without twist
 TWICE_S = 0.12  # of each of two such elements in a row
 
 

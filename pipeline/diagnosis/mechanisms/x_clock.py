@@ -10,7 +10,7 @@ from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import half_waves
 
 WAVES = 8.0  # half waves over the recording, at most
-MOST_S = 2.0  # of delay that comes or goes
+MOST_S = 2.0  # largest delay that comes or goes
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

@@ -8,8 +8,8 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 
 RIMS = np.linspace(0.3, 1.06, 39)  # of the nominal range above the lowest level; calibration may stretch it
-TIMES = (0.003, 0.01, 0.03, 0.1, 0.3)  # of the recording: in which what is missing comes back, but for a third
-LEAST_HELD = 0.7  # a rim holds all of what lies beyond it, but for calibration
+TIMES = (0.003, 0.01, 0.03, 0.1, 0.3)  # of the recording: time constant in which the missing level comes back
+LEAST_HELD = 0.7  # least share: a rim holds all level beyond it, calibration aside
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

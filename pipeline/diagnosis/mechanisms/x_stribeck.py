@@ -5,9 +5,9 @@ import numpy as np
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 
-FALLS = (0.02, 0.05, 0.1)  # of the highest rate: at which what is more than sliding friction has mostly gone
-DRY = 0.2  # of that rate: below it the way is no longer told
-STANDS, CREEPS = 0.004, 0.3  # of the highest rate, below which it stands; of the samples, that must be so slow
+FALLS = (0.02, 0.05, 0.1)  # of the highest rate: at it the friction beyond sliding has mostly gone
+DRY = 0.2  # of that rate: below it the direction is no longer known
+STANDS, CREEPS = 0.004, 0.3  # of the highest rate: a slower motion stands; of the samples: least share that creeps
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

@@ -10,7 +10,7 @@ from .shared_laws import share_of_travel, travelled
 
 KNOTS = 12  # of the curve along the travel
 STOPS = (0.01, 0.05, 0.2)  # of the range: half-widths of the plain friction that is taken off first
-LEAST_SHARE = 0.57  # of what plain effects leave: less is as well a stretch by a load that follows the place
+LEAST_SHARE = 0.57  # of the plain effects' residual: a smaller part may be stretch by a load that follows the place
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

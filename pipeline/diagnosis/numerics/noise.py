@@ -13,12 +13,12 @@ from scipy.linalg import cho_factor, cho_solve, solve_toeplitz
 from ...ground.kinematics import Array
 from .recursions import coloured, whiten, whiten_from
 
-MEMORY_S, FEWEST, MOST = 1.2, 6, 30  # lags of the colour: over so long, but so many at least and at most
-FADING = 0.98  # a lag: by so much the autocovariance is damped
+MEMORY_S, FEWEST, MOST = 1.2, 6, 30  # lags of the colour: those within this time, but at least and at most so many
+FADING = 0.98  # per lag: factor on the autocovariance
 # of noise fed through the fit; estimates of the colour, each from the last; parts of a recording
 DRAWS, ROUNDS, BLOCKS = 6, 3, 40
-FLAT = 0.9  # times the robust spread: noise of a smaller standard deviation is no normal one
-SETTLED = 300  # samples, after which drawn noise has forgotten where it began
+FLAT = 0.9  # times the robust spread: noise with a smaller standard deviation is not normal
+SETTLED = 300  # samples after which drawn noise no longer depends on its beginning
 
 
 @dataclass(frozen=True)

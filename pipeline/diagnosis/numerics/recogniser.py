@@ -15,7 +15,7 @@ from ...ground.kinematics import Array
 from ...ground.outside_library import is_outside
 
 OUTSIDE = "outside"  # the class of effects that no mechanism of the library has
-DOUBT = 0.01  # of the probability: each class is given at least so much, however unlike the signature is
+DOUBT = 0.01  # least probability of each class, however unlike the signature is
 OF_EXPLANATION = ("alike", "alike_else")  # signs of one explanation
 OF_ALL = "alike_outside"  # the sign that all explanations of a recording share
 

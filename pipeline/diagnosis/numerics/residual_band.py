@@ -5,8 +5,8 @@ from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
 
-ORDER = 4  # of the filter that takes off what is faster
-HIGHEST = 0.9  # of the Nyquist frequency: a band that reaches further is none
+ORDER = 4  # order of the filter that takes off faster changes
+HIGHEST = 0.9  # of the Nyquist frequency: a band up to a higher frequency needs no filter
 
 
 def within(signals: Array, first: NDArray[np.intp], step_s: float, band_hz: float | None) -> Array:

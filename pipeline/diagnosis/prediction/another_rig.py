@@ -11,7 +11,7 @@ from ..fit.adopt import is_number
 from .later_run import places_beside
 
 SIGMAS = 1.0  # tolerances by which two measurements of one dimension may differ
-ROUNDED = 1e-6  # of a dimension: nothing but its digits
+ROUNDED = 1e-6  # of a dimension: a smaller difference comes from rounding alone
 
 
 def other_dimensions(content: Simulated, run: Run) -> dict[str, tuple[float, float]]:

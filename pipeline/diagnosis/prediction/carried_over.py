@@ -14,7 +14,7 @@ from ..document.content import Simulated
 from ..fit.problem import Problem
 from .motor_zero import HOME, Home, homed, left_of_first
 
-CLEARLY = 0.8  # of what all of a diagnosis leaves of the first stroke: a part of it that leaves less is taken instead
+CLEARLY = 0.8  # of the whole diagnosis' residual on the first stroke: a part of it that leaves less is taken instead
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from ..document.evidence import Covered
 from .recorded_run import RecordedRun
 from .working_samples import PHASES, Record
 
-ENDS = (1.0, 99.0)  # per cent of the samples: what is beyond is noise or a moment
+ENDS = (1.0, 99.0)  # percentiles of the samples: values beyond are noise or last a moment
 
 
 class Paces(TypedDict, total=False):

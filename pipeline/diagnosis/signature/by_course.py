@@ -5,10 +5,10 @@ import numpy as np
 from ...ground.kinematics import Array
 from .mismatch import LOW, MIDDLE, TOP, Mismatch, follows
 
-EARLY = 0.03  # of the duration: what comes early comes with the logarithm of this and the time
+EARLY = 0.03  # of the duration: added to the time before the logarithm is taken
 NEAR = 0.1  # of the range of motion, from the end of a stroke
 LEAST_STROKE, LEAST_REST = 10, 8  # samples
-STEADY = 0.05  # of the mean load: a rest whose load varies more is none
+STEADY = 0.05  # of the mean load: a rest with a load that varies more does not count
 END = 5  # the parts of a rest, of which the first is compared with the last
 
 

@@ -11,7 +11,7 @@ APART = 0.1  # of the mean load: what is heavy or light
 BEGINNING, ENDING = 0.35, 0.65  # of the duration
 STEP, LEAST_STEP = 0.05, 0.1  # of the mean load: where it changes, and what counts as a change
 ROUND, LATER = 5, 40  # samples around a change of the load, and after it
-STANDS, RESTS = 0.05, 0.03  # of the range of motion: what moves more while the load changes, or after it, tells nothing
+STANDS, RESTS = 0.05, 0.03  # of the range of motion: more motion at a change of the load, or after, tells nothing
 FEW = 5  # samples of each way, at least, for a loop
 
 

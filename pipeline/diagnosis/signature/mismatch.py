@@ -9,13 +9,13 @@ from scipy.ndimage import gaussian_filter1d
 from ...ground.kinematics import Array
 from ..fit.problem import Problem, State
 
-SAMPLES = 4000  # of a recording are looked at, at least where it has as many: what is quick depends on their number
-MOVES = 0.1  # of the usual highest speed: slower is rest
+SAMPLES = 4000  # of a recording are used, if it has as many: the width of a quick change depends on their number
+MOVES = 0.1  # of the usual highest speed: a slower motion is rest
 EDGES = (0.04, 0.12, 0.25, 0.4, 0.55, 0.7, 0.82, 0.9, 0.96)  # of the range of motion, between places
 LOW, MIDDLE, TOP = (-0.01, 0.15), (0.3, 0.7), (0.85, 1.01)  # of the range of motion
-QUICK = 1500  # parts of a recording: what is quicker than one of them is quick
-LEAST_SIZE = 0.3  # of the noise: a mismatch is taken as no smaller
-FEWEST = 20  # samples of which a slope is taken
+QUICK = 1500  # parts of a recording: a change within one of them is quick
+LEAST_SIZE = 0.3  # of the noise: least size of a mismatch
+FEWEST = 20  # least number of samples for a slope
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from .mismatch import Mismatch, mismatch
 from .quick import ripples, roughness, shakes
 
 PARTS = (profile, reversals, spread, time, strokes, rests, loads, loops, load_steps, roughness, ripples, shakes)
-MOST = 12.0  # no number of a signature counts as more
+MOST = 12.0  # largest value of a signature's number
 
 
 def signature(of: Mismatch) -> dict[str, float]:

@@ -28,10 +28,10 @@ from ..recording.working_samples import DRIVES_SAMPLES, WORKING_SAMPLES, joined
 from . import motor_zeros
 from .beside import clearer, with_stand_ins
 
-ADOPTED = 0.1  # of the mismatch before effects were adopted: what is smaller is their inexactness
+ADOPTED = 0.1  # of the mismatch before effects were adopted: a smaller rest comes from their inexact formulas
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
-TOO_LOUD = 1.2  # times what an explanation leaves: a noise floor above that holds structure
-LEAST_SAMPLES, LEAST_STROKES = 200, 2  # samples of the record, and worked strokes, without which nothing is decided
+TOO_LOUD = 1.2  # times an explanation's residual: a larger noise floor holds structure
+LEAST_SAMPLES, LEAST_STROKES = 200, 2  # least number of samples, and of whole strokes, for a diagnosis
 Progress = Callable[[str], None]
 
 

@@ -17,8 +17,8 @@ from .polish import polished
 WORSE = 1.02  # times the other error: less may be chance
 LAST = 0.3  # of the strokes, held out at the end
 TARE_S = 1.0  # at its beginning, over which the zero of a run is taken that no fit has seen
-LEFT = 1.3  # times the noise, from which a regression without physics is asked what it would foretell
-LEAST_TRAINING = 0.4  # of the samples that must remain to learn from
+LEFT = 1.3  # times the noise: above it a regression without physics is asked
+LEAST_TRAINING = 0.4  # of the samples: least part that must remain to learn from
 
 
 class Left(TypedDict):

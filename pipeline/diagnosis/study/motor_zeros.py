@@ -11,7 +11,7 @@ from ..fit.problem import Problem
 from ..mechanisms.interface import FOR_GOOD
 from ..mechanisms.library import mechanisms
 
-STAYED = 1.5  # tolerances: by less the motor's zero of a named string did not move from run to run
+STAYED = 1.5  # tolerances: within them the motor's zero of a named string counts as unmoved from run to run
 
 
 def one_string(runs: list[Run]) -> bool:

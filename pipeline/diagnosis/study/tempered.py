@@ -21,8 +21,8 @@ from ..fit.problem import Problem, State
 from ..numerics.noise import Noise, white
 from ..numerics.recursions import whiten
 
-TOO_SURE = 2.0  # times the variance that noise would bring: what moves a fit by more is to a half or more no noise
-ROUNDS = 3  # fits, each of which trusts as much as what the one before left
+TOO_SURE = 2.0  # times the variance from noise: a residual that moves a fit by more is at least half no noise
+ROUNDS = 3  # fits, each weighed by the residual of the one before
 
 
 def long_run_variance(signal: Array) -> float:
