@@ -4,9 +4,6 @@ import pandas as pd
 import pytest
 from stages.nine_strokes import NINE
 
-from pipeline.report.drawn.figure_4 import figure_4
-from pipeline.report.drawn.figure_5 import figure_5
-from pipeline.report.drawn.winding import with_nominal
 from pipeline.report.shown.strings_together import together
 
 TWO = pd.concat([NINE.assign(string="a"), NINE[NINE["stroke"] <= 5].assign(string="b")], ignore_index=True)
@@ -33,10 +30,3 @@ def test_many_strings_are_counted_and_the_first_named() -> None:
     assert (
         together(many, [1]) == f"Strings together: n=1 holds that stroke of 6 strings (s0, s1, s2, s3 and 2 more){OWN}"
     )
-
-
-def test_figures_say_it_too() -> None:
-    for figure in (figure_4(with_nominal(TWO), "m"), figure_5(with_nominal(TWO), {}, "m")):
-        words = figure.get_supxlabel() or figure.legends[0].get_title().get_text()
-        assert "Strings together: n=1 holds that stroke of 2 strings" in " ".join(words.split())
-    assert "together" not in figure_4(with_nominal(NINE), "m").get_supxlabel()

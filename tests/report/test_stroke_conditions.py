@@ -70,10 +70,11 @@ def test_strokes_that_were_recorded_otherwise_than_most_are_said_if_they_are_sho
 
 def test_a_figure_names_a_stroke_by_its_load_where_loads_differ_and_by_a_smaller_twist():
     usual_n, top_turns = NINE["load_n"].median(), NINE["motor_turns"].max()
-    assert labels(NINE, [1, 9]) == {1: "n=1", 9: "n=9"}
+    strokes = {1: ["a-01"], 9: ["a-01"]}
+    assert labels(NINE, strokes) == {1: "n=1", 9: "n=9"}
     points = with_last(1.5 * usual_n, 0.8)
     words = f"n=9 ({1.5 * usual_n:.3g} N, to {0.8 * top_turns:.3g} turns)"
-    assert labels(points, [1, 9]) == {1: f"n=1 ({usual_n:.3g} N)", 9: words}
+    assert labels(points, strokes) == {1: f"n=1 ({usual_n:.3g} N)", 9: words}
     recorded = with_nominal(points)
     assert words in figure_5(recorded, {}, "m").axes[2].get_title(loc="left")
     few = recorded[recorded["stroke"].isin([1, 2, 9])]

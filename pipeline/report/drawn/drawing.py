@@ -9,12 +9,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 from ...ground.stored.figure_file import write_figure
 from ..layout.made_by import MadeBy, sentence, warning
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # Okabe and Ito: told apart by colour-blind readers too
+LIGHTER = (0.0, 0.55, 0.75, 0.85)  # how much white the colour of a further string has
 WARNING = "#c2410c"
 READING_SIZE, LETTERS = 7.5, 17  # of the words beneath a figure: their size in points, and letters in an inch
 STYLE: dict[Any, Any] = {
@@ -23,6 +25,13 @@ STYLE: dict[Any, Any] = {
     "figure.constrained_layout.use": True,
 }  # fmt: skip
 TURNS, MILLIMETRES = "motor twist θ/2π (turns)", "displacement x (mm)"
+
+
+def lighter(colour: str, string: int) -> str:
+    """A colour as the first string has it, 0, or lighter, as the second and later ones do."""
+    white = LIGHTER[min(string, len(LIGHTER) - 1)]
+    red, green, blue = (part + (1.0 - part) * white for part in to_rgb(colour))
+    return to_hex((red, green, blue)) if white else colour
 
 
 def name(axes: Axes, title: str, x: str, y: str) -> None:

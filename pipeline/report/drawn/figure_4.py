@@ -9,16 +9,18 @@ from matplotlib.figure import Figure
 from ...ground.names import SYNTHETIC
 from ..layout import paper
 from ..shown.shown_strokes import drawn, in_figure, tabled_and_last
-from ..shown.strings_together import together
+from ..shown.strings_drawn import LOOKS, names_drawn, side_by_side, strings_drawn, which_strings
 from ..shown.stroke_conditions import labels
 from .averaged import PARTS, averaged
 from .clipped import clipped
-from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, name, wrapped
+from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, lighter, name, wrapped
 from .winding import SHOWN, strokes_of, winding
 from .zero_of_x import zero_of_x
 
 STROKES = (1, 3, 5, 7)  # the paper's
 LEAST_POINTS = 5 * PARTS  # of a stroke, whose means are drawn
+MOST_STRINGS = 2  # strings that are drawn over each other
+NEUTRAL, NAME_LETTERS = "0.25", 20  # of the legend's entry of a string: its colour, and letters of the string's name
 FAINT: dict[str, Any] = {"lw": 0.5, "alpha": 0.3}
 MEANS = f"(b), (d): faint every sample, thick the mean over each of {PARTS} equal parts of the stroke."
 
@@ -26,6 +28,11 @@ MEANS = f"(b), (d): faint every sample, thick the mean over each of {PARTS} equa
 def strokes_shown(recorded: list[int], material: str) -> list[int]:
     """The paper's strokes for the rig fitted to the paper; for other strings those of the tables, and the last."""
     return drawn(recorded, STROKES) if material == SYNTHETIC else tabled_and_last(recorded, paper.STROKES, len(COLOURS))
+
+
+def _short(string: str) -> str:
+    """A string's name as a legend has room for it."""
+    return string if len(string) <= NAME_LETTERS else f"{string[: NAME_LETTERS - 1]}…"
 
 
 def figure_4(points: pd.DataFrame, material: str) -> Figure:
@@ -36,27 +43,39 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     figure, ((forward, forward_error), (inverse, inverse_error)) = plt.subplots(2, 2, figsize=(8.0, 6.5))
     recorded = strokes_of(points)
     shown = strokes_shown(recorded, material)
-    named = labels(points, shown)
-    strokes = {stroke: winding(points, stroke) for stroke in shown}
-    noisy = [stroke for stroke, own in strokes.items() if material != SYNTHETIC and len(own) >= LEAST_POINTS]
-    for colour, (stroke, stroke_points) in zip(COLOURS, strokes.items(), strict=False):
-        x, turns, label = stroke_points["displacement_mm"], stroke_points["motor_turns"], named[stroke]
-        forward.plot(turns, x, color=colour, lw=1.2, label=label)
+    of_stroke = strings_drawn(points, shown, MOST_STRINGS)
+    names, named = names_drawn(of_stroke), labels(points, of_stroke)
+    looks = dict(zip(names, LOOKS, strict=False)) if side_by_side(of_stroke) else {}
+    windings = {(n, string): winding(points, n, string) for n, strings in of_stroke.items() for string in strings}
+    noisy = {at for at, own in windings.items() if material != SYNTHETIC and len(own) >= LEAST_POINTS}
+    for (stroke, string), stroke_points in windings.items():
+        rank = list(looks).index(string) if looks else 0
+        colour, zorder = lighter(COLOURS[shown.index(stroke)], rank), 2.0 - 0.1 * rank
+        label = named[stroke] if string == of_stroke[stroke][0] else "_"
+        x, turns = stroke_points["displacement_mm"], stroke_points["motor_turns"]
+        forward.plot(turns, x, color=colour, lw=1.2, label=label, zorder=zorder)
         errors = stroke_points["forward_mm"] - x, stroke_points["inverse_turns"] - turns
         of_panels = ((forward_error, turns, errors[0]), (inverse_error, x, errors[1]))
+        is_noisy = (stroke, string) in noisy
         for axes, along, error in of_panels:
-            axes.plot(along, error, color=colour, label=label, **(FAINT if stroke in noisy else {"lw": 0.8}))
-            if stroke in noisy:
-                axes.plot(*averaged(along, error), color=colour, zorder=3, lw=1.4)
-        inverse.plot(x, turns, color=colour, lw=1.2, label=label)
-    if strokes:
-        longest = max(strokes.values(), key=lambda points: points["motor_turns"].max() - points["motor_turns"].min())
+            style = FAINT if is_noisy else {"lw": 0.8}
+            axes.plot(along, error, color=colour, label=label, zorder=zorder, **style)
+            if is_noisy:
+                axes.plot(*averaged(along, error), color=colour, zorder=zorder + 1.0, lw=1.4)
+        inverse.plot(x, turns, color=colour, lw=1.2, label=label, zorder=zorder)
+    for place, string in enumerate(names):
+        rank = place if looks else 0
+        own_strokes = [own for (_, own_string), own in windings.items() if own_string == string]
+        longest = max(own_strokes, key=lambda points: points["motor_turns"].max() - points["motor_turns"].min())
         by_turns, by_x = (longest.dropna().sort_values(column) for column in SHOWN[:2])
-        style: dict[str, Any] = {"color": "k", "ls": "--", "lw": 1.1, "label": "traditional model"}
-        forward.plot(by_turns["motor_turns"], by_turns["forward_mm"], **style)
-        inverse.plot(by_x["displacement_mm"], by_x["inverse_turns"], **style)
-        forward.legend()
-        inverse.legend()
+        model: dict[str, Any] = {"color": lighter("k", rank), "ls": "--", "lw": 1.1, "zorder": 2.0 - 0.1 * rank}
+        model["label"] = "_" if place else "traditional model"
+        forward.plot(by_turns["motor_turns"], by_turns["forward_mm"], **model)
+        inverse.plot(by_x["displacement_mm"], by_x["inverse_turns"], **model)
+    for axes in (forward, inverse) if names else ():
+        for rank, (string, look) in enumerate(looks.items()):
+            axes.plot([], [], color=lighter(NEUTRAL, rank), lw=2.4, label=f"{look}: {_short(string)}")
+        axes.legend()
     for axes in (forward_error, inverse_error):
         axes.axhline(0, color="k", lw=0.6)
     name(forward, "(a) forward kinematics", TURNS, MILLIMETRES)
@@ -66,10 +85,10 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     reading = wrapped(
         figure,
         in_figure(recorded, shown, paper.STROKES),
-        together(points, shown),
+        which_strings(of_stroke, points),
         MEANS if noisy else "",
         zero_of_x(points) if shown else "",
-        clipped(strokes.values(), "(c), (d)"),
+        clipped(windings.values(), "(c), (d)"),
     )
     figure.supxlabel(reading, fontsize=READING_SIZE, multialignment="left")
     figure.suptitle(f"{material}: winding, every recorded sample{'' if shown else ' (no winding was recorded)'}")

@@ -14,11 +14,11 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from ...ground.kinematics import Array
 from ..layout import paper
 from ..shown.shown_strokes import drawn, in_figure
-from ..shown.strings_together import together
+from ..shown.strings_drawn import of_one, strings_drawn, which_strings
 from ..shown.stroke_conditions import labels
 from .clipped import clipped
 from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
-from .winding import strokes_of, winding
+from .winding import strokes_of, windings
 
 Ends = tuple[float, float]
 MEASURED: dict[str, Any] = {"color": "0.72", "lw": 4.0, "solid_capstyle": "butt"}
@@ -128,14 +128,13 @@ def _legend(figure: Figure, styles: dict[str, dict[str, Any]], columns: int, rea
     for title, style in styles.items():
         handles.append((Line2D([], [], **style), Line2D([], [], **{**style, **BAR})))
         words.append(f"{title}: held-out points, and their error")
-    several = {tuple: HandlerTuple(ndivide=None, pad=0.6)}
     figure.legend(
         handles,
         words,
         loc="outside lower center",
         ncols=min(columns, 2),
         handlelength=3.0,
-        handler_map=several,
+        handler_map={tuple: HandlerTuple(ndivide=None, pad=0.6)},
         title=reading,
         title_fontsize=READING_SIZE,
         alignment="center",
@@ -153,15 +152,16 @@ def figure_5(
     """
     every = strokes_of(recorded)
     strokes = drawn(every, paper.STROKES)
-    named = labels(recorded, strokes)
+    of_stroke = strings_drawn(recorded, strokes, 1)
+    named = labels(recorded, of_stroke)
     columns = max(len(strokes), 1)
     figure, grid = plt.subplots(
         4, columns, figsize=(1.4 + 2.75 * columns, 10.2), sharey="row", squeeze=False,
         gridspec_kw={"height_ratios": [1.5, 1.0, 1.5, 1.0]},
     )  # fmt: skip
     styles = dict(zip(learned, LEARNED, strict=False))
-    shown = {title: [winding(points, stroke) for stroke in strokes] for title, points in learned.items()}
-    windings_measured, feet = [winding(recorded, stroke) for stroke in strokes], list[str]()
+    shown = {title: windings(points, of_stroke) for title, points in learned.items()}
+    windings_measured, feet = windings(recorded, of_stroke), list[str]()
     for row, (way, label) in enumerate(zip(WAYS, (("forward", TURNS), ("inverse", MILLIMETRES)), strict=True)):
         from_column, answer, _ = way
         curve_label, unit = ((MILLIMETRES, "mm"), (TURNS, "turns"))[row]
@@ -174,27 +174,27 @@ def figure_5(
             x_measured = measured[from_column].dropna()
             ends = (float(x_measured.min()), float(x_measured.max())) if len(x_measured) else (0.0, 1.0)
             _drawn(curve, below, measured, way, {**TRADITIONAL, "label": "traditional model"}, ends)
-            for title, windings in shown.items():
+            for title, own in shown.items():
                 style = {**styles[title], "label": f"{title}, held-out points"}
-                _drawn(curve, below, windings[column], way, style, ends)
+                _drawn(curve, below, own[column], way, style, ends)
             _logarithmic(below)
-            first = column == 0
             letter = "abcdef"[columns * row + column]
-            name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", curve_label if first else "")
+            name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", curve_label if column == 0 else "")
             name(below, f"error of ({letter}) along the stroke", label[1], "")
         feet.append(_footed(list(grid[2 * row + 1]), unit))
     if strokes:
         why = [BEST.format(best) if best else "", TAKEN.format(taken) if taken else ""]
-        which = in_figure(every, strokes, paper.STROKES)
         reading = wrapped(
             figure,
-            which,
-            together(recorded, strokes),
+            in_figure(every, strokes, paper.STROKES),
+            which_strings(of_stroke, recorded),
             BARS if shown else "",
             FOOTED.format(" or ".join(filter(None, feet))) if any(feet) else "",
             *why,
             clipped(windings_measured, "Inverse"),
         )
         _legend(figure, {title: styles[title] for title in shown}, columns, reading)
-    figure.suptitle(f"{material}: winding{'' if strokes else ' (no winding was recorded)'}")
+    figure.suptitle(
+        f"{material}: winding{of_one(of_stroke, recorded)}{'' if strokes else ' (no winding was recorded)'}"
+    )
     return figure

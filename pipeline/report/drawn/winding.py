@@ -1,5 +1,6 @@
 """The points of the figures: one stroke's winding, measured and predicted."""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -26,18 +27,23 @@ def with_median(dataset: pd.DataFrame, predictions: list[Path]) -> pd.DataFrame:
     )
 
 
-def winding(points: pd.DataFrame, stroke: int) -> pd.DataFrame:
-    """Points of one stroke's winding, one string, in order of time, with an empty row wherever the winding pauses.
+def winding(points: pd.DataFrame, stroke: int, string: str) -> pd.DataFrame:
+    """Points of one stroke's winding of a string, in order of time, with an empty row wherever the winding pauses.
 
     A line through them then breaks where the motor held or turned back, instead of jumping.
     """
-    chosen = points[(points["stroke"] == stroke) & (points["phase"] == "winding")]
-    chosen = chosen[chosen["string"].isin(chosen["string"].iloc[:1])].sort_values("time_s", ignore_index=True)
+    chosen = points[(points["stroke"] == stroke) & (points["phase"] == "winding") & (points["string"] == string)]
+    chosen = chosen.sort_values("time_s", ignore_index=True)
     step_s = chosen["time_s"].diff()
     pauses = np.flatnonzero(step_s > PAUSE_STEPS * step_s.median())
     chosen.index = chosen.index.astype(float)
     breaks = pd.DataFrame(np.nan, index=pauses - 0.5, columns=SHOWN)
     return pd.concat([chosen[SHOWN], breaks]).sort_index() if len(pauses) else chosen[SHOWN]
+
+
+def windings(points: pd.DataFrame, of_stroke: Mapping[int, Sequence[str]]) -> list[pd.DataFrame]:
+    """The winding of each stroke, of its one string."""
+    return [winding(points, stroke, string) for stroke, (string,) in of_stroke.items()]
 
 
 def strokes_of(points: pd.DataFrame) -> list[int]:

@@ -1,13 +1,13 @@
 """The load and the twist of recorded strokes: which later ones differ, and words for a legend."""
 
 import argparse
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import pandas as pd
 
 from ...ground.stored import schemas
-from .shown_strokes import ranges
+from .shown_strokes import listed, ranges
 
 APART = "Later strokes under other conditions"
 OTHERWISE = "Recorded under other conditions"
@@ -133,17 +133,26 @@ def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kin
     return f"{'; '.join(named)}; all others {_in_words(rest, kinds)}"
 
 
-def labels(points: pd.DataFrame, strokes: list[int]) -> dict[int, str]:
-    """`n=5` for each stroke, with its load where the loads of the strokes differ, and its twist where it is smaller."""
+def labels(points: pd.DataFrame, strokes: Mapping[int, Sequence[str]]) -> dict[int, str]:
+    """`n=5` for each stroke, with its load where the loads of the strokes differ, and its twist where it is smaller.
+
+    `strokes` has the strings of each. Where these differ in a load or a twist, each has its own, in their order.
+    """
     by_stroke = conditions(points)
-    shown = {stroke: by_stroke.xs(stroke, level="stroke").iloc[0] for stroke in strokes}
     loads = by_stroke["load_n"]
     has_loads = any(_is_other_load(load_n, [loads.median()]) for load_n in loads)
     most_turns = by_stroke["top_turns"].max()
     words = {}
-    for stroke, condition in shown.items():
-        more = [f"{condition['load_n']:.3g} N"] * has_loads
-        if condition["top_turns"] < (1.0 - NEAR) * most_turns:
-            more.append(f"to {condition['top_turns']:.3g} turns")
+    for stroke, strings in strokes.items():
+        own = by_stroke.loc[[(string, stroke) for string in strings]]
+        more = [f"{_each(own['load_n'])} N"] * has_loads
+        if (own["top_turns"] < (1.0 - NEAR) * most_turns).any():
+            more.append(f"to {_each(own['top_turns'])} turns")
         words[stroke] = f"n={stroke}" + (f" ({', '.join(more)})" if more else "")
     return words
+
+
+def _each(sizes: pd.Series) -> str:
+    """Sizes in words, once where they are nearly the same: 20, 15 and 25."""
+    is_near = sizes.max() - sizes.min() <= NEAR * abs(sizes.max())
+    return listed([f"{size:.3g}" for size in (sizes[:1] if is_near else sizes)])
