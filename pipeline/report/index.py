@@ -71,7 +71,7 @@ def page(
         places.append(("left-out", "Left out"))
         body.append(left_out.section(gone))
     if jumped:
-        places.append(("jumps", "The zero jumps"))
+        places.append(("jumps", jumps.title(jumped)))
     if materials.names:
         body.append(paragraph(Markup(NUMBERS).format("metrics.csv-metadata.json")))
     body.append(others(reports))

@@ -20,7 +20,7 @@ from ..ground.words.left_out import LeftOut, to_json
 from ..run.folder import checked_info
 from ..run.lossy import all_lossy, moving_strokes, touched
 from ..string.history import Recorded, by_string, read_usable
-from ..string.not_compared import not_compared
+from ..string.not_compared import not_compared, to_confirm
 from ..string.rests import Rests
 from ..string.tare_notes import tare_notes
 from ..string.zero import jumps_among, offsets_mm
@@ -128,7 +128,8 @@ def main() -> None:
     rests = [[Rests.of(run) for run in runs] for runs in by_string(recorded) if len(runs) > 1]
     jumped = [jump for of_string in rests for jump in jumps_among(of_string)]
     notes = [note for of_string in rests for _, note in tare_notes(of_string)]
-    notes += [f"Beware: {note}" for note in not_compared([of_run for of_string in rests for of_run in of_string])]
+    every_rest = [of_run for of_string in rests for of_run in of_string]
+    notes += [f"Beware: {note}" for note in not_compared(every_rest)]
     print("".join(f"{sentence}\n" for sentence in [*(jump.advice for jump in jumped), *notes]), end="")
     dataset = Dataset(recorded, strokes_left, without)
     if not dataset.within.train.count or not dataset.within.test.count:
@@ -139,8 +140,8 @@ def main() -> None:
     if arguments.out_left_out:
         write_text(arguments.out_left_out, to_json(refused) + "\n")
     if arguments.out_jumps:
-        to_confirm = [jump.advice for jump in jumped if not jump.taken_off]
-        write_text(arguments.out_jumps, jump_notes.to_json(to_confirm) + "\n")
+        unconfirmed = [*(jump.advice for jump in jumped if not jump.taken_off), *to_confirm(every_rest)]
+        write_text(arguments.out_jumps, jump_notes.to_json(unconfirmed) + "\n")
     for name, split in (("within", dataset.within), ("later", dataset.later)):
         print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
 

@@ -1,12 +1,16 @@
 """Runs of one string between which the zero was not compared, and why: a jump there stays unseen."""
 
+from collections.abc import Iterator
 from itertools import pairwise
 
+from ..ground.words.jump_notes import NOT_COMPARED
 from .history import in_order
 from .recovered import alike
 from .rests import Rests
 from .tare_notes import tare_notes
 from .zero import change_mm
+
+FEW = 3  # sentences on one string
 
 
 def not_compared(runs: list[Rests]) -> list[str]:
@@ -15,15 +19,33 @@ def not_compared(runs: list[Rests]) -> list[str]:
     None for a run of which `tare_notes` tells that already.
     """
     sentences = []
-    for string in sorted({rests.run.string_id for rests in runs}):
-        of_one = in_order([rests for rests in runs if rests.run.string_id == string])
+    for of_one in _strings(runs):
         noted = {name for name, _ in tare_notes(of_one)}
-        sentences += [
-            _sentence(before, after)
-            for before, after in pairwise(of_one)
-            if after.run.run not in noted and change_mm(before, after) is None
-        ]
+        sentences += [_sentence(*pair) for pair in _pairs(of_one) if pair[1].run.run not in noted]
     return sentences
+
+
+def to_confirm(runs: list[Rests]) -> list[str]:
+    """The same for the pages: of all but those whose run.yaml says `tare: run`; of many of one string the first few."""
+    sentences = []
+    for of_one in _strings(runs):
+        pairs = [pair for pair in _pairs(of_one) if pair[1].run.tare != "run"]
+        sentences += [_sentence(*pair) for pair in pairs[:FEW]]
+        if len(pairs) > FEW:
+            more = f"{len(pairs) - FEW} more pairs of runs of string {of_one[0].run.string_id}"
+            sentences.append(f"{NOT_COMPARED} {more}: the log of the dataset names them.")
+    return sentences
+
+
+def _strings(runs: list[Rests]) -> Iterator[list[Rests]]:
+    """The runs of each string, in order of recording."""
+    for string in sorted({rests.run.string_id for rests in runs}):
+        yield in_order([rests for rests in runs if rests.run.string_id == string])
+
+
+def _pairs(of_one: list[Rests]) -> list[tuple[Rests, Rests]]:
+    """Of the runs of one string, those that follow each other and whose rests do not compare."""
+    return [(before, after) for before, after in pairwise(of_one) if change_mm(before, after) is None]
 
 
 def _sentence(before: Rests, after: Rests) -> str:
@@ -36,5 +58,5 @@ def _sentence(before: Rests, after: Rests) -> str:
     rests = f"rests last at {last}" if before.after[-1] else f"begins at {last} and rests no more"
     why = f"{before.run.run} {rests}, {after.run.run} begins at {first}"
     mend = f"write `tare: run` in run.yaml of {after.run.run}: its first rest is then set to the model's value"
-    between = f"zero not compared between {before.run.run} and {after.run.run}"
+    between = f"{NOT_COMPARED} {before.run.run} and {after.run.run}"
     return f"{between}: {why}. If the sensor or a clamp was moved in between, {mend}."

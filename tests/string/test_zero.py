@@ -15,13 +15,13 @@ from stages.nine_strokes import recorded, string
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored import schemas
-from pipeline.ground.words.jump_notes import read_jumps
+from pipeline.ground.words.jump_notes import NOT_COMPARED, read_jumps
 from pipeline.lifespan.from_folders import strings
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
 from pipeline.string.history import Recorded
 from pipeline.string.jumps_beside import Beside, _last, advice_on, jumps_into
-from pipeline.string.not_compared import not_compared
+from pipeline.string.not_compared import not_compared, to_confirm
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
 from pipeline.string.zero import Jump, jumps_among, offsets_mm
@@ -309,8 +309,14 @@ def test_a_zero_that_is_not_compared_is_said_in_the_log_of_the_dataset(tmp_path:
     for folder in made:
         samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
         program("stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
-    text = program("stages.dataset", *made, "--processed", processed, "--out", tmp_path / "dataset.parquet")
+    notes = tmp_path / "zero_jumps.json"
+    words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
+    text = program("stages.dataset", *made, *words)
     why = "a-1 rests last at 20 N, a-2 begins at 30 N"
+    (note,) = read_jumps([notes])
+    assert note.startswith(f"{NOT_COMPARED} a-1 and a-2: {why}. If the sensor"), (
+        "the pages and the job's end say it too"
+    )
     assert text.count(f"Beware: zero not compared between a-1 and a-2: {why}. If the sensor or a clamp was moved") == 1
 
 
@@ -335,3 +341,26 @@ def test_why_a_zero_is_not_compared_is_told_once() -> None:
     assert not_compared([Rests.of(run) for run in runs(JUMP_MM)]) == []
     tared = [Rests.of(one), replace(Rests.of(begun), run=runs(JUMP_MM, tare="run")[1].run)]
     assert not_compared(tared) == [] and len(tare_notes(tared)) == 1
+    assert to_confirm(tared) == [], "its run.yaml confirms it"
+
+
+def test_a_zero_that_is_not_compared_stands_on_the_pages_where_another_run_is_tared_anew() -> None:
+    """There the log says it in other words, which are no sentence of `not_compared`."""
+    one, two = runs(JUMP_MM)
+    begun = other_load(Rests.of(two))
+    tared = replace(Rests.of(two), run=one.run.model_copy(update={"run": "a-3", "tare": "run"}))
+    every = [Rests.of(one), begun, tared]
+    assert [note.split(":")[0] for note in to_confirm(every)] == [f"{NOT_COMPARED} a-1 and a-2"]
+    assert not_compared(every) == []
+
+
+def test_of_many_zeros_that_are_not_compared_the_pages_have_the_first() -> None:
+    two = Rests.of(runs(JUMP_MM)[1])
+    notes = to_confirm([other_load(two, 2.0**number) for number in range(6)])
+    last = f"{NOT_COMPARED} 2 more pairs of runs of string a: the log of the dataset names them."
+    assert len(notes) == 4 and notes[3] == last
+
+
+def other_load(rests: Rests, times: float = 1.5) -> Rests:
+    """The same under so many times the load."""
+    return replace(rests, load_n=tuple(times * load_n for load_n in rests.load_n))

@@ -11,6 +11,7 @@ from ..stored.regular_file import read_regular
 
 NAME = "zero_jumps.json"  # of the note, beside the dataset
 LARGEST = 10_000_000  # bytes of a note
+NOT_COMPARED = "zero not compared between"  # how a sentence begins on runs of which a jump is not seen
 
 
 def to_json(notes: Sequence[str]) -> str:

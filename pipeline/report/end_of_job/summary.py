@@ -9,6 +9,7 @@ from ..layout import paper
 from ..layout.plain_markdown import spoken
 from ..model_to_take.fitted import lines_at_end
 from ..parts.diagnoses import verdicts
+from ..parts.jumps import jumped
 
 ON_ONE_PAGE = "tables, figures, every model and how to ask it"
 PAGE = "index.html"
@@ -18,6 +19,7 @@ FIGURES = ("figure_4.png", "figure_5.png")
 MARK = re.compile(r" \([^()]*\)$")  # in a table's title: that its fits are small, and no results
 RUNS = 8  # whose verdicts are said; the first page has all
 JUMPED = "Beware: the zero jumps between runs, as said above: until that is mended, the model to take may be wrong."
+UNCOMPARED = "Beware: the zero was not compared there: if it was moved, the model to take may be wrong."
 WHOLE = {
     "index.html": "the way to all of it", "campaign/campaign.html": "what a new string teaches a model",
     "proof/proof.html": "the concealed proof", "real/index.html": "public rigs",
@@ -40,8 +42,9 @@ def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]
         text += _files(folder, paths, names)
     to_take = lines_at_end(folder.name, paths, folder / "models.csv", short=on_one_page)
     notes = [path for path in paths if path.name == NAME and path.parent.name == folder.name]
-    jumps = read_jumps(notes)
-    return [*text, *jumps, *([JUMPED] if to_take and jumps else []), *to_take]
+    on_zero = read_jumps(notes)
+    doubt = JUMPED if jumped(on_zero) else UNCOMPARED
+    return [*text, *on_zero, *([doubt] if to_take and on_zero else []), *to_take]
 
 
 def _files(folder: Path, paths: set[Path], names: dict[str, str]) -> list[str]:
