@@ -1,5 +1,7 @@
 import socket
 
+from pipeline.report.end_of_job.failures import told_at_start
+
 # What a start finds before it plans: folders that cannot be runs, stored files that are damaged, recordings that changed.
 DAMAGED, REPLACED, AGAIN = {}, [], set()
 if ON_NODE:  # its start has looked: a node looks for nothing and keeps nothing, and says where it is
@@ -26,8 +28,8 @@ REPORTS = [
     *(f"reports/diagnosis/{run}" for run in REPORTED),
 ]
 
-for one in [] if ON_NODE else PLAN.left_out:
-    print(f"left out: {one.why}", file=sys.stderr)
+for line in [] if ON_NODE else told_at_start(PLAN.left_out, sys.argv):
+    print(line, file=sys.stderr)
 for name, wrong in DAMAGED.items():
     print(f"{name}: is damaged, or of an earlier version ({wrong}): it is made again", file=sys.stderr)
 for run in REPLACED:

@@ -58,7 +58,7 @@ class Plan:
 
 
 def _perhaps(folder: Path) -> str:
-    """The material that a bad `run.yaml` names, if it does and the word is one that a material may have."""
+    """The material that the `run.yaml` of an unusable folder names, if the word is one that a material may have."""
     path = folder / "run.yaml"
     try:
         named = read_yaml(path)["string"]["material"]
@@ -80,12 +80,13 @@ def _place(plan: Plan, folder: Path) -> None:
     except ValueError as error:
         problem = str(error).rpartition("; ")[0]
         mend = "rename the folder, and `run` in its run.yaml with it: lower-case letters, digits and -"
-        plan.misnamed.append(LeftOut.of(run, BadInput(folder, "its name", problem, mend)))
+        plan.misnamed.append(LeftOut.of(run, BadInput(folder, "its name", problem, mend), _perhaps(folder)))
         return
     try:
         if unfinished(folder):
             mend = mend_of_unfinished(folder)
-            plan.unfinished.append(LeftOut.of(run, BadInput(folder, "recording", "is unfinished", mend)))
+            cut_off = BadInput(folder, "recording", "is unfinished", mend)
+            plan.unfinished.append(LeftOut.of(run, cut_off, _perhaps(folder)))
             return
         read = read_run(folder)
     except (BadInput, OSError) as error:

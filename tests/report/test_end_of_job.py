@@ -3,7 +3,7 @@
 import pytest
 
 from pipeline.ground.words.left_out import LeftOut
-from pipeline.report.end_of_job.failures import concerned
+from pipeline.report.end_of_job.failures import ALL_ELSE, concerned, told_at_start, without
 from pipeline.report.end_of_job.summary import RUNS, summary
 
 TITLE = "TABLE I: FORWARD ERRORS (small fit: not a result, made by ci.yaml)"
@@ -80,3 +80,34 @@ def test_what_was_left_out_of_another_material_is_not_said(asked, runs):
         LeftOut(run, material, f"raw/{run}", "recording", "is missing", "put it there") for run, material in of.items()
     ]
     assert [entry.run for entry in concerned(left_out, asked)] == runs
+
+
+SILK = LeftOut("silk-1", "silk", "raw/silk-1", "recording", "is unfinished", "wait")
+NYLON = LeftOut("nylon-2", "nylon", "raw/nylon-2", "recording", "is missing", "put it there")
+
+
+@pytest.mark.parametrize(
+    ("words", "named", "others"),
+    [
+        (["--cores", "2", "--", "reports/nylon/index.html"], [NYLON], 1),
+        (["--", "reports/diagnosis/silk-1"], [SILK], 1),
+        (["--", "reports/vectran/table_1.md"], [], 2),
+        (["--", "reports/index.html"], [NYLON, SILK], 0),
+        (["--", "reports/vectran/table_1.md", "tables"], [NYLON, SILK], 0),
+        (["--cores", "2"], [NYLON, SILK], 0),
+    ],
+)
+def test_a_start_names_what_was_left_out_of_what_it_is_asked_for_and_counts_the_rest(words, named, others):
+    """Each start listed every run that cannot be used, whatever was asked for."""
+    lines = told_at_start([NYLON, SILK], ["snakemake", *words])
+    assert lines[: len(named)] == [f"left out: {entry.why}" for entry in named]
+    counted = [
+        f"left out beside what is asked for: {others} run{'s' * (others > 1)}; a start without targets names each"
+    ]
+    assert lines[len(named) :] == (counted if others else [])
+
+
+def test_the_last_lines_say_once_that_a_run_was_left_out():
+    """It read "Left out until mended: left out: raw/…"."""
+    assert " ".join([*without([NYLON.why]).splitlines()]).casefold().count("left out") == 1
+    assert "left out" not in ALL_ELSE.casefold()

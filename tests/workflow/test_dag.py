@@ -31,6 +31,7 @@ def test_plan_sorts_runs_by_material(make_run, tmp_path):
     assert plan.materials == {"synthetic": ["synthetic-01"], "UHMWPE": ["a-01", "a-02"], "nylon": ["n-01"]}
     assert plan.others == ["mass-01"] and plan.refused == plan.misnamed == []
     assert [one.run for one in plan.unfinished] == ["cut-01", "cut-02"] and "--recover" in plan.unfinished[0].why
+    assert {one.material for one in plan.unfinished} == {"UHMWPE"}, "a job of nylon ended with them"
 
 
 HOSTILE = [

@@ -1,13 +1,15 @@
 """The last words of a main job that did not make everything: failed jobs and left-out runs, with reasons and mends."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 
+from ...ground.words.counts import counted
 from ...ground.words.left_out import LeftOut
 
-ALL_ELSE = "All else that was asked for is made. Left out until mended:"
+ALL_ELSE = "All else that was asked for is made. What is to be mended:"
 FAILS = "Until then the main job ends as failed. Nothing else went wrong, whatever Snakemake says below."
 EVERYTHING = "reports/index.html"  # the page of all materials
+ENDS_OPTIONS = "--"  # of a command line
 LAST = "left_out"  # the rule that fails where a run was left out, after everything else
 ELSE = "What other runs need is made with --keep-going."
 STOPPED = "Stopped by Ctrl-C. What is made is kept: the same command goes on from there."
@@ -35,6 +37,21 @@ def concerned(left_out: Iterable[LeftOut], asked_files: Collection[str]) -> list
         for entry in left_out
         if EVERYTHING in asked_files or not entry.material or {entry.material, entry.run} & folders
     ]
+
+
+def told_at_start(left_out: Sequence[LeftOut], words: Sequence[str]) -> list[str]:
+    """What a start says of what was left out, by the words of its command line; what was not asked for is counted.
+
+    What stands behind `--` is asked for. All is named where that is nothing, or more than files of materials and runs.
+    """
+    targets = list(words[words.index(ENDS_OPTIONS) + 1 :]) if ENDS_OPTIONS in words else []
+    is_of_some = bool(targets) and all(len(Path(target).parts) > 2 for target in targets)
+    named = concerned(left_out, [f"{target}/part" for target in targets]) if is_of_some else left_out
+    lines = [f"left out: {entry.why}" for entry in named]
+    others = len(left_out) - len(named)
+    if others:
+        lines.append(f"left out beside what is asked for: {counted(others, 'run')}; a start without targets names each")
+    return lines
 
 
 def without(left_out: Iterable[str]) -> str:
