@@ -170,7 +170,13 @@ def test_the_table_of_strings_says_what_nobody_measured_and_ranges(tmp_path):
     schemas.write(many, schemas.DATASET, tmp_path / "many.parquet")
     text = recorded_strings(by_stroke(tmp_path / "many.parquet"), "nylon")
     assert "The strings of nylon" in text and text.count("<tr>") == 8 and "String s-1" not in text
-    assert "has one answer for strings of the same sizes" in text
+    assert "has one answer for strings of the same sizes" in text and "fits: s-0, s-1, s-2, s-3 and 3 more. pre" in text
+    other_sizes = recorded_strings(by_stroke(tmp_path / "dataset.parquet"), "nylon")
+    assert "String b (" in other_sizes and "one answer" not in other_sizes, "no two strings of these are alike"
+    two = pd.concat([NINE, NINE.assign(string="b"), NINE.assign(string="c", radius_mm=0.5)])
+    schemas.write(two, schemas.DATASET, tmp_path / "alike.parquet")
+    of_alike = recorded_strings(by_stroke(tmp_path / "alike.parquet"), "nylon")
+    assert "are those of such fits: a-01 and b. predict" in of_alike
     one_string = recorded_strings(by_stroke(tmp_path / "dataset.parquet").loc[["a-01"]], "nylon")
     assert "one answer" not in one_string
 

@@ -49,7 +49,7 @@ def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(few):
 
     done = project.snakemake()
     said = done.stdout + done.stderr
-    closing = done.stdout.partition("All else that was asked for is made. Left out until mended:\n")[2].splitlines()
+    closing = done.stdout.partition("All else that was asked for is made. What is to be mended:\n")[2].splitlines()
     assert len(closing) == len(HOSTILE) + len(BAD) + 1 and "failed: " not in done.stdout
     assert closing[-1].startswith("Until then the main job ends as failed.")
     assert done.returncode != 0 and "left out: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in said

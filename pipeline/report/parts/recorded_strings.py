@@ -10,7 +10,7 @@ from markupsafe import Markup
 from ...ground.kinematics import usual_stiffness
 from ...ground.stored import schemas
 from ..shown.run_strokes import strokes_of_runs
-from ..shown.shown_strokes import ranges
+from ..shown.shown_strokes import listed, ranges
 from ..web.page import paragraph, together
 from ..web.sortable_table import table
 
@@ -27,9 +27,11 @@ FEW = 6  # strings that have a sentence each; more stand in a table
 NOT_MEASURED = "not measured"
 ONE_ANSWER = (
     "Asked single points, every model but calibrated has one answer for strings of the same sizes, that of all of them "
-    "together, and their errors here are those of such fits. predict --each-string fits a model to each string alone "
-    "and answers for it; export --all-points --string does so for a controller."
+    "together, and their errors here are those of such fits: {}. predict --each-string fits a model to each string "
+    "alone and answers for it; export --all-points --string does so for a controller."
 )
+TOLD_APART = [name for name in SIZES if name not in ("load_n", "motor_turns")]
+NAMED = 4  # strings of the same sizes
 NONE = "none"
 
 
@@ -110,8 +112,21 @@ def recorded_strings(strokes: pd.DataFrame, material: str, tared: Collection[str
     if len(of_strings) <= FEW:
         by_string = [own for _, own in strokes.groupby(level="string", sort=False)]
         words = [(sentence(row), strokes_of_runs(own, tared)) for row, own in zip(of_strings, by_string, strict=True)]
-        alike = [(ONE_ANSWER,)] if len(of_strings) > 1 else []
-        return together([paragraph(" ".join(filter(None, sentences))) for sentences in [*words, *alike]])
+        return together([*(paragraph(" ".join(filter(None, sentences))) for sentences in words), _one_answer(strokes)])
     head = ["string", "runs", *HEAD.values(), "strokes"]
     every = table(head, of_strings, f"The strings of {material}", (0, 1), paged=True)
-    return together([every, paragraph(ONE_ANSWER)])
+    return together([every, _one_answer(strokes)])
+
+
+def _one_answer(strokes: pd.DataFrame) -> Markup:
+    """That strings of the same sizes have one answer, and which they are; empty where no two are alike."""
+    by_sizes: dict[tuple[str, ...], list[str]] = {}
+    for string, own in strokes.groupby(level="string", sort=False):
+        sizes = tuple(_span(own[name, "min"].min(), own[name, "max"].max()) for name in TOLD_APART)
+        by_sizes.setdefault(sizes, []).append(str(string))
+    groups = [
+        f"{', '.join(alike[:NAMED])} and {len(alike) - NAMED} more" if len(alike) > NAMED else listed(alike)
+        for alike in by_sizes.values()
+        if len(alike) > 1
+    ]
+    return paragraph(ONE_ANSWER.format("; ".join(groups))) if groups else Markup("")
