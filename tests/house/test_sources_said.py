@@ -30,7 +30,7 @@ METHODS = [
     ),
     *named("diagnosis/choice", "compare", "cross_validation", "search"),
     *named("diagnosis/proposal", "design", "next_runs"),
-    *named("lifespan/forecast", "fit", "law_choice", "laws", "strokes_left"),
+    *named("lifespan/forecast", "fitted_law", "law_choice", "laws", "strokes_left"),
     *named("models/parts", "growth", "marquardt"),
     *named("models/parts/questions", "prediction_intervals"),
     *named("models/parts/networks", "coupling", "rational", "training"),
