@@ -22,12 +22,12 @@ from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
 from .ground.model_errors import chosen_of, errors_in
+from .ground.model_names import USUAL
 from .ground.stored import schemas
 from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, read_jumps
-from .models.interface import usual
 from .models.parts.questions.bad_rows import refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
@@ -64,7 +64,7 @@ def main() -> None:
     )
     parser.add_argument(
         "--model",
-        help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved file is read; default: {usual()}",
+        help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved file is read; default: {USUAL}",
     )
     saved = "this fitted model answers, as its export: processed/<material>/<model>/<split>-<seed>.model"
     parser.add_argument("--saved", type=Path, metavar="FILE", help=saved)
@@ -84,7 +84,7 @@ def main() -> None:
     if arguments.saved and any(anew):
         parser.error("--saved takes a model as it is: leave out --model, --settings, --each-string and --level")
     arguments.level = LEVEL if arguments.level is None else arguments.level
-    is_named, arguments.model = bool(arguments.model), arguments.model or usual()
+    is_named, arguments.model = bool(arguments.model), arguments.model or USUAL
     refuse(arguments.model, arguments.settings, arguments.level)
     reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
     file_to_write(arguments.out, reads=reads)

@@ -46,13 +46,6 @@ def names() -> tuple[str, ...]:
     return holding(Path(__file__).parent, r"MODEL\b")
 
 
-@cache
-def usual() -> str:
-    """Name of the default model: of the one file that says `USUAL = True`."""
-    (name,) = holding(Path(__file__).parent, r"USUAL = True\b")
-    return name
-
-
 def settings_of(name: str) -> type | None:
     """The dataclass of a model's settings, None for a model without any."""
     settings: type | None = getattr(importlib.import_module(f"{__package__}.{name}"), "Settings", None)

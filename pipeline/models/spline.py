@@ -156,4 +156,3 @@ def _zone_mm(points: pd.DataFrame) -> Array:
 
 MODEL = Spline
 ABOUT = About(least_strokes_alone=1)
-USUAL = True  # the model that answers questions where none is named: docs/models.md says why

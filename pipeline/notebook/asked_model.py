@@ -6,7 +6,8 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.errors import BadInput
-from ..models.interface import about, usual
+from ..ground.model_names import USUAL
+from ..models.interface import about
 from ..models.parts.configured import configured, fitting
 from ..models.parts.questions.beside_questions import beside_questions, with_intervals
 from ..models.parts.questions.each_string import Answer, by_string
@@ -38,7 +39,7 @@ def answers(
     have the zero of `points`: `Recording.tare_mm` leads to the sensor's. Raises BadInput for columns that are missing
     or unknown, and where no row can be answered.
     """
-    name = model or usual()
+    name = model or USUAL
     settings = settings_in_json(name, more)
     with as_arguments():
         refuse(name, settings, level)
@@ -53,7 +54,7 @@ def refuse(name: str, settings: str, level: float) -> None:
     configured(name, settings)  # complains before anything is fitted
     if about(name).needs_motion:
         problem = "answers along a whole motion, which single questions do not tell"
-        raise BadInput("--model", name, problem, f"choose another, such as {usual()}")
+        raise BadInput("--model", name, problem, f"choose another, such as {USUAL}")
 
 
 @dataclass(frozen=True)

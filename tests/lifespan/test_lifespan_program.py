@@ -24,13 +24,12 @@ from pipeline.lifespan.from_folders import strings
 from pipeline.lifespan.score.__main__ import held, loses, score
 from pipeline.lifespan.score.scoretable import words
 from pipeline.lifespan.stroke_health.at_rest import longer_at_rest
-from pipeline.lifespan.words import calibrate_again, page_lines
+from pipeline.lifespan.words import page_lines
 from pipeline.lifespan.words.calibration_advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.words.claims_held import HELD, measured
 from pipeline.lifespan.words.figure_words import WIDE, footnote
 from pipeline.lifespan.words.sentences import UNFORESEEN, sentence
 from pipeline.lifespan.words.so_far import beside_limit, so_far
-from pipeline.models.interface import usual
 from pipeline.rig import __main__ as rig
 
 ROOT = Path(__file__).parents[2]
@@ -562,10 +561,6 @@ def test_the_advice_gives_the_command_and_says_why_it_stays_after_a_calibration(
     assert f"{paste} fits the spline of UHMWPE to all of its runs in raw/):{own}" in said[1]
     for text in said:
         assert "After a calibration name only the runs recorded since: a forecast" in joined(text)
-
-
-def test_the_model_that_is_fitted_again_is_the_usual_one():
-    assert usual() == calibrate_again.USUAL
 
 
 def bedded(strokes, first):

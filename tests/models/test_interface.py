@@ -14,7 +14,8 @@ from made_dataset import made_dataset
 
 from pipeline import models
 from pipeline.diagnosis.mechanisms.library import mechanisms
-from pipeline.models.interface import Model, about, make_model, usual
+from pipeline.ground.model_names import USUAL
+from pipeline.models.interface import Model, about, make_model
 
 FOLDER = Path(models.__file__).parent
 MODELS = sorted(
@@ -183,13 +184,13 @@ WORK_ON_MODELS = [
 
 
 def test_what_works_on_models_names_none_but_the_first_and_the_last_of_the_tables() -> None:
-    """What it must know of a model, the model's file says: by its ABOUT, or that it is the usual one."""
+    """What it must know of a model, the model's file says: by its ABOUT; which is the usual one, the ground says."""
     paths = [path for pattern in WORK_ON_MODELS for path in FOLDER.parent.glob(pattern)]
     for path in paths:
         nodes = ast.walk(ast.parse(path.read_text("utf-8")))
         quoted = {node.value for node in nodes if isinstance(node, ast.Constant)}
         assert quoted & set(MODELS) <= {"inn", "traditional"}, path
-    assert len(paths) > 30 and usual() in MODELS and not about(usual()).needs_motion
+    assert len(paths) > 30 and USUAL in MODELS and not about(USUAL).needs_motion
 
 
 def test_the_configuration_says_truly_who_is_told_the_direction(case: tuple[str, Model, pd.DataFrame]) -> None:

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from ...ground.command import make_command
 from ...ground.errors import BadInput
+from ...ground.model_names import USUAL
 from ...ground.stored import seal
 from ...ground.words.counts import counted
-from ..interface import usual
 
 RAW = Path("raw")  # of the folder that a program is started in
 PROCESSED = Path("processed")  # of the folder that a program is started in
@@ -22,7 +22,7 @@ def fitted(material: Path, names: Collection[str]) -> list[Path]:
     A file of a split with too few strokes holds no model.
     """
     files = []
-    for name in sorted(names, key=lambda name: (name != usual(), name)):
+    for name in sorted(names, key=lambda name: (name != USUAL, name)):
         own_files = [file for file in sorted((material / name).glob("*-*.model")) if _holds(file)]
         files += sorted(own_files, key=lambda file: file.name != FIRST)[:1]
     return files
