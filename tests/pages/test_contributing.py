@@ -4,6 +4,7 @@ A model, an exporter, an effect and a compared method are on that page; a mechan
 which has a test of its own.
 """
 
+import ast
 import os
 import re
 import shutil
@@ -161,10 +162,27 @@ def test_the_pages_files_keep_the_house_style(house: Path) -> None:
         assert done.returncode == 0, done.stdout + done.stderr
 
 
+def test_the_page_lists_where_a_new_kind_of_string_is_written() -> None:
+    """Wherever there are names of the kinds of string, but for who conceals physics; and where their columns are."""
+    (item,) = re.findall(r"^- A rig without a string needs no other file\. .*?(?=^- )", PAGE, re.M | re.S)
+    package = ROOT / "pipeline"
+    naming = {path.relative_to(package).as_posix() for path in package.rglob("*.py") if says(path, "twisted_pair")}
+    of_others = {name for name in naming if name.startswith("rig/authors/")}
+    assert of_others and set(re.findall(r"`([\w/]+\.py)`", item)) == naming - of_others | {"ground/stored/schemas.py"}
+
+
+def says(path: Path, word: str) -> bool:
+    """Whether a word stands in a string of a module."""
+    text = path.read_text(encoding="utf-8")
+    nodes = ast.walk(ast.parse(text)) if word in text else ()
+    return any(isinstance(node, ast.Constant) and word in str(node.value) for node in nodes)
+
+
 def test_what_the_page_names_is_there() -> None:
     for path in re.findall(r"`((?:pipeline|tests|docs)/[\w/]+\.(?:py|md|yaml))`|\((docs/[\w.]+)", PAGE):
         named = next(filter(None, path))
         assert named in FILES or (ROOT / named).is_file(), named
-    short = re.findall(r"`((?:diagnosis|export|models|parts|proof|rig|ground|config)/[\w/]+\.(?:py|yaml))`", PAGE)
+    rooms = "config|diagnosis|export|foreign|formats|ground|models|parts|proof|rig|run|systems"
+    short = re.findall(rf"`((?:{rooms})/[\w/]+\.(?:py|yaml))`", PAGE)
     for name in short:
         assert any((ROOT / "pipeline" / room / name).is_file() for room in (".", "models")), name

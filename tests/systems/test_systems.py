@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.ground.units import unit_of
+from pipeline.run.description import STRING_ACTUATORS
 from pipeline.systems import systems
 from pipeline.systems.interface import PORTS
 
@@ -44,6 +45,11 @@ def test_a_system_says_what_a_recording_holds(system):
     assert set(system.ports) <= set(PORTS) and "sensor" in system.ports
     assert system.never_zero | system.may_be_negative <= set(system.rig) | set(system.optional_rig)
     assert system.homed is None or "twist" in system.ports
+
+
+def test_each_kind_of_string_is_one_of_the_string_actuators():
+    """Models, datasets and exports ask for them by name: CONTRIBUTING.md, "A system", lists where."""
+    assert {name for name, system in systems().items() if system.needs_string} == set(STRING_ACTUATORS)
 
 
 def test_dimensions_are_named_once_and_have_tolerances(system, run):
