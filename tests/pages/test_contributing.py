@@ -1,7 +1,7 @@
-"""CONTRIBUTING.md, executed: its five files dropped into a copy of the package, named as it says, and asked.
+"""CONTRIBUTING.md, executed: its files dropped into a copy of the package, named as it says, and asked.
 
-A model, an exporter, an effect and a compared method are on that page; a mechanism and a system are on docs/new_rig.md,
-which has a test of its own.
+A model, an exporter, an effect and compared methods are on that page; a mechanism and a system are on
+docs/new_rig.md, which has a test of its own. What all of them together do to a checkout: `test_added_files.py`.
 """
 
 import ast
@@ -14,13 +14,14 @@ from pathlib import Path
 
 import copied
 import pytest
+from files_shown import shown
 from models.made_dataset import made_dataset
 
 from pipeline.ground.stored import schemas
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "CONTRIBUTING.md").read_text()
-FILES = dict(re.findall(r"^`([\w/.-]+)`\n\n```python\n(.*?)^```", PAGE, flags=re.M | re.S))
+FILES = shown("CONTRIBUTING.md")
 
 MODEL_AND_HEADER = """
 import sys
@@ -151,15 +152,6 @@ def test_the_tests_that_the_page_names_run_over_its_files(house: Path, name: str
     done = subprocess.run(command, cwd=house, env=environment, capture_output=True, text=True)
     ran = re.search(r"^(\d+) passed", done.stdout.splitlines()[-1])
     assert done.returncode == 0 and ran and int(ran[1]), done.stdout[-3000:]
-
-
-def test_the_pages_files_keep_the_house_style(house: Path) -> None:
-    assert len(FILES) == 5
-    command = [sys.executable, "-m", "ruff"]
-    for words in (["check"], ["format", "--check"]):
-        tried = [*command, *words, "--config", str(ROOT / "pyproject.toml"), *FILES]
-        done = subprocess.run(tried, cwd=house, capture_output=True, text=True)
-        assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_the_page_lists_where_a_new_kind_of_string_is_written() -> None:

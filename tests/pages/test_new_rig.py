@@ -12,16 +12,11 @@ import copied
 import numpy as np
 import pandas as pd
 import pytest
+from files_shown import shown
 
 ROOT = Path(__file__).parents[2]
 INERTIA_KG_M2, WEIGHT_NM = 0.0213, 0.94  # within the tolerance of what the page's run.yaml says
 RATE_HZ = 500.0
-
-
-def page_files():
-    """Files that the page shows, by their paths: each code block that follows a line with nothing but a path."""
-    text = (ROOT / "docs/new_rig.md").read_text()
-    return dict(re.findall(r"^`([\w/.-]+)`\n\n```\w+\n(.*?)^```", text, flags=re.M | re.S))
 
 
 def recorded(seed, bearing=0.0, oil=0.0, offset=0.0, air=0.0):
@@ -48,7 +43,7 @@ def recorded(seed, bearing=0.0, oil=0.0, offset=0.0, air=0.0):
 @pytest.fixture(scope="module")
 def house(tmp_path_factory):
     """A copy of the package with the page's two files in it; run.yaml's text besides."""
-    root, files = tmp_path_factory.mktemp("house"), page_files()
+    root, files = tmp_path_factory.mktemp("house"), shown("docs/new_rig.md")
     copied.package(root)
     for path, text in files.items():
         if path.endswith(".py"):
@@ -88,7 +83,7 @@ def value(entry, *names):
 
 
 def test_the_page_has_its_files():
-    assert set(page_files()) == {
+    assert set(shown("docs/new_rig.md")) == {
         "pipeline/systems/pendulum.py", "raw/pendulum-01/run.yaml", "pipeline/diagnosis/mechanisms/x_air_drag.py",
     }  # fmt: skip
 

@@ -34,7 +34,7 @@ def test_ten_thousand_cases_are_planned_in_batches_of_a_few_minutes_whose_comman
     path = Path(__file__).parents[2] / "pipeline" / "config" / "ten_thousand.yaml"
     large = yaml.safe_load(path.read_text())["proof"]
     cases = plan(large)
-    assert len(cases) == 10_000 and not {case.seed for case in cases} & {case.seed for case in plan(CONFIG)}
+    assert len(cases) >= 10_000 and not {case.seed for case in cases} & {case.seed for case in plan(CONFIG)}
     kinds = {(case.stratum, case.protocol, case.kappas, case.author, bool(case.without)) for case in cases}
     assert kinds == {(one.stratum, one.protocol, one.kappas, one.author, bool(one.without)) for one in plan(CONFIG)}
     found = batches(large)
