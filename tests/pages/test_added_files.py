@@ -55,7 +55,7 @@ def tried(root: Path, *words: str) -> None:
 
 
 def test_ruff_finds_nothing_in_them(checkout: Path) -> None:
-    assert len(FILES) == 7
+    assert len(FILES) == 8
     tried(checkout, "ruff", "check", *FILES)
     tried(checkout, "ruff", "format", "--check", *FILES)
 

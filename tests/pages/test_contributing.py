@@ -1,6 +1,6 @@
 """CONTRIBUTING.md, executed: its files dropped into a copy of the package, named as it says, and asked.
 
-A model, an exporter, an effect and compared methods are on that page; a mechanism and a system are on
+A model, an exporter, an effect, compared methods and a format are on that page; a mechanism and a system are on
 docs/new_rig.md, which has a test of its own. What all of them together do to a checkout: `test_added_files.py`.
 """
 
@@ -13,11 +13,16 @@ import sys
 from pathlib import Path
 
 import copied
+import numpy as np
 import pytest
+import yaml
 from files_shown import shown
+from formats.foreign_files import CHANNELS, GOOD, SERIES
+from made_recording import content
 from models.made_dataset import made_dataset
 
 from pipeline.ground.stored import schemas
+from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "CONTRIBUTING.md").read_text()
@@ -98,6 +103,30 @@ table = np.random.default_rng(0).normal(size=(400, 2))
 predicted = learn(table, np.tanh(table[:, 0]), *seeds)(table[::7] + 0.01)
 assert np.abs(predicted - np.tanh(table[::7, 0])).mean() < 0.1
 """
+FORMAT = """
+from pathlib import Path
+import numpy as np
+from pipeline.formats import format_of, read_foreign
+from pipeline.foreign.folder_files import files_in
+from pipeline.ground.errors import BadInput
+from pipeline.ground.input.text_file import TextFile
+from pipeline.import_run import import_run
+
+file, layout = Path("logs/a.npy"), TextFile.model_validate({})
+assert format_of(file).name == "a NumPy array" and file in files_in(file.parent, "run", None).file_by_run.values()
+import_run(file, Path("map.yaml"), "a-01", Path("raw"))
+good, random, refused = file.read_bytes(), np.random.default_rng(1), 0
+for number in range(300):
+    broken = bytearray(good)
+    for place in random.integers(0, len(good) if number % 2 else 128, 1 + number % 8):
+        broken[place] = random.integers(0, 256)
+    file.write_bytes(broken[: random.integers(100, len(good))] if number % 5 == 0 else broken)
+    try:
+        read_foreign(file, layout)
+    except BadInput:
+        refused += 1
+assert 30 < refused < 290
+"""
 # files of tests that the page names for each of its files, and the id under which they run over it
 RUN_OVER = {
     "shifted": ["tests/models/test_interface.py", "tests/export/test_export_equality.py"],
@@ -140,6 +169,18 @@ def test_the_pages_effect_is_concealed(house: Path) -> None:
 
 def test_the_pages_black_box_learns_and_stands_in_figures(house: Path) -> None:
     run(house, BLACK_BOX)
+
+
+def test_the_pages_format_is_imported_and_refused_in_words_where_it_is_damaged(house: Path) -> None:
+    logged = np.zeros(len(GOOD), [(name, "f8") for name in SERIES])
+    for name, values in SERIES.items():
+        logged[name] = values
+    (house / "logs").mkdir()
+    np.save(house / "logs/a.npy", logged)
+    (house / "map.yaml").write_text(yaml.safe_dump(content("x", run=None, channels=CHANNELS)))
+    run(house, FORMAT)
+    _, samples = read_samples(house / "raw/a-01")
+    assert samples["displacement_mm"].to_numpy() == pytest.approx(GOOD["displacement_mm"].to_numpy())
 
 
 @pytest.mark.long
