@@ -13,6 +13,7 @@ from .foreign.folder_files import OPTION, files_in
 from .foreign.imported import import_run, imported
 from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
+from .ground.input.outputs import folder_to_write
 from .ground.input.parser import Parser
 from .ground.names import checked, run_name
 from .ground.words.counts import counted
@@ -88,7 +89,7 @@ def main() -> int:
         return 0
     if arguments.map is None or arguments.run is None:
         parser.error("--map and --run are needed; without a mapping yet, draft one with --guess")
-    raw = arguments.out or Path("raw")
+    raw = folder_to_write(arguments.out or Path("raw"))
     if arguments.files is not None and not arguments.file.is_dir():
         parser.error(f"{OPTION} goes with a folder")
     if arguments.file.is_dir():

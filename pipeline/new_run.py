@@ -9,6 +9,7 @@ from typing import Any
 from .foreign.made_run import make_run
 from .ground.command import command
 from .ground.errors import program
+from .ground.input.outputs import folder_to_write
 from .ground.input.parser import Parser
 from .ground.input.strict_yaml import parse_yaml
 from .run.copied_run import as_in, with_given
@@ -101,7 +102,7 @@ def main() -> None:
     arguments = parser.parse_args()
     if wanting := lacking(arguments):
         parser.error(wanting)
-    out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
+    out = folder_to_write(arguments.out or (arguments.like.parent if arguments.like else Path("raw")))
     content = with_string_id(arguments_to_content(arguments), out)
     folder = make_run(content, arguments.recording, out, arguments.sure, material_known=arguments.like is not None)
     recorded = has_recording(folder)

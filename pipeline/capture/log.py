@@ -9,6 +9,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from ..ground.errors import BadInput
+from ..ground.stored.folders import make_folders
 from ..run.description import RUN_NAME
 from ..run.folder import RECORDINGS
 
@@ -70,7 +71,7 @@ class Log:
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND | getattr(os, "O_BINARY", 0)
         self._folder = folder
         try:
-            folder.mkdir(parents=True, exist_ok=True)
+            make_folders(folder)
             with _alone(folder):
                 self._file = os.open(folder / name, flags, 0o644)
                 self._withdraw_beside_another(name)

@@ -6,6 +6,7 @@ from typing import cast
 
 from ..run.description import Run
 from .document.content import Simulated, Verdict
+from .fit.adopt import checked
 from .prediction.prediction_band import adopted_diagnosis
 from .prediction.simulation import of_run, read_diagnosis
 from .prediction.without_a_name import to_simulate
@@ -26,8 +27,14 @@ class Simulator:
 
     @classmethod
     def of(cls, run: Run, source: Path, diagnosis: Verdict | None = None) -> "Simulator":
-        """The simulator of a run: the diagnosis that is given, or what its run.yaml has adopted."""
-        return cls(of_run(run) if diagnosis is None else to_simulate(diagnosis, run.run), source, diagnosis)
+        """The simulator of a run: the diagnosis that is given, or what its run.yaml has adopted.
+
+        Raises BadInput for an effect that is none of the library's.
+        """
+        content = of_run(run) if diagnosis is None else to_simulate(diagnosis, run.run)
+        for number, entry in enumerate(content["simulation"]):
+            checked(entry, f"simulation[{number}]", str(source))
+        return cls(content, source, diagnosis)
 
     @classmethod
     def read(cls, run: Run, folder: Path, file: Path | None) -> "Simulator":

@@ -8,6 +8,7 @@ import pandas as pd
 
 from ..formats.text_layout import with_point
 from ..formats.time_stamps import holds_stamps, stamps_s
+from ..ground.input.cell_numbers import cell_numbers
 from ..ground.input.complaint import key_name
 from ..ground.input.header_units import header_unit, unit_word
 from ..ground.kinematics import Array
@@ -58,7 +59,7 @@ def numbers(table: pd.DataFrame, comma: bool) -> dict[str | int, Array]:
         column = table.iloc[:, place]
         if column.dtype.kind not in "fiu":
             read = stamps_s(column) if holds_stamps(column) else column.map(with_point) if comma else column
-            column = pd.to_numeric(read, errors="coerce")
+            column = cell_numbers(read)
         values = column.to_numpy(np.float64)
         full = int(column.notna().sum())
         if full > SPARSE * len(column) and np.isfinite(values).sum() > 0.5 * full:

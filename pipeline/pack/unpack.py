@@ -19,6 +19,7 @@ from ..ground.code.fingerprint import fingerprint
 from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.stored.files import sha256
+from ..ground.stored.folders import make_folders
 from ..ground.words.counts import counted
 from .manifest import MEND, NAME, PLACES, PROVENANCE, File, Manifest, read
 from .provenance import NOTES, note_of
@@ -84,7 +85,7 @@ def missing(manifest: Manifest, archive: Path) -> list[str]:
 def bring(zipped: zipfile.ZipFile, name: str, file: File, place: Path, archive: Path) -> None:
     """Write one file of an archive below a folder of its own; raises BadInput where it is not what was packed."""
     path, digest, bytes_left = place / name, hashlib.sha256(), file.bytes
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_folders(path.parent)
     try:
         with zipped.open(name) as source, path.open("wb") as target:
             while part := source.read(min(CHUNK_BYTES, bytes_left + 1)):

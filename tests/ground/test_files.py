@@ -11,6 +11,7 @@ import pyarrow.parquet as pq
 import pytest
 from models.made_dataset import made_dataset
 
+from pipeline.capture.log import Log
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored import schemas, seal
 from pipeline.ground.stored.files import whole, write_text
@@ -29,6 +30,15 @@ def test_a_failed_write_leaves_what_was_there(tmp_path):
     with pytest.raises(OSError, match="disk full"):
         write_half()
     assert path.read_text() == "old" and os.listdir(tmp_path) == ["table.csv"]
+
+
+def test_of_a_thousand_folders_in_each_other_none_is_made(tmp_path):
+    deep = tmp_path / ("x/" * 1000)
+    for make in (lambda: Log(deep / "run-1"), lambda: write_text(deep / "table.csv", "new")):
+        with pytest.raises(BadInput, match="cannot be"):
+            make()
+    assert not list(tmp_path.iterdir())
+    write_text(tmp_path / ("x/" * 100) / "table.csv", "new")
 
 
 def test_who_reads_sees_the_old_file_or_the_new_one(tmp_path):

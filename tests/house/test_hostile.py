@@ -250,6 +250,78 @@ def test_an_edited_diagnosis_is_refused_in_words_and_nothing_is_simulated(
     assert len(complaint) < 2000 and not out.exists()
 
 
+DIGITS = "9" * 400  # a whole number that no float holds
+
+
+def test_a_cell_of_400_digits_costs_a_question_itself_and_refuses_a_plan(place: Path, tmp_path: Path) -> None:
+    questions, plan, out = tmp_path / "q.csv", tmp_path / "p.csv", tmp_path / "o.csv"
+    questions.write_text(f"stroke,direction,motor_turns\n1,1,3\n1,1,-{DIGITS}\n")
+    words = ["dataset.parquet", str(questions), "--model", "polynomial", "--out", str(out)]
+    code, complaint = ended("pipeline.predict", words, place)
+    assert code == 2 and "motor_turns: is without end in row 2. Mend: write a number." in complaint
+    answered = pd.read_csv(out)
+    assert answered["displacement_mm"].notna().tolist() == answered["inside"].tolist() == [True, False]
+    out.unlink()
+    plan.write_text(f"time_s,motor_turns,load_n\n0,0,20\n5,{DIGITS},20\n9,0,20\n")
+    words = ["raw/a-3", "--simulation", "simulation.json", "--motion", str(plan), "--out", str(out)]
+    code, complaint = ended("pipeline.simulate", words, place)
+    assert code == 2 and "motor_turns: is not a number in 1 of 3 rows, first in row 2" in complaint and not out.exists()
+
+
+def test_a_number_of_400_digits_in_a_json_recording_is_named_by_its_row(place: Path, tmp_path: Path) -> None:
+    rows = recording(1, rate_hz=10.0).to_dict("records")
+    rows[20]["load_n"] = rows[22]["displacement_mm"] = int(DIGITS)
+    (tmp_path / "log.json").write_text(json.dumps(rows))
+    described = {key: value for key, value in content("b-9").items() if key != "run"}
+    (tmp_path / "mapping.yaml").write_text(json.dumps(described))
+    assert ended("pipeline.import_run", ["log.json", "--guess"], tmp_path)[0] == 0
+    words = ["log.json", "--map", "mapping.yaml", "--run", "b-9"]
+    code, complaint = ended("pipeline.import_run", words, tmp_path)
+    assert code == 2 and "log.json: displacement_mm: is not a number in 1 of 320 rows, first in row 23" in complaint
+
+
+@pytest.mark.parametrize(
+    ("edited", "field"),
+    [
+        ('{"run": "a-3", "parameters": {}, "simulation": [{"parameters": {}}]}', "simulation[0]"),
+        ('{"run": "a-3", "parameters": {}, "simulation": [true]}', "simulation[0]"),
+        ('{"run": "a-3", "parameters": {}, "simulation": [], "closest": [1]}', "closest"),
+        (
+            '{"run": "a-3", "parameters": {}, "simulation": [], '
+            '"closest": {"ids": [], "parameters": {}, "simulation": [7]}}',
+            "simulation[0]",
+        ),
+    ],
+)
+@pytest.mark.parametrize("motion", [True, False])
+def test_what_cannot_act_is_refused_before_a_plan_too(
+    place: Path, tmp_path: Path, edited: str, field: str, motion: bool
+) -> None:
+    path, plan, out = tmp_path / "s.json", tmp_path / "p.csv", tmp_path / "o.csv"
+    path.write_text(edited)
+    plan.write_text("time_s,motor_turns,load_n\n0,0,20\n5,10,20\n9,0,20\n")
+    words = ["raw/a-3", "--simulation", str(path), *(["--motion", str(plan)] if motion else []), "--out", str(out)]
+    code, complaint = ended("pipeline.simulate", words, place)
+    assert code == 2 and complaint.startswith(f"error: {path}: {field}: is ") and not out.exists(), complaint
+
+
+@pytest.mark.parametrize(
+    ("program", "words"),
+    [
+        ("new_run", "b-9 --like raw/a-1 --out"),
+        ("import_run", "raw/a-1/recording.parquet --map mapping.yaml --run b-9 --out"),
+        ("import_run", "raw/a-1/recording.parquet --guess --out"),
+        ("simulate", "raw/a-3 --simulation simulation.json --out"),
+        ("settle.__main__", "raw/a-1 --out"),
+    ],
+)
+def test_a_place_a_thousand_folders_deep_is_refused_in_words(place: Path, program: str, words: str) -> None:
+    described = {key: value for key, value in content("b-9").items() if key != "run"}
+    (place / "mapping.yaml").write_text(json.dumps(described))
+    code, complaint = ended(f"pipeline.{program}", [*words.split(), "deep/" * 500 + "x"], place)
+    assert code == 2 and "--out" in complaint and "Mend: " in complaint and not (place / "deep").exists()
+
+
 def test_another_actuator_than_the_recorded_is_refused(place: Path) -> None:
     """It was answered -0.048 for 1.078 as lying inside."""
     questions = place / "pair.csv"

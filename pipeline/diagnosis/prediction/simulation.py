@@ -57,6 +57,10 @@ def read_diagnosis(path: Path) -> Verdict:
     for field, kind in (("parameters", dict), ("simulation", list)):
         if not isinstance(content, dict) or not isinstance(content.get(field), kind):
             raise BadInput(path, field, "is missing or is not what a diagnosis gives", "give a diagnosis.json")
+    closest = content.get("closest") or {"parameters": {}, "simulation": [], "ids": []}
+    parts = [closest.get(key) for key in ("parameters", "simulation", "ids")] if isinstance(closest, dict) else []
+    if [type(part) for part in parts] != [dict, list, list]:
+        raise BadInput(path, "closest", f"is {short(closest)}, no simulator", "give a diagnosis.json as it was made")
     together = content.get("run", "")
     if not isinstance(together, str) and not (isinstance(together, list) and together):
         raise BadInput(path, "run", f"is {short(together)}, no run and no list of runs", "give a diagnosis.json")

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from ..errors import BadInput
+from ..stored.folders import DEEPEST
 
 LONGEST_PATH = 3500  # bytes in all: 4096 are taken, and names go under a folder
 LONGEST_NAME = 200  # bytes: file systems take 255, and a temporary name beside it is longer
@@ -57,6 +58,9 @@ def _refuse_names(path: Path, field: str, wanted: str) -> None:
     if len(os.fsencode(path.absolute())) > LONGEST_PATH:
         problem = f"is {len(os.fsencode(path.absolute()))} bytes long"
         raise BadInput(field, f"{str(path)[:40]}…", problem, f"name {wanted} in at most {LONGEST_PATH}")
+    if (deep := len(path.absolute().parts)) > DEEPEST:
+        problem = f"lies {deep} folders deep"
+        raise BadInput(field, f"{str(path)[:40]}…", problem, f"name {wanted} in at most {DEEPEST}")
     for part in path.parts:
         if len(os.fsencode(part)) > LONGEST_NAME:
             problem = f"is {len(os.fsencode(part))} bytes long"

@@ -8,6 +8,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from ..errors import BadInput
+from .folders import make_folders
 
 
 @contextmanager
@@ -25,7 +26,7 @@ def whole(path: Path | str, new: bool = False) -> Iterator[Path]:
     try:
         if not path.name or (path.exists() and not path.is_file()):
             raise BadInput(path, "--out", "is a folder, a device or a pipe, not a file", mend)
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_folders(path.parent)
         temporary = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
         temporary.touch()
     except (OSError, ValueError) as error:

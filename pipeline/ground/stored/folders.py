@@ -1,5 +1,6 @@
 """Folders that are either whole or not there, as `files` does it for files."""
 
+import errno
 import os
 import shutil
 from collections.abc import Iterator
@@ -7,6 +8,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import BadInput
+
+DEEPEST = 200  # folders in each other: of a few hundred new ones Python makes none, and no person names as many
+
+
+def make_folders(folder: Path) -> None:
+    """Make a folder and those that it lies in, which may be there; raises OSError, also where they are too many."""
+    if len(folder.absolute().parts) > DEEPEST:
+        raise OSError(errno.ENAMETOOLONG, f"more than {DEEPEST} folders in each other", str(folder))
+    folder.mkdir(parents=True, exist_ok=True)
 
 
 @contextmanager
@@ -20,9 +30,11 @@ def whole_folder(folder: Path, field: str, mend: str) -> Iterator[Path]:
     temporary = folder.with_name(f".{folder.name}.{os.getpid()}")
     try:
         try:
-            temporary.mkdir(parents=True)
+            make_folders(folder.parent)
+            temporary.mkdir()
         except OSError as error:
-            raise BadInput(folder.parent, "--out", f"cannot be written ({error})", "choose another folder") from None
+            problem = f"cannot be written ({error.strerror or error})"
+            raise BadInput(folder.parent, "--out", problem, "choose another folder") from None
         yield temporary
         os.rename(temporary, folder)
     finally:

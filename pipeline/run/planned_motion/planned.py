@@ -7,6 +7,7 @@ import pandas as pd
 
 from ...formats.own_table import read_table
 from ...ground.errors import BadInput
+from ...ground.input.cell_numbers import cell_numbers
 from ...ground.input.text_file import TextFile
 from ...ground.kinematics import Array
 from ...ground.words.counts import counted
@@ -48,7 +49,7 @@ def planned(
         no = "are no such columns" if len(lacking) > 1 else "is no such column"
         raise BadInput(path, ", ".join(lacking), f"there {no}, only {columns_there}", f"{mend}{own_names}")
     kept = [name for name in system.columns if name in table.columns and name != system.channel]
-    samples = table[kept].apply(pd.to_numeric, errors="coerce").astype(float)
+    samples = table[kept].apply(cell_numbers).astype(float)
     if system.load and system.load not in samples:
         samples[system.load] = _load(run, recorded, path)
     check_numbers(samples, path)

@@ -10,6 +10,7 @@ import pandas as pd
 from ...formats.text_layout import with_point
 from ...formats.time_stamps import Stamps, holds_stamps
 from ...ground.errors import BadInput
+from ...ground.input.cell_numbers import cell_numbers
 from ...ground.input.complaint import key_name, short
 from ...ground.units import conversion
 from ..description import STRING_ACTUATORS, Channel, Run
@@ -183,7 +184,7 @@ class Channels:
             column = column.map(_plain)
             if layout.decimal == ",":  # pandas leaves a column as it stands where one of its cells is no number
                 column = column.map(with_point)
-        numbers = pd.to_numeric(column, errors="coerce")
+        numbers = cell_numbers(column)
         wrong = (numbers.isna() & column.notna()).to_numpy()
         if self._refuses(wrong):
             raise no_number(column, wrong, self._sample + (layout.rows or (0, 0))[0], layout, self.path, name)

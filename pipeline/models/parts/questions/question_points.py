@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ....ground.command import command
 from ....ground.errors import BadInput
+from ....ground.input.cell_numbers import cell_numbers
 from ....ground.units import unit_of
 from ..box import COLUMNS
 from ..conditions import Conditions
@@ -78,7 +79,7 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_
             may_be_empty = len(from_columns) == len(EITHER) and name in EITHER
             numeric = name in (*COLUMNS, *ASKED)
             wrong += bad_cells(questions[name], dataset[name], numeric, may_be_empty)
-            in_numbers = pd.to_numeric(questions[name], errors="coerce") if numeric else questions[name]
+            in_numbers = cell_numbers(questions[name]) if numeric else questions[name]
             points[name] = in_numbers.to_numpy()
         elif name in EITHER:
             points[name] = np.nan

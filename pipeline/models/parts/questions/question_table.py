@@ -9,6 +9,7 @@ import pandas as pd
 
 from ....formats.text import read_text
 from ....ground.errors import BadInput
+from ....ground.input.cell_numbers import cell_numbers
 from ....ground.input.complaint import key_name, short
 from ....ground.input.text_file import TextFile
 from ....ground.units import unit_of
@@ -63,16 +64,16 @@ def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty
         bad += of_mask(empty, name, what, "", "fill it in, or take the row out")
     if not numeric:
         return bad
+    numbers = cell_numbers(cells)
     if cells.dtype.kind not in "iuf":
-        wrong = ~empty & pd.to_numeric(cells, errors="coerce").isna().to_numpy()
-        wrong = wrong if wrong.any() else ~empty  # such as True, which pandas takes for 1
+        wrong = ~empty & (numbers.isna() | cells.map(_is_bool)).to_numpy()
         for row in np.flatnonzero(wrong):
             cell = str(cells.iloc[row])
             mend = (
                 "write a point for the decimal comma" if _has_comma(cell) else WORDS.get(name, "write a number alone")
             )
             bad.append(BadRow(int(row) + 1, name, f"is {short(cell)}", ", no number", mend))
-    endless = np.isinf(pd.to_numeric(cells, errors="coerce").to_numpy(np.float64))
+    endless = np.isinf(numbers.to_numpy(np.float64))
     return bad + of_mask(endless, name, "is without end", "", "write a number")
 
 
@@ -111,6 +112,11 @@ def _meant(name: str, columns: Collection[str]) -> str:
         return f"take it out; known are {', '.join(columns)}"
     unit = unit_of(nearest)
     return f"did you mean {nearest!r}?" + ("" if unit == "1" else f" It is in {unit}")
+
+
+def _is_bool(cell: object) -> bool:
+    """Whether a cell is true or false, which pandas takes for 1 and 0."""
+    return isinstance(cell, bool | np.bool_)
 
 
 def _has_comma(cell: str) -> bool:
