@@ -7,11 +7,13 @@ from pathlib import Path
 from typing import NotRequired, TypedDict
 
 from ..ground.errors import BadInput
+from ..ground.stored.regular_file import read_regular
 from ..wire import Decoder, Hello, Kind, encode
 from ..wire.motion import PROGRAM, TAKEN, Answer, Leg, packed, refusal
 from .port import Port, Unplugged
 
 ANSWER_S, TRIES = 1.0, 3
+LARGEST_PROGRAM = 100_000_000  # bytes: a diagnosis.json may be given
 PAUSE_S = 0.002  # after each frame: a small board has room for two of them
 ALIKE = 0.02  # of a load: two medians of one load cell differ by less
 SAYS = {
@@ -58,7 +60,7 @@ def read_legs(path: Path) -> list[Leg]:
     """The legs of a file: a list of them, or a diagnosis.json with a `next_run`; raises BadInput."""
     mend = "give a diagnosis.json with a next_run, or a list of legs as it has them"
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = json.loads(read_regular(path, LARGEST_PROGRAM, "--program"))
         run = (content.get("next_run") or {}) if isinstance(content, dict) else {"legs": content}
         legs = as_legs(run.get("legs") or [], run.get("load"))
     except (ValueError, AttributeError, RecursionError) as error:

@@ -9,10 +9,12 @@ from pathlib import Path
 import yaml
 
 from ..ground.errors import BadInput
+from ..ground.stored.regular_file import read_regular
 from ..workflow.dag import make_plan, recorded_files
 from .manifest import PROVENANCE, allowed
 from .provenance import note_of
 
+LARGEST_CONFIGURATION = 10_000_000  # bytes
 MADE = "no update"  # Snakemake's word for a file that is as it should be
 SNAKEMAKE = (sys.executable, "-m", "snakemake", "--summary", "--cores", "1")
 
@@ -22,7 +24,7 @@ def synthetic_runs(configuration: Sequence[str]) -> list[str]:
     runs: dict[str, None] = {}
     for path in ("pipeline/config/default.yaml", *configuration):
         try:
-            content = yaml.safe_load(Path(path).read_text(encoding="utf-8")) or {}
+            content = yaml.safe_load(read_regular(Path(path), LARGEST_CONFIGURATION)) or {}
             runs |= dict.fromkeys(content.get("synthetic", {}))
         except (OSError, ValueError, AttributeError, yaml.YAMLError):
             raise BadInput(path, "configuration", "cannot be read", "start in the project's folder") from None

@@ -1,12 +1,16 @@
 """A device that answers a program late, oddly or not at all: a sentence, no run begun, and nothing moved."""
 
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
-from programs import run
+from programs import ROOT, run
 from scripted_rig import CHANNELS, ScriptedRig
 
+from pipeline.capture import motion_program
 from pipeline.capture.motion_program import load, strokes_of
 from pipeline.capture.port import Port
 from pipeline.ground.errors import BadInput
@@ -16,6 +20,11 @@ from pipeline.wire.motion import TAKEN, Answer, Leg, Limits
 LIMITS = Limits(10, (0.0, 20.0), 5.0, 50.0, 100.0, 1.5, 0.0)
 HELLO = Hello("a rig", "1", "1", 50.0, 0, CHANNELS, program=LIMITS)
 LEGS = [Leg(4.0, 10.0), Leg(4.0, 0.0)]
+LITTLE_MEMORY = """
+import resource, runpy
+resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+runpy.run_module("pipeline.capture", run_name="__main__", alter_sys=True)
+"""
 
 
 def asked(*answers: tuple[float, bytes]) -> ScriptedRig:
@@ -83,6 +92,24 @@ def test_a_rig_without_limits_takes_no_program(tmp_path: Path):
     done = run("pipeline.capture", rig.port, tmp_path / "run-1", "--program", path)
     assert done.returncode == 2 and "takes no program" in done.stderr
     assert set(rig.heard) == {Kind.GREET} and not (tmp_path / "run-1").exists()
+
+
+@pytest.mark.parametrize("kind", ["a pipe", "a device", "too large", "not there"])
+def test_a_program_that_is_no_file_or_too_large_is_refused_at_once(kind, tmp_path, monkeypatch):
+    """A pipe was waited for without end, and /dev/zero took all memory."""
+    path = Path("/dev/zero") if kind == "a device" else tmp_path / "program.json"
+    if kind == "a pipe":
+        os.mkfifo(path)
+    elif kind == "too large":
+        monkeypatch.setattr(motion_program, "LARGEST_PROGRAM", 100)
+        path.write_text(json.dumps([{"seconds": 4, "motor_turns": 10}] * 10))
+    if kind == "too large":
+        done = run("pipeline.capture", "/dev/null", tmp_path / "run-1", "--program", path)
+    else:  # in a process, which can be ended where it waits or takes all memory
+        words = ["-c", LITTLE_MEMORY, "/dev/null", tmp_path / "run-1", "--program", path]
+        done = subprocess.run([sys.executable, *words], cwd=ROOT, capture_output=True, text=True, timeout=60)
+    is_kind = {"too large": "has more than 0.0001 MB", "not there": "is not there"}.get(kind, f"is {kind}, not a file")
+    assert done.returncode == 2 and f"error: {path}: --program: {is_kind}. Mend: " in done.stderr, done.stderr
 
 
 @pytest.mark.parametrize("text", ["{", "[1]", "{}", '{"next_run": null}', '[{"seconds": -1, "motor_turns": 2}]'])

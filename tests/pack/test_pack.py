@@ -16,6 +16,8 @@ import programs
 import pytest
 import yaml
 
+from pipeline.ground.errors import BadInput
+from pipeline.pack.contents import synthetic_runs
 from pipeline.pack.manifest import NAME, PROVENANCE
 from pipeline.pack.provenance import note_of
 
@@ -320,6 +322,13 @@ def test_an_archive_that_is_cut_off_or_hurt_anywhere_writes_nothing_or_what_was_
             bare(lab)
             before = state(lab)
         assert state(lab) == before, at
+
+
+def test_a_configuration_that_is_a_pipe_is_refused_at_once(tmp_path, monkeypatch):
+    monkeypatch.chdir(programs.ROOT)
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(BadInput, match="is a pipe, not a file"):
+        synthetic_runs([str(tmp_path / "pipe")])
 
 
 def test_the_notes_of_a_long_name_are_where_snakemake_looks_for_them(tmp_path):
