@@ -3,15 +3,29 @@
 import errno
 import functools
 import os
+import re
 import signal
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 LOOK_EVERY_S = 1.0
+LONGEST_WORD = 400  # characters of a word that a message repeats whole: paths that people use have fewer
 EXTRAS = {"torch": "models", "onnx": "export", "h5py": "formats", "openpyxl": "formats"}  # of the installed package
+
+
+def bounded(text: str, words: Iterable[str] = ()) -> str:
+    """A message in which what is longer than 400 characters is cut: stretches without a space, and any of `words`."""
+    for word in sorted(words, key=len, reverse=True):
+        if len(word) > LONGEST_WORD:
+            text = text.replace(word, _cut(word))
+    return re.sub(rf"\S{{{LONGEST_WORD + 1},}}", lambda stretch: _cut(stretch[0]), text)
+
+
+def _cut(word: str) -> str:
+    return f"{word[:60]}…{word[-20:]}"
 
 
 class BadInput(Exception):
@@ -22,7 +36,9 @@ class BadInput(Exception):
     """
 
     def __init__(self, file: Path | str, field: str, problem: str, mend: str) -> None:
-        super().__init__(f"{file}: {field}: {problem}. Mend: {mend}{'' if mend[-1:] in '.?' else '.'}")
+        super().__init__(
+            bounded(f"{file}: {field}: {problem}. Mend: {mend}{'' if mend[-1:] in '.?' else '.'}", sys.argv[1:])
+        )
         self.file, self.field, self.problem, self.mend = str(file), field, problem, mend
 
 

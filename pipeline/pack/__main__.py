@@ -3,7 +3,6 @@
 Another lab unpacks it in a checkout of the same version with `python -m pipeline.pack.unpack`.
 """
 
-import argparse
 import hashlib
 import zipfile
 from pathlib import Path
@@ -12,6 +11,7 @@ from .. import __version__
 from ..ground.code.fingerprint import fingerprint
 from ..ground.command import command
 from ..ground.errors import BadInput, program
+from ..ground.input.parser import Parser
 from ..ground.stored.files import sha256, whole
 from ..ground.words.counts import counted
 from .contents import contents
@@ -47,7 +47,7 @@ def write(archive: Path, manifest: Manifest, files: dict[str, str]) -> None:
 @program
 def main() -> None:
     """Write the archive, and say what is in it; Raises BadInput where a material is not finished."""
-    parser = argparse.ArgumentParser(prog=command("pack"), description=__doc__)
+    parser = Parser(prog=command("pack"), description=__doc__)
     parser.add_argument("material", nargs="*", help="a material that is finished")
     parser.add_argument("--all", action="store_true", help="all materials, and what is made of all of them together")
     parser.add_argument("--without-recordings", action="store_true", help="name recordings by their digests alone")

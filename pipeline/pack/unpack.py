@@ -4,7 +4,6 @@ Every file is checked before the first is put in its place. `raw/` is never rewr
 the one that the archive names. Digests show damage; they do not show who packed it.
 """
 
-import argparse
 import errno
 import hashlib
 import os
@@ -18,6 +17,7 @@ from pathlib import Path
 from ..ground.code.fingerprint import fingerprint
 from ..ground.command import command
 from ..ground.errors import BadInput, program
+from ..ground.input.parser import Parser
 from ..ground.stored.files import sha256
 from ..ground.stored.folders import make_folders
 from ..ground.words.counts import counted
@@ -156,7 +156,7 @@ def unpack(archive: Path) -> tuple[Manifest, int]:
 @program
 def main() -> None:
     """Unpack, and say what came and what Snakemake may make again."""
-    parser = argparse.ArgumentParser(prog=command("pack.unpack"), description=__doc__)
+    parser = Parser(prog=command("pack.unpack"), description=__doc__)
     parser.add_argument("archive", type=Path, metavar="FILE", help="what python -m pipeline.pack wrote")
     archive: Path = parser.parse_args().archive
     if not archive.is_file():

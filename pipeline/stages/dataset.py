@@ -4,7 +4,6 @@
 (extrapolation in n). Both are the same whatever the seed, so every model and seed is judged on the same points.
 """
 
-import argparse
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import pandas as pd
 
 from ..ground.errors import BadInput, program
 from ..ground.input.outputs import file_to_write
+from ..ground.input.parser import Parser
 from ..ground.stored import schemas
 from ..ground.stored.files import whole, write_text
 from ..ground.words import jump_notes
@@ -98,7 +98,7 @@ def make_dataset(
 @program
 def main() -> None:
     """Write `dataset.parquet` of one material."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("run_dirs", type=Path, nargs="+")
     parser.add_argument("--processed", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True, help="the file of the dataset, Parquet; required")

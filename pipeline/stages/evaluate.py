@@ -1,6 +1,5 @@
 """Predictions → metrics: errors of every model, split and seed on points that it has not seen."""
 
-import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,6 +8,7 @@ import pandas as pd
 
 from ..ground.errors import BadInput, program
 from ..ground.input.outputs import file_to_write
+from ..ground.input.parser import Parser
 from ..ground.kinematics import Array
 from ..ground.stored import schemas
 
@@ -82,7 +82,7 @@ def evaluate(dataset: pd.DataFrame, predictions: Path, material: str) -> pd.Data
 @program
 def main() -> None:
     """Write `metrics.parquet` of one material."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("dataset", type=Path)
     parser.add_argument("predictions", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True, help="the file of the errors, Parquet; required")

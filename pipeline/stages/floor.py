@@ -6,7 +6,6 @@ is noise, and for the blind oracle the loop too. It bounds the RMSE of models th
 string, the stroke and (`floor`) the direction; one that sees more, the load or the past, may get below it.
 """
 
-import argparse
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
 from ..ground.errors import program
+from ..ground.input.parser import Parser
 from ..ground.kinematics import Array
 from ..ground.stored import schemas
 
@@ -111,7 +111,7 @@ def predictions(dataset: pd.DataFrame, split: str, missed_mm: Array, missed_turn
 @program
 def main() -> None:
     """Write both oracles' predictions for both splits of one material, beside those of its models."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("dataset", type=Path)
     parser.add_argument("--out-dir", type=Path, required=True, help="the folder of the models' predictions")
     arguments = parser.parse_args()

@@ -1,6 +1,5 @@
 """Recording → samples and strokes: a run's channels in our units, checked at the door, and cut into strokes there."""
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -8,6 +7,7 @@ import numpy as np
 
 from ..ground.errors import program
 from ..ground.input.outputs import file_to_write
+from ..ground.input.parser import Parser
 from ..ground.stored import schemas
 from ..ground.stored.files import whole
 from ..ground.words.counts import counted
@@ -21,7 +21,7 @@ from ..run.samples import questions, stored_strokes
 @program
 def main() -> None:
     """Write `samples.parquet` and `strokes.parquet` of one run."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("run_dir", type=Path)
     parser.add_argument("--out", type=Path, required=True, help="the file of the samples, Parquet; required")
     parser.add_argument("--out-strokes", type=Path, help="the file of the strokes, Parquet; default: none is written")

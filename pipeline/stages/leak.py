@@ -5,7 +5,6 @@ from these outputs twice, by the displacement's residual and because the network
 (the leak). Each is taken alone.
 """
 
-import argparse
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +13,7 @@ import torch
 
 from ..ground.errors import program
 from ..ground.input.outputs import file_to_write
+from ..ground.input.parser import Parser
 from ..ground.kinematics import Array
 from ..ground.stored import schemas
 from ..models.inn import Inn
@@ -85,7 +85,7 @@ def leak(points: pd.DataFrame, fitted: Path, material: str) -> pd.DataFrame:
 @program
 def main() -> None:
     """Write `leak.parquet` of one material."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("dataset", type=Path)
     parser.add_argument("models", type=Path, nargs="+", help="fitted INNs, <variant>/within-<seed>.model")
     parser.add_argument("--out", type=Path, required=True, help="the file of the errors, Parquet; required")

@@ -12,6 +12,7 @@ import pandas as pd
 from ..ground.command import HOUSE, command
 from ..ground.errors import program
 from ..ground.input.outputs import file_to_write
+from ..ground.input.parser import Parser
 from ..ground.stored import schemas
 from ..ground.stored.given_table import opened
 from ..models.interface import Model
@@ -49,7 +50,7 @@ def seed(text: str) -> int:
 
 def arguments(words: list[str]) -> Any:
     """The command line."""
-    parser = argparse.ArgumentParser(prog=command("stages.train"), description=__doc__)
+    parser = Parser(prog=command("stages.train"), description=__doc__)
     parser.add_argument("dataset", type=Path)
     parser.add_argument("--model", required=True, help=f"a file of {HOUSE}/models, without .py")
     parser.add_argument("--split", required=True, choices=SPLITS)

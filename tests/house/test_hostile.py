@@ -322,6 +322,27 @@ def test_a_place_a_thousand_folders_deep_is_refused_in_words(place: Path, progra
     assert code == 2 and "--out" in complaint and "Mend: " in complaint and not (place / "deep").exists()
 
 
+LONG = {  # command lines of which one word has 5,000 characters
+    "new_run": ["{}", "b-9 {}", "b-9 --like {}", "b-9 --radius-mm {}", "b-9 --like raw/a-1 --file {}", "b-9 --{} 1"],
+    "import_run": ["{} --map m --run b-9", "junk --map {} --run b-9", "junk --map m --run {}", "junk {}"],
+    "lifespan.__main__": ["{}", "raw/a-1 --loss {}", "raw/a-1 --out {}", "raw/a-1 {}"],
+    "settle.__main__": ["{}", "raw/a-3 --out {}", "raw/a-3 --{}"],
+    "capture.__main__": ["{} raw/b-9", "/dev/null {}", "/dev/null raw/b-9 --baud {}", "/dev/null raw/b-9 --program {}"],
+    "predict": ["dataset.parquet questions.csv --model {} --out o", "dataset.parquet {} --model polynomial --out o"],
+    "pack.unpack": ["{}", "a.zip {}"],
+    "stages.train": ["dataset.parquet --model {}", "dataset.parquet --split {}", "{}"],
+}
+
+
+@pytest.mark.parametrize("word", ["9" * 5000, "a b " * 1250, "a/" * 2500, "{b: " + "9" * 5000 + "}"], ids=range(4))
+@pytest.mark.parametrize("program", LONG)
+def test_a_word_of_5000_characters_is_not_repeated_whole(place: Path, program: str, word: str) -> None:
+    for line in LONG[program]:
+        words = [part.replace("{}", word) for part in line.split()]
+        code, complaint = ended(f"pipeline.{program}", words, place)
+        assert code == 2 and "error: " in complaint and len(complaint) < 2000, (line, len(complaint), complaint[:3000])
+
+
 def test_another_actuator_than_the_recorded_is_refused(place: Path) -> None:
     """It was answered -0.048 for 1.078 as lying inside."""
     questions = place / "pair.csv"

@@ -7,6 +7,8 @@ import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
+from ..errors import bounded
+
 LONGEST = 40  # characters of a word that are compared
 
 
@@ -29,8 +31,11 @@ class Parser(argparse.ArgumentParser):
         return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
-        """End with exit status 2: usage, the fault, and the nearest option for each unknown one."""
-        super().error("; ".join([message, *self._meant()]))
+        """End with exit status 2: usage, the fault, and the nearest option for each unknown one.
+
+        A word of thousands of characters is cut.
+        """
+        super().error(bounded("; ".join([message, *self._meant()]), self._words))
 
     def _meant(self) -> list[str]:
         options = [option for option in self._option_string_actions if option.startswith("--")]

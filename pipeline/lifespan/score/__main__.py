@@ -1,6 +1,5 @@
 """Whole lives of strings → how often the intervals hold that were given early in these lives, beside simpler peers."""
 
-import argparse
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -11,6 +10,7 @@ import pandas as pd
 from ...ground.command import command
 from ...ground.errors import BadInput, program
 from ...ground.input.outputs import folder_to_write
+from ...ground.input.parser import Parser
 from ...ground.stored.files import whole, write_text
 from ...ground.words.progress import steps
 from ...string.from_raw import read
@@ -109,7 +109,7 @@ def score(folder: Path, loss: float, drift_mm: float) -> pd.DataFrame:
 @program
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(prog=command("lifespan.score"), description=__doc__)
+    parser = Parser(prog=command("lifespan.score"), description=__doc__)
     parser.add_argument("lives", type=Path, help="folder with run folders and truth.parquet")
     parser.add_argument("--loss", type=float, default=0.10)
     parser.add_argument("--drift-mm", type=float, default=1.0)

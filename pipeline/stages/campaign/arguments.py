@@ -6,15 +6,16 @@ from pathlib import Path
 import pandas as pd
 
 from ...ground.input.outputs import file_to_write
+from ...ground.input.parser import Parser
 from ...ground.stored.given_table import opened
 from ...models.parts.configured import configured
 from ..train import seed
 from .points import SCHEMA
 
 
-def parser(doc: str | None) -> argparse.ArgumentParser:
+def parser(doc: str | None) -> Parser:
     """The command line of a program with this docstring; a program may add to it."""
-    parser_made = argparse.ArgumentParser(description=doc)
+    parser_made = Parser(description=doc)
     parser_made.add_argument("points", type=Path)
     parser_made.add_argument("--model", required=True)
     parser_made.add_argument("--settings", default="{}", metavar="JSON")

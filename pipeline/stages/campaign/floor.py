@@ -1,6 +1,5 @@
 """The errors that no model of a campaign's new strings can beat: what each string's own smooth curves leave."""
 
-import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,6 +8,7 @@ import pandas as pd
 
 from ...ground.errors import program
 from ...ground.input.outputs import file_to_write
+from ...ground.input.parser import Parser
 from ...ground.stored import schemas
 from ...ground.stored.given_table import opened
 from ...ground.words.progress import steps
@@ -29,7 +29,7 @@ def floors(points: pd.DataFrame) -> Iterator[tuple[str, str, float, float]]:
 @program
 def main() -> None:
     """Write the floor of every string that models are asked about."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("points", type=Path)
     parser.add_argument("--out", type=Path, required=True, help="the file of the floor, Parquet; required")
     arguments = parser.parse_args()

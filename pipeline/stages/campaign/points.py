@@ -4,7 +4,6 @@ The split `strings` labels each string "train", "tune" or "test", so that no str
 the first, what an adaptation to a new string may expect is learnt on the second, and the third is asked about.
 """
 
-import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -14,6 +13,7 @@ import pyarrow as pa
 
 from ...ground.errors import BadInput, program
 from ...ground.input.outputs import file_to_write
+from ...ground.input.parser import Parser
 from ...ground.stored import schemas
 from ...ground.words.progress import steps
 from ...run.folder import find_runs, read_run
@@ -73,7 +73,7 @@ def campaign_points(folder: Path) -> pd.DataFrame:
 @program
 def main() -> None:
     """Write `dataset.parquet` of a campaign."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("folder", type=Path, help="a folder of run folders")
     parser.add_argument("--out", type=Path, required=True, help="the file of the points, Parquet; required")
     arguments = parser.parse_args()
