@@ -1,5 +1,6 @@
 """New runs: what ingest would refuse is refused at once, and a second run of one string is not taken for another's."""
 
+import json
 import os
 import pty
 import re
@@ -47,6 +48,28 @@ def spoiled(column, change):
     samples = GOOD.copy()
     samples[column] = change(samples[column].to_numpy(copy=True))
     return samples
+
+
+def test_one_time_stamp_that_falls_back_is_mended_by_the_command_that_the_refusal_gives(new, tmp_path):
+    samples = GOOD.rename(columns={"motor_turns": "it's turned"})
+    samples.loc[100, "time_s"] -= 0.06
+    channels = {"motor_turns": {"column": "it's turned", "scale": 1.0}}
+    code, _, told = new("nylon-1", "--channels", json.dumps(channels), samples=samples)
+    assert code == 2 and not (tmp_path / "raw").exists()
+    recorded = tmp_path / "raw" / "nylon-2"
+    recorded.mkdir(parents=True)
+    (recorded / "run.yaml").write_text(yaml.safe_dump(content("nylon-2", channels=channels)))
+    shutil.copy(tmp_path / "log.csv", recorded / "recording.csv")
+    ingested = programs.run("pipeline.stages.ingest", "raw/nylon-2", "--out", "samples.parquet", cwd=tmp_path)
+    for refusal, run in ((told, "nylon-1"), (ingested.stderr, "nylon-2-mended")):
+        assert "time_s: runs backwards at line 102 (1 time in all). Mend: import it: " in refusal
+        typed = refusal.partition("import it: ")[2].partition("; python -m pipeline.import_run mends")[0]
+        mapped, _, imports = typed.partition(" && python -m ")
+        subprocess.run(mapped, shell=True, check=True, cwd=tmp_path)
+        imported = programs.run(*shlex.split(imports), cwd=tmp_path)
+        assert imported.returncode == 0 and "mended 1 backward time stamp" in imported.stdout, imported
+        _, read = read_samples(tmp_path / "raw" / run)
+        assert len(read) == len(GOOD) and np.allclose(read["motor_turns"], GOOD["motor_turns"])
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import has_recording, recording_path, unfinished
 from ..run.option_mend import by_option
 from ..run.run_yaml import RunYaml
-from ..run.samples import check, questions
+from ..run.samples import WrongClock, check, questions
 from ..run.table.columns_read import read_as
 from ..run.table.file_lines import FileLines, Where
 from ..run.table.read_log import copy_log, read_log, recording_name, rows_left
@@ -66,6 +66,8 @@ def make_run(
             log = read_log(run, recording, path, lambda: read_table(recording, run.file))
             counting = check_samples(run, log.samples, recording, sure, log.where)
             reads = read_as(run, counting, recording, len(log.samples), list(log.table.columns))
+        except WrongClock as error:
+            raise error.by_import(content, recording, name, out) from None
         except BadInput as error:
             raise by_look(error, recording, run) or by_option(error, content) from None
     if folder.exists():  # recorded before it was described

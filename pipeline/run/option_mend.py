@@ -1,13 +1,14 @@
-"""A mend as a command line option, where the `run.yaml` that the mend names does not exist yet."""
+"""A mend as a command, where the `run.yaml` that the mend names does not exist yet, or a file is to be imported."""
 
 import ast
 import copy
 import re
 import shlex
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ..ground.command import quoted
+from ..ground.command import command, quoted
 from ..ground.errors import BadInput
 from ..ground.input.bare_columns import written_out
 from ..ground.input.strict_yaml import write_yaml
@@ -29,6 +30,15 @@ def by_option(error: BadInput, content: RunYaml) -> BadInput:
     section, whole, mend, rest = change
     option = f"here by --{section} {quoted(write_yaml(whole, flow=True))}"
     return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
+
+
+def import_command(content: Mapping[str, Any], recording: Path, name: str, out: Path) -> str:
+    """What a person types to import a recording as run `name` in the folder `out`, as a run.yaml's content reads it."""
+    mapping = {key: value for key, value in content.items() if key not in ("run", "mended")}
+    file = f"{name}-map.yaml"
+    words = f"{shlex.quote(str(recording))} --map {file} --run {name}"
+    place = "" if out == Path("raw") else f" --out {shlex.quote(str(out))}"
+    return f"echo {quoted(write_yaml(mapping, flow=True))} > {file} && {command('import_run')} {words}{place}"
 
 
 def in_file(mend: str, content: RunYaml, path: Path) -> str:

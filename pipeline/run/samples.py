@@ -1,15 +1,17 @@
 """Recording → samples: a run's channels in our units, checked at the door, and cut into strokes there."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
 from ..ground.command import command
 from ..ground.errors import BadInput
+from ..ground.input.strict_yaml import read_yaml
 from ..ground.kinematics import Places
 from ..ground.stored import schemas
 from ..ground.stored.files import whole
@@ -20,7 +22,8 @@ from .dimensions import geometry
 from .doubts.plausible import check_string, doubts
 from .doubts.wild_samples import wild_samples
 from .doubts.wrapping import wrapped
-from .folder import checked_info, read_run, recording_path
+from .folder import RECORDINGS, checked_info, read_run, recording_path
+from .option_mend import import_command
 from .strokes import segment
 from .table.clock import Clock
 from .table.file_lines import FileLines, Where, by_row
@@ -31,6 +34,17 @@ ROUNDED = 1e-4  # of a step: what stamps that are written with few digits make o
 SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill
 LEAST_SAMPLES = 20
 LONGEST_GAP_S = 7 * 86_400.0
+
+
+class WrongClock(BadInput):
+    """Time stamps that stand still or run backwards; `importing` says what the import makes of them."""
+
+    importing = f"{command('import_run')} mends repeated and backward time stamps and says so"
+
+    def by_import(self, content: Mapping[str, Any], recording: Path, name: str, out: Path) -> BadInput:
+        """The same, with the command that imports the recording as run `name` of such a content as its mend."""
+        mend = f"import it: {import_command(content, recording, name, out)}; {self.importing}"
+        return BadInput(self.file, self.field, self.problem, mend)
 
 
 def check_finite(samples: pd.DataFrame | Rows, path: Path, where: Where = by_row) -> None:
@@ -65,9 +79,12 @@ def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STE
     clock = Clock.of(rows_of(samples))
     if clock.wrong:
         word = "runs backwards" if clock.least_s < 0 else "stands still"
-        mend = f"{command('import_run')} mends repeated and backward time stamps and says so"
         problem = f"{word} at {where(clock.first_wrong + 1)} ({counted(clock.wrong, 'time')} in all)"
-        raise BadInput(path, "time_s", problem, mend)
+        refusal = WrongClock(path, "time_s", problem, WrongClock.importing)
+        folder, described = path.parent, path.parent / "run.yaml"
+        if path.name not in RECORDINGS or not described.is_file():
+            raise refusal
+        raise refusal.by_import(read_yaml(described), path, f"{folder.name}-mended", folder.parent)
     if clock.most_s > LONGEST_GAP_S:
         ends = f"{clock.leap_s[0]:.6g} s in {where(clock.leap)} and {clock.leap_s[1]:.6g} s after it"
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"
