@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 LOOK_EVERY_S = 1.0
+LOOP = "Symlink loop from "  # how Path.resolve complains of one, up to Python 3.12
 LONGEST_WORD = 400  # characters of a word that a message repeats whole: paths that people use have fewer
 EXTRAS = {"torch": "models", "onnx": "export", "h5py": "formats", "openpyxl": "formats"}  # of the installed package
 
@@ -98,6 +99,12 @@ def _status(main: Callable[[], int | None]) -> int | None:
         if error.errno is None or error.errno == errno.EPIPE:
             raise
         print(f"error: {_unusable(error)}", file=sys.stderr)
+    except RuntimeError as error:
+        if not str(error).startswith(LOOP):
+            raise
+        mend = "remove one of these links, or give another path"
+        name = str(error).removeprefix(LOOP).strip("'")
+        print(f"error: {BadInput(name, 'file', 'is a link that leads back to itself', mend)}", file=sys.stderr)
     except ModuleNotFoundError as error:
         if (lacking := not_installed(error)) is None:
             raise
