@@ -21,6 +21,11 @@ def refuse() -> None:
     """End with a sentence on a system, a Python or a path that the project does not run on."""
     if os.name == "nt":
         sys.exit("env: Windows cannot run the workflow, which needs a POSIX shell; use WSL 2 (wsl --install)")
+    if sys.platform == "darwin":
+        mend = (
+            "use Linux, or a Linux container or virtual machine (`pip install .` into an environment of yours is free)"
+        )
+        sys.exit(f"env: the workflow was never tried on macOS; {mend}")
     if sys.version_info < (3, 11):  # noqa: UP036 (this file must say so itself)
         sys.exit(f"env: Python 3.11 or newer is needed, this is {sys.version.split()[0]}: python3.11 env/run.py …")
     if any(sign in path for path in (ENV, os.path.realpath(ENV)) for sign in ACTS):

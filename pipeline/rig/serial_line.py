@@ -29,7 +29,7 @@ def line(link: Path) -> Iterator[int]:
     Raises BadInput when `link` is taken by what is no link or by a live rig, or the system has no pseudo-terminals.
     """
     if pty is None:
-        raise BadInput(link, "--link", "needs a pseudo-terminal, which this system does not have", "use Linux or macOS")
+        raise BadInput(link, "--link", "needs a pseudo-terminal, which this system does not have", "use Linux")
     if link.exists() and not link.is_symlink():
         raise BadInput(link, "--link", "is there and is no link", "choose a path that is free")
     if _leads_to_a_rig(link):

@@ -94,6 +94,19 @@ def test_windows_is_refused_in_one_sentence():
     assert done.returncode == 1 and "WSL" in done.stderr and len(done.stderr.splitlines()) == 1
 
 
+def test_macos_is_refused_in_one_sentence_by_the_launcher_alone():
+    done = launched("pytest", first="sys.platform = 'darwin'")
+    assert done.returncode == 1 and "never tried on macOS" in done.stderr and len(done.stderr.splitlines()) == 1
+    assert "a Linux container or virtual machine" in done.stderr
+    root = RUN.parents[1]
+    for page, begins in (("README.md", "- Needed are"), ("docs/jobs.md", "- **System**")):
+        needed = (root / page).read_text().partition(begins)[2].partition("Python")[0]
+        assert all(word in needed for word in ("Linux", "WSL 2", "macOS", "Linux container")), page
+    code = "import pandas, scipy, sys; sys.platform = 'darwin'; from pipeline import new_run, notebook"
+    done = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
 def test_an_old_python_is_refused_in_one_sentence():
     done = launched("pytest", first="sys.version_info = (3, 10, 2)")
     assert done.returncode == 1 and "Python 3.11 or newer" in done.stderr and len(done.stderr.splitlines()) == 1
