@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 RUN = Path(__file__).parents[2] / "env" / "run.py"
+NOTHING_IS_MADE = "sys.modules['launcher'] = None"  # what is not refused ends before it makes an environment
 
 
 @pytest.fixture
@@ -90,12 +91,12 @@ def test_without_a_command_it_says_how_it_is_used():
 
 
 def test_windows_is_refused_in_one_sentence():
-    done = launched("pytest", first="os.name = 'nt'")
+    done = launched("pytest", first=f"os.name = 'nt'; {NOTHING_IS_MADE}")
     assert done.returncode == 1 and "WSL" in done.stderr and len(done.stderr.splitlines()) == 1
 
 
 def test_macos_is_refused_in_one_sentence_by_the_launcher_alone():
-    done = launched("pytest", first="sys.platform = 'darwin'")
+    done = launched("pytest", first=f"sys.platform = 'darwin'; {NOTHING_IS_MADE}")
     assert done.returncode == 1 and "never tried on macOS" in done.stderr and len(done.stderr.splitlines()) == 1
     assert "a Linux container or virtual machine" in done.stderr
     root = RUN.parents[1]
@@ -108,7 +109,7 @@ def test_macos_is_refused_in_one_sentence_by_the_launcher_alone():
 
 
 def test_an_old_python_is_refused_in_one_sentence():
-    done = launched("pytest", first="sys.version_info = (3, 10, 2)")
+    done = launched("pytest", first=f"sys.version_info = (3, 10, 2); {NOTHING_IS_MADE}")
     assert done.returncode == 1 and "Python 3.11 or newer" in done.stderr and len(done.stderr.splitlines()) == 1
 
 
