@@ -9,7 +9,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from ..ground.errors import BadInput
-from ..ground.stored.folders import make_folders
+from ..ground.stored.files import make_folders
 from ..run.description import RUN_NAME
 from ..run.folder import RECORDINGS
 

@@ -18,8 +18,7 @@ from ..ground.code.fingerprint import fingerprint
 from ..ground.command import command
 from ..ground.errors import BadInput, program
 from ..ground.input.parser import Parser
-from ..ground.stored.files import sha256
-from ..ground.stored.folders import make_folders
+from ..ground.stored.files import make_folders, sha256
 from ..ground.words.counts import counted
 from .manifest import MEND, NAME, PLACES, PROVENANCE, File, Manifest, read
 from .provenance import NOTES, note_of

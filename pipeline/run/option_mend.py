@@ -4,7 +4,6 @@ import ast
 import copy
 import re
 import shlex
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +31,7 @@ def by_option(error: BadInput, content: RunYaml) -> BadInput:
     return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
 
 
-def import_command(content: Mapping[str, Any], recording: Path, name: str, out: Path) -> str:
+def import_command(content: RunYaml, recording: Path, name: str, out: Path) -> str:
     """What a person types to import a recording as run `name` in the folder `out`, as a run.yaml's content reads it."""
     mapping = {key: value for key, value in content.items() if key not in ("run", "mended")}
     file = f"{name}-map.yaml"

@@ -1,10 +1,9 @@
 """Recording → samples: a run's channels in our units, checked at the door, and cut into strokes there."""
 
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -24,6 +23,7 @@ from .doubts.wild_samples import wild_samples
 from .doubts.wrapping import wrapped
 from .folder import RECORDINGS, checked_info, read_run, recording_path
 from .option_mend import import_command
+from .run_yaml import RunYaml
 from .strokes import segment
 from .table.clock import Clock
 from .table.file_lines import FileLines, Where, by_row
@@ -41,7 +41,7 @@ class WrongClock(BadInput):
 
     importing = f"{command('import_run')} mends repeated and backward time stamps and says so"
 
-    def by_import(self, content: Mapping[str, Any], recording: Path, name: str, out: Path) -> BadInput:
+    def by_import(self, content: RunYaml, recording: Path, name: str, out: Path) -> BadInput:
         """The same, with the command that imports the recording as run `name` of such a content as its mend."""
         mend = f"import it: {import_command(content, recording, name, out)}; {self.importing}"
         return BadInput(self.file, self.field, self.problem, mend)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from ..errors import BadInput
-from ..stored.folders import DEEPEST
+from ..stored.files import DEEPEST
 
 LONGEST_PATH = 3500  # bytes in all: 4096 are taken, and names go under a folder
 LONGEST_NAME = 200  # bytes: file systems take 255, and a temporary name beside it is longer

@@ -1,6 +1,5 @@
 """Folders that are either whole or not there, as `files` does it for files."""
 
-import errno
 import os
 import shutil
 from collections.abc import Iterator
@@ -8,15 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import BadInput
-
-DEEPEST = 200  # folders in each other: of a few hundred new ones Python makes none, and no person names as many
-
-
-def make_folders(folder: Path) -> None:
-    """Make a folder and those that it lies in, which may be there; raises OSError, also where they are too many."""
-    if len(folder.absolute().parts) > DEEPEST:
-        raise OSError(errno.ENAMETOOLONG, f"more than {DEEPEST} folders in each other", str(folder))
-    folder.mkdir(parents=True, exist_ok=True)
+from .files import make_folders
 
 
 @contextmanager
