@@ -14,9 +14,9 @@ from ..ground.errors import BadInput, program
 from ..ground.input.outputs import file_to_write
 from ..ground.input.parser import Parser
 from ..ground.stored import schemas
-from ..ground.stored.files import whole, write_text
-from ..ground.words import jump_notes
-from ..ground.words.left_out import LeftOut, to_json
+from ..ground.stored.files import whole
+from ..ground.words.jump_notes import write_jumps
+from ..ground.words.left_out import LeftOut, write_left_out
 from ..run.folder import checked_info
 from ..run.lossy import all_lossy, moving_strokes, touched
 from ..string.history import Recorded, by_string, read_usable
@@ -138,10 +138,10 @@ def main() -> None:
     with whole(arguments.out) as temporary:
         schemas.put(dataset.pieces(), schemas.DATASET, temporary)
     if arguments.out_left_out:
-        write_text(arguments.out_left_out, to_json(refused) + "\n")
+        write_left_out(arguments.out_left_out, refused)
     if arguments.out_jumps:
         unconfirmed = [*(jump.advice for jump in jumped if not jump.taken_off), *to_confirm(every_rest)]
-        write_text(arguments.out_jumps, jump_notes.to_json(unconfirmed) + "\n")
+        write_jumps(arguments.out_jumps, unconfirmed)
     for name, split in (("within", dataset.within), ("later", dataset.later)):
         print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
 

@@ -12,10 +12,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from ..ground.errors import BadInput
 from ..ground.stored import seal
 from ..ground.stored.files import sha256, write_text
-from ..ground.words import jump_notes, left_out
 
 SETTLED_S = 2.0  # a file that changed this lately may change again under the same times
 
@@ -80,11 +78,7 @@ class KnownFiles:
 
 def _wrong(path: Path) -> str:
     try:
-        if path.suffix == ".json":
-            read = jump_notes.from_json if path.name == jump_notes.NAME else left_out.from_json
-            read(bytes(seal.content_of(path)), path)
-        else:
-            seal.check(path)
-    except (seal.Damaged, BadInput) as error:
+        seal.check(path)
+    except seal.Damaged as error:
         return str(error)
     return ""

@@ -1,4 +1,5 @@
 import ast
+import json
 import os
 import random
 import re
@@ -15,7 +16,10 @@ from pipeline.capture.log import Log
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored import schemas, seal
 from pipeline.ground.stored.files import whole, write_text
+from pipeline.ground.words.jump_notes import NAME, read_jumps, write_jumps
+from pipeline.ground.words.left_out import LeftOut, read_left_out, write_left_out
 from pipeline.models.interface import make_model
+from pipeline.workflow.known_files import KnownFiles
 
 
 def test_a_failed_write_leaves_what_was_there(tmp_path):
@@ -129,6 +133,35 @@ def flipped(whole, path, read):
         else:
             silent += 1
     return silent
+
+
+NOTES = {
+    "left_out.json": ([LeftOut(f"a-{at}", "nylon", "run.yaml", "run", "is ü", "mend it") for at in range(9)],
+                      write_left_out, read_left_out),
+    NAME: (["The zero jumps by 0.2 mm.", "It jumps by −3 mm."], write_jumps, lambda path: read_jumps([path])),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NOTES)
+@pytest.mark.parametrize("empty", [False, True])
+def test_no_flipped_bit_of_a_note_is_read_silently(tmp_path, name, empty):
+    content, write, read = NOTES[name]
+    content, path = [] if empty else content, tmp_path / name
+    write(path, content)
+    assert read(path) == content
+    plain = json.loads(json.dumps(content, default=vars))
+    assert json.loads(path.read_text())["content"] == plain, "any reader of JSON reads it"
+    assert KnownFiles(tmp_path / "known.json").damaged([str(path)]) == {}
+    whole = path.read_bytes()
+    assert flipped(whole, path, read) == 0
+    assert flipped(whole, path, no_damage) == 0, "the start of the main job finds each"
+
+
+def no_damage(path):
+    """What the start of the main job finds is raised."""
+    found = KnownFiles(path.with_name("known.json")).damaged([str(path)])
+    if found:
+        raise BadInput(path, "content", f"damaged: {found[str(path)]}", "mend it")
 
 
 @pytest.mark.parametrize("kind", KINDS)

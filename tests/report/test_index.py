@@ -20,6 +20,7 @@ from test_tables import made_metrics as made_table_metrics
 from pipeline.diagnosis.study.heldout import LAST
 from pipeline.ground.kinematics import usual_stiffness
 from pipeline.ground.stored import schemas
+from pipeline.ground.words.jump_notes import write_jumps
 from pipeline.ground.words.left_out import LeftOut, to_json
 from pipeline.report.end_of_job.summary import summary
 from pipeline.report.index import page
@@ -363,7 +364,7 @@ def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
 def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_path, reports):
     note = tmp_path / "processed" / MATERIAL / "zero_jumps.json"
     note.parent.mkdir(parents=True)
-    note.write_text('["write `tare: run` in a_1\\\\b [c]"]')
+    write_jumps(note, [r"write `tare: run` in a_1\b [c]"])
     metrics, folder = str(reports.parent / "tables.parquet"), tmp_path / MATERIAL
     run("tables", metrics, "--titles", "inn=INN [c]", "--jumps", str(note), "--out-dir", str(folder))
     assert r"write \`tare: run\` in a_1\\b \[c\]" in (folder / "table_1.md").read_text()
@@ -372,17 +373,17 @@ def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_pat
     assert "| INN [c]" in said and said.count(r"write `tare: run` in a_1\b [c]") == 1, "once, not beneath each table"
 
 
-@pytest.mark.parametrize("jumps", ['["The zero jumps"]', "[]"])
+@pytest.mark.parametrize("jumps", [["The zero jumps"], []])
 def test_the_model_to_take_is_doubted_beside_its_name_where_the_zero_jumps(tmp_path, jumps):
     """The warning stood 22 lines above the command that exports the model."""
     note = tmp_path / "processed" / MATERIAL / "zero_jumps.json"
     model = tmp_path / "processed" / MATERIAL / "spline" / "within-0.model"
     model.parent.mkdir(parents=True)
     model.touch()
-    note.write_text(jumps)
+    write_jumps(note, jumps)
     said = summary([str(note), str(model)], tmp_path / "reports", [MATERIAL], [])
     assert "\nto a controller: " in said
-    assert ("\nBeware: the zero jumps between runs, as said above: " in said) == (jumps != "[]")
+    assert ("\nBeware: the zero jumps between runs, as said above: " in said) == bool(jumps)
 
 
 def test_a_jump_of_the_zero_is_said_on_the_page(tmp_path):

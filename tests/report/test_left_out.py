@@ -15,7 +15,7 @@ from pipeline.ground.errors import BadInput
 from pipeline.ground.input.words_by_file import by_file
 from pipeline.ground.stored import schemas
 from pipeline.ground.words import jump_notes
-from pipeline.ground.words.left_out import LeftOut, from_json, noted, to_json
+from pipeline.ground.words.left_out import LeftOut, from_json, noted, read_left_out, to_json, write_left_out
 from pipeline.report import left_out
 from pipeline.report.end_of_job import stale_reports
 from pipeline.workflow.dag import Plan, stored
@@ -31,7 +31,7 @@ def asked(*words):
 
 
 def test_it_is_told_beneath_tables_and_on_the_page_with_nothing_unescaped(tmp_path):
-    (tmp_path / "left_out.json").write_text(to_json([ONE]))
+    write_left_out(tmp_path / "left_out.json", [ONE])
     told = asked("--left-out", str(tmp_path / "left_out.json"), "--planned", to_json([LeftOut("b-02", *["x"] * 5)]))
     assert [one.run for one in left_out.told(told)] == ["a-01", "b-02"]
     runs = left_out.told(told)
@@ -67,29 +67,31 @@ def test_a_refusal_is_noted_handed_on_and_told(tmp_path):
     assert not (tmp_path / "b.parquet").exists()
 
 
-@pytest.mark.parametrize("content", [b"[{", b"\xff[]", b"{}", b"[[]]", b'[{"run": 5}]', b"[" * 9000, b""])
+@pytest.mark.parametrize(
+    "content", [b"[{", b"\xff[]", b"{}", b"[[]]", b'[{"run": 5}]', b"[" * 9000, b"", to_json([ONE]).encode()]
+)
 def test_a_damaged_list_of_what_was_left_out_is_found_at_the_start_and_refused_by_a_page(tmp_path, content):
     path = tmp_path / "left_out.json"
-    path.write_text(to_json([ONE]))
+    write_left_out(path, [ONE])
     known = KnownFiles(tmp_path / "known.json")
     assert "processed/nylon/left_out.json" in set(stored({}, Plan(materials={"nylon": ["a-01"]})))
     assert known.damaged([str(path)]) == {} and left_out.told(asked("--left-out", str(path))) == [ONE]
     path.write_bytes(content)
     assert list(known.damaged([str(path)])) == [str(path)]
-    with pytest.raises(BadInput, match="JSON: is not what the pipeline writes"):
+    with pytest.raises(BadInput, match=r"content: is damaged, .*Mend: delete it and run snake"):
         left_out.told(asked("--left-out", str(path)))
 
 
-@pytest.mark.parametrize("content", [b"[", b"\xff[]", b"{}", b"[5]", b"[" * 9000, b""])
+@pytest.mark.parametrize("content", [b"[", b"\xff[]", b"{}", b"[5]", b"[" * 9000, b"", b'["The zero jumps."]'])
 def test_a_damaged_note_of_jumps_is_found_at_the_start_and_refused(tmp_path, content):
     path = tmp_path / jump_notes.NAME
-    path.write_text(jump_notes.to_json(["The zero jumps."]))
+    jump_notes.write_jumps(path, ["The zero jumps."])
     known = KnownFiles(tmp_path / "known.json")
     assert "processed/nylon/zero_jumps.json" in set(stored({}, Plan(materials={"nylon": ["a-01"]})))
     assert known.damaged([str(path)]) == {} and jump_notes.read_jumps([path]) == ["The zero jumps."]
     path.write_bytes(content)
     assert list(known.damaged([str(path)])) == [str(path)]
-    with pytest.raises(BadInput, match="JSON: is not what the dataset's stage writes"):
+    with pytest.raises(BadInput, match=r"content: is damaged, .*Mend: delete it and run snake"):
         jump_notes.read_jumps([path])
 
 
@@ -118,7 +120,7 @@ def test_a_material_goes_on_without_a_run_of_no_use(make_run, tmp_path):
     done = program("stages.dataset", *folders, *out)
     assert done.returncode == 0, done.stderr
     assert set(schemas.read(processed / "d.parquet", schemas.DATASET)["run"]) == {"a-01"}
-    (one,) = from_json((processed / "left.json").read_text())
+    (one,) = read_left_out(processed / "left.json")
     assert one.run == "a-02" and one.field == "displacement_mm" and "a-02: left out" not in done.stdout
     done = program("stages.dataset", folders[1], *out)
     assert done.returncode == 2 and "never changes" in done.stderr

@@ -1,7 +1,5 @@
 """A material's page: its warning, the model to take, which strokes are of which run, and what to ask next."""
 
-import json
-
 import pandas as pd
 import programs
 import pytest
@@ -9,6 +7,7 @@ from stages.nine_strokes import NINE
 from test_models_page import TITLES, made_metrics
 
 from pipeline.ground.stored import schemas
+from pipeline.ground.words.jump_notes import write_jumps
 from pipeline.report.parts.material_head import left_out_of
 
 JUMP = "The zero jumps between two runs: write `tare: run` in run.yaml of a-02 <b>."
@@ -34,7 +33,7 @@ def pages(tmp_path_factory):
     for kind, notes in (("jumps", [JUMP]), ("calm", [])):
         note, out = root / kind / "zero_jumps.json", root / kind / "nylon"
         out.mkdir(parents=True)
-        note.write_text(json.dumps(notes))
+        write_jumps(note, notes)
         of_jumps, metrics = ["--jumps", note], root / "metrics.parquet"
         run("comparison", metrics, *titles, *of_jumps, "--out", out / "comparison.md")
         run("models", metrics, *titles, *of_jumps, "--out", out / "models.md", "--table", out / "models.csv")

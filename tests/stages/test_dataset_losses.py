@@ -11,7 +11,8 @@ import pytest
 from made_recording import content, recording
 
 from pipeline.ground.stored import schemas
-from pipeline.ground.words.left_out import from_json
+from pipeline.ground.words.jump_notes import read_jumps
+from pipeline.ground.words.left_out import read_left_out
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import touched
 
@@ -73,7 +74,7 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(left["stroke"]) != set(
         kept["stroke"]
     )
-    assert json.loads(jumps.read_text()) == [] and jumps.read_text().endswith("\n")
+    assert read_jumps([jumps]) == [] and jumps.read_text().endswith("\n")
     for split in ("within", "later"):
         learnt, asked = ((kept[split] == part).sum() for part in ("train", "test"))
         assert f"{split}: {learnt} points to train on, {asked} held out\n" in done.stdout
@@ -95,7 +96,7 @@ def test_a_run_in_which_every_stroke_is_lossy_is_left_out_and_its_strokes_still_
     done, points = made(folders, processed, tmp_path / "d.parquet", *more, "--note-refusals")
     assert done.returncode == 0, done.stderr
     assert set(points["run"]) == {"run-2"} and set(points["stroke"]) == {4, 5, 6}
-    assert [one.run for one in from_json((tmp_path / "left.json").read_text())] == ["run-1"]
+    assert [one.run for one in read_left_out(tmp_path / "left.json")] == ["run-1"]
 
 
 @pytest.mark.parametrize(

@@ -111,7 +111,7 @@ def read(path: Path | str, schema: pa.Schema | None = None) -> pd.DataFrame:
     try:
         seal.check_parquet(content)
     except seal.Damaged as error:
-        raise _damaged(path, error) from None
+        raise damaged(path, error) from None
     arrow = pq.read_table(pa.BufferReader(content))
     _check(path, arrow.schema, schema)
     return arrow.to_pandas()
@@ -128,12 +128,13 @@ def opened(path: Path | str, schema: pa.Schema | None = None) -> pq.ParquetFile:
     except Exception as error:
         file.close()
         if isinstance(error, seal.Damaged):
-            raise _damaged(path, error) from None
+            raise damaged(path, error) from None
         raise
     return parquet
 
 
-def _damaged(path: Path | str, error: seal.Damaged) -> Damaged:
+def damaged(path: Path | str, error: seal.Damaged) -> Damaged:
+    """What is said of a stored file that is not what was written."""
     return Damaged(path, "content", f"is damaged, or not this version's: {error}", MEND)
 
 

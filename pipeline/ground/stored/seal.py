@@ -2,12 +2,13 @@
 
 import errno
 import hashlib
+import json
 import mmap
 import os
 import stat
 import struct
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 MARK = b"twistbench sha-256 "
 SEAL_BYTES = len(MARK) + hashlib.sha256().digest_size
@@ -115,10 +116,31 @@ def opened(content: bytes | memoryview) -> memoryview:
     return inside
 
 
+def sealed_json(content: Any) -> str:
+    """A content as JSON that holds the check sum of the content's own JSON beside it."""
+    text = json.dumps(content)
+    return f'{{"sha256": "{hashlib.sha256(text.encode()).hexdigest()}",\n"content": {text}}}\n'
+
+
+def opened_json(stored: bytes | memoryview) -> Any:
+    """The content of such JSON; raises Damaged where any byte is not as `sealed_json` writes it."""
+    stored = bytes(stored)
+    try:
+        content = json.loads(stored)["content"]
+        whole = sealed_json(content).encode() == stored
+    except (ValueError, TypeError, KeyError, RecursionError):
+        whole = False
+    if not whole:
+        raise Damaged("its check sum is missing or wrong")
+    return content
+
+
 def check(path: Path) -> None:
-    """Raise Damaged unless a stored table (`.parquet`) or model is unchanged since it was written; raises OSError."""
+    """Raise Damaged unless a stored table (`.parquet`), note (`.json`) or model is as it was written; raises OSError."""
     content = content_of(path)
     if path.suffix == ".parquet":
         check_parquet(content)
+    elif path.suffix == ".json":
+        opened_json(content)
     else:
         opened(content)

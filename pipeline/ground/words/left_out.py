@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 from ..command import REMAKE
 from ..errors import BadInput
 from ..stored import schemas
-from ..stored.regular_file import read_regular
+from ..stored.notes import read_note, write_note
 
 LARGEST = 100_000_000  # bytes of a file of runs that were left out
 
@@ -39,25 +40,41 @@ class LeftOut:
 
 
 def to_json(runs: list[LeftOut]) -> str:
-    """Runs as JSON, for a file or a command line."""
-    return json.dumps([asdict(left_out) for left_out in runs])
+    """Runs as JSON, for a command line."""
+    return json.dumps(_values(runs))
 
 
-def from_json(text: str | bytes, source: Path | str = "the runs left out") -> list[LeftOut]:
-    """Runs from such JSON, which is read from `source`; raises BadInput for anything else."""
+def from_json(text: str) -> list[LeftOut]:
+    """Runs from such JSON; raises BadInput for anything else."""
     try:
-        content = json.loads(text if isinstance(text, str) else text.decode("utf-8"))
-        runs = [LeftOut(**entry) for entry in content]
-        if isinstance(content, list) and all(isinstance(value, str) for entry in content for value in entry.values()):
-            return runs
+        return _runs(json.loads(text))
     except (ValueError, TypeError, RecursionError):
-        pass
-    raise BadInput(source, "JSON", "is not what the pipeline writes", REMAKE)
+        raise BadInput("the runs left out", "JSON", "is not what the pipeline writes", REMAKE) from None
+
+
+def write_left_out(path: Path, runs: list[LeftOut]) -> None:
+    """Write runs with a check sum."""
+    write_note(path, _values(runs))
 
 
 def read_left_out(path: Path) -> list[LeftOut]:
-    """Runs in a file of such JSON; raises BadInput for one that is damaged."""
-    return from_json(read_regular(path, LARGEST), path)
+    """Runs in such a file; raises BadInput for one that is not what was written."""
+    try:
+        return _runs(read_note(path, LARGEST))
+    except TypeError:
+        raise BadInput(path, "content", "is not what this version writes", schemas.MEND) from None
+
+
+def _values(runs: list[LeftOut]) -> list[dict[str, str]]:
+    return [asdict(left_out) for left_out in runs]
+
+
+def _runs(content: Any) -> list[LeftOut]:
+    """Runs from plain values; raises TypeError for others."""
+    runs = [LeftOut(**entry) for entry in content]
+    if isinstance(content, list) and all(isinstance(value, str) for entry in content for value in entry.values()):
+        return runs
+    raise TypeError(content)
 
 
 @contextmanager
