@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+from ..ground.stored.checked_json import write_checked
 from ..ground.stored.files import write_text
 from ..systems import System
 from .choice.outcome import Study
@@ -19,7 +20,7 @@ JSON = "diagnosis.json"
 def write_words(content: Verdict, system: System, folders: list[Path], out: Path, doubts: list[str]) -> str:
     """Write the words of a diagnosis of runs, as JSON and as text, `doubts` first; return the words."""
     before = earlier.sentences(content, folders, out)  # it may lie where this one is written
-    write_text(out / JSON, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
+    write_checked(out / JSON, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
     texts_from = (content, system, folders, out, [*doubts, *before])
     words = verdict_text(*texts_from)
     write_text(out / "details.txt", details_text(*texts_from) + "\n")

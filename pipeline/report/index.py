@@ -12,7 +12,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from ..ground.errors import program
+from ..ground.errors import BadInput, program
 from ..ground.input.words_by_file import SIGN
 from ..ground.names import SYNTHETIC
 from ..ground.stored.files import write_text
@@ -45,6 +45,23 @@ def others(reports: Path) -> Markup:
     return paragraph(Markup("Also made: {}.").format(Markup(" · ").join(pages_there))) if pages_there else Markup("")
 
 
+def material_of(strings: Mapping[str, Sequence[str]]) -> dict[str, str]:
+    """The material of each run, of the runs of each material."""
+    return {run: material for material, own in strings.items() for run in own}
+
+
+def readable(reports: Path, runs: Sequence[str], of: Mapping[str, str]) -> tuple[list[str], list[LeftOut]]:
+    """Runs whose diagnosis can be read, and those that are left out, for theirs cannot; `of` gives a run's material."""
+    whole, damaged = [], []
+    for run in runs:
+        try:
+            diagnoses.content_of(reports / "diagnosis" / run)
+            whole.append(run)
+        except BadInput as error:
+            damaged.append(LeftOut.of(run, error, of.get(run, "")))
+    return whole, damaged
+
+
 def verdict_tag(reports: Path, run: str) -> Markup:
     """A run's verdict in its colour."""
     return diagnoses.tag_of(reports / "diagnosis" / run)
@@ -63,7 +80,7 @@ def page(
 
     `strings` gives the runs of each material, `jumped` what is said of jumps of its zero.
     """
-    of = {run: material for material, own in strings.items() for run in own}
+    of = material_of(strings)
     body: list[Text] = [glance(reports, materials.names, runs.names, of, materials.link, runs.link, jumped)]
     places: list[tuple[str, Text]] = [("glance", "At a glance")]
     places += [(kind, kind.capitalize()) for kind, parts in (("materials", materials), ("runs", runs)) if not parts.few]
@@ -118,7 +135,12 @@ def main() -> None:
     arguments = parser.parse_args()
     mark, gone, reports = mark_from(arguments.made_by), left_out.told(arguments), arguments.reports
     marks = marks_of_runs(arguments.rig_mark, mark, arguments.strings.get(SYNTHETIC, []))
-    runs = of_runs(reports, arguments.runs)
+    of = material_of(arguments.strings)
+    diagnosed, damaged = readable(reports, arguments.runs, of)
+    for left_out_run in damaged:
+        print(f"left out: {left_out_run.why}", flush=True)
+    gone = sorted([*gone, *damaged], key=lambda left_out_run: left_out_run.run)
+    runs = of_runs(reports, diagnosed)
     materials = of_materials(reports, arguments.materials, arguments.strings, runs)
     text = page(reports, materials, runs, arguments.strings, gone, mark, jumps.by_material(arguments.jumps))
     write_text(arguments.out, text)

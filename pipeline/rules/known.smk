@@ -1,6 +1,7 @@
 import socket
 
 from pipeline.report.end_of_job.failures import told_at_start
+from pipeline.workflow.dag import output_of
 
 # What a start finds before it plans: folders that cannot be runs, stored files that are damaged, recordings that changed.
 DAMAGED, REPLACED, AGAIN = {}, [], set()
@@ -16,7 +17,7 @@ elif not COPY:
     ]
     DAMAGED = KNOWN.damaged(STORED)
     REPLACED = [run for run in SYNTHETIC if KNOWN.notes.get(run, CONTENT[run]) != CONTENT[run]]
-    AGAIN = {*DAMAGED, *(f"raw/{run}/run.yaml" for run in REPLACED), *KNOWN.notes.get("again", [])}
+    AGAIN = {*map(output_of, DAMAGED), *(f"raw/{run}/run.yaml" for run in REPLACED), *KNOWN.notes.get("again", [])}
     KNOWN.save()
 
 # Every report that a run or a material asks for, be it bad for now.

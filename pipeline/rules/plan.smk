@@ -3,7 +3,8 @@ import os
 import yaml
 
 from pipeline.workflow import handed_plan
-from pipeline.workflow.dag import make_plan, table_order
+from pipeline.report.layout.verdict_file import damage
+from pipeline.workflow.dag import VERDICT, make_plan, table_order
 from pipeline.workflow.known_files import KnownFiles
 from pipeline.workflow.needs import Needs
 from pipeline.workflow.storage import copy_of_storage
@@ -12,7 +13,7 @@ from pipeline.workflow.usable_recordings import refusals
 # What there is to make. A recording that ingest would refuse is left out of the plan, as one with a bad run.yaml is.
 # A node of a cluster, which evaluates all this again for one job, takes the plan of the start that sent it.
 # What its reading gives is kept for ingest, where both see one processed/.
-KNOWN = KnownFiles(Path(".snakemake/known_files.json"))
+KNOWN = KnownFiles(Path(".snakemake/known_files.json"), {VERDICT: damage})
 ON_NODE, COPY = workflow.remote_exec, copy_of_storage(workflow.storage_settings)
 READS, READ_AHEAD = fingerprint("pipeline.stages.ingest", "pipeline.systems.*"), Path("processed/.read_ahead")
 if ON_NODE and os.environ.get(handed_plan.PLAN):

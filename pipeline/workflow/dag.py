@@ -19,6 +19,7 @@ from ..run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinish
 
 # The material in a run.yaml that cannot be read as a whole, such as one with a NaN: on a line that is no comment.
 NAMED = re.compile(r"""^[^#\n]*\bmaterial: *(["']?)([A-Za-z0-9][A-Za-z0-9_-]*)\1 *([,}\n#]|$)""", re.MULTILINE)
+VERDICT = "diagnosis.json"  # of a run's diagnosis, in its folder
 SYNTHETIC_FILES = ("run.yaml", "recording.frames", "capture.json")
 
 
@@ -130,15 +131,22 @@ def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
 
 
 def stored(models: Mapping[str, ModelPlan], plan: Plan) -> Iterator[str]:
-    """Tables and models that the workflow keeps between its jobs; they are checked for damage."""
+    """Tables, models and verdicts that the workflow keeps between its jobs; they are checked for damage."""
     for run in plan.runs:
         yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
+        yield f"reports/diagnosis/{run}/{VERDICT}"
     for material in plan.materials:
         yield from (f"processed/{material}/{table}.parquet" for table in ("dataset", "metrics"))
         yield from (f"processed/{material}/{note}" for note in ("left_out.json", jump_notes.NAME))
         for predictions in fits(models, material):
             yield predictions
             yield predictions.replace(".predictions.parquet", ".model")
+
+
+def output_of(stored_file: str) -> str:
+    """The output of a rule that a stored file is, or lies in: of a diagnosis its folder."""
+    path = Path(stored_file)
+    return str(path.parent) if path.name == VERDICT else stored_file
 
 
 def fits(models: Mapping[str, ModelPlan], material: str, only: str | None = None) -> Iterator[str]:

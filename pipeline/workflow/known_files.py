@@ -7,22 +7,25 @@ import hashlib
 import json
 import os
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from ..ground.stored import seal
+from ..ground.stored.checked_json import sum_file
 from ..ground.stored.files import sha256, write_text
 
+Check = Callable[[Path], str]
 SETTLED_S = 2.0  # a file that changed this lately may change again under the same times
 
 
 class KnownFiles:
     """Digests of recordings, and which stored files are intact."""
 
-    def __init__(self, cache: Path) -> None:
-        self.cache = cache
+    def __init__(self, cache: Path, checks: Mapping[str, Check] | None = None) -> None:
+        """`checks` says by a file's name what is wrong with it, where that is no seal of its own."""
+        self.cache, self.checks = cache, checks or {}
         try:
             kept = json.loads(cache.read_text(encoding="utf-8"))
         except (OSError, ValueError, RecursionError):
@@ -34,13 +37,15 @@ class KnownFiles:
 
     def _fact(self, path: Path, find: Any) -> Any:
         """The result of `find` for a file, now or from when the file was last the same; raises OSError."""
-        stat = os.stat(path)
-        key = [stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns, stat.st_ino]
+        stats = [os.stat(path)]
+        if path.name in self.checks and sum_file(path).exists():
+            stats.append(os.stat(sum_file(path)))
+        key = [part for stat in stats for part in (stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns, stat.st_ino)]
         noted = self.facts.get(str(path))
         if isinstance(noted, list) and len(noted) == 2 and noted[0] == key:
             return noted[1]
         fact = find(path)
-        if time.time() - max(stat.st_mtime, stat.st_ctime) > SETTLED_S:
+        if time.time() - max(max(stat.st_mtime, stat.st_ctime) for stat in stats) > SETTLED_S:
             self.facts[str(path)] = [key, fact]
         return fact
 
@@ -59,7 +64,7 @@ class KnownFiles:
         damages = {}
         for path in map(Path, paths):
             try:
-                wrong = self._fact(path, _wrong)
+                wrong = self._fact(path, self.checks.get(path.name, _wrong))
             except OSError:
                 continue
             if wrong:

@@ -32,6 +32,7 @@ from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored import schemas
+from pipeline.ground.stored.files import sha256
 from pipeline.notebook import of_folders
 from pipeline.run import strokes
 from pipeline.run.clean_motion import Motion
@@ -94,6 +95,7 @@ def test_the_json_has_the_keys_that_programs_read(diagnosed) -> None:
     assert set(content["fit"]) == {"noise_floor_mm", "detectable_mm", "heldout"}
     assert creep["sentence"].startswith("Under load the string lengthens by up to ") and " mm rms)" in creep["sentence"]
     assert (here / "diagnosis.png").stat().st_size > 10_000
+    assert (here / "diagnosis.json.sha256").read_text() == f"{sha256(here / 'diagnosis.json')}  diagnosis.json\n"
     assert (here / "diagnosis.pdf").read_bytes().startswith(b"%PDF")
     with Image.open(here / "diagnosis.png") as image:
         assert image.info["dpi"][0] >= 200

@@ -79,10 +79,15 @@ def test_few_runs_stand_on_the_index_itself_and_a_page_of_a_run_that_is_gone_goe
     assert not [path.name for path in place.iterdir() if path.name.startswith(".")]
 
 
-def test_an_index_that_fails_leaves_the_pages_of_before(reports, tmp_path):
+def test_an_index_that_fails_leaves_the_pages_of_before(reports, tmp_path, monkeypatch):
+    def failing(folder):
+        if folder.name == RUNS[-1]:
+            raise KeyError(folder.name)
+        return WORDS
+
     place = tmp_path / "reports"
     shutil.copytree(reports, place)
-    (place / "diagnosis" / RUNS[-1] / "diagnosis.json").write_text("{}")
+    monkeypatch.setattr("pipeline.report.parts.diagnoses.words_of", failing)
     before = {path.name: path.read_text() for path in (place / "pages").iterdir()}
     with pytest.raises(KeyError):
         index(place, STRINGS)

@@ -1,6 +1,6 @@
 """The files of a diagnosis → a cell, a line, a run's part of the pages: its verdict, its figure, its files."""
 
-import json
+import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,6 +11,7 @@ from markupsafe import Markup
 from ...ground.units import unit_of
 from ...ground.words.verdict_text import headline, to_do
 from ..layout.verdict_content import Content
+from ..layout.verdict_file import NAME, read_verdict
 from ..web.glossary import word
 from ..web.page import Text, link, paragraph, picture, together
 
@@ -25,16 +26,15 @@ SIZES = ("mismatch", "nominal", "calibrated", DIAGNOSED, "noise")
 FILES = {
     "verdict.txt": "the verdict",
     "details.txt": "its reasons, and the next run step by step",
-    "diagnosis.json": "all numbers",
+    NAME: "all numbers",
     "diagnosis.pdf": "the figure to print",
 }
 
 
 def content_of(folder: Path) -> Content | None:
-    """The content of a diagnosis, or None where the recording was refused."""
-    path = folder / "diagnosis.json"
-    content: Content | None = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
-    return content
+    """The content of a diagnosis, or None where the recording was refused; raises BadInput where it is damaged."""
+    path = folder / NAME
+    return read_verdict(path) if os.path.lexists(path) else None
 
 
 def verdict_of(content: Content | None) -> str:
@@ -141,7 +141,9 @@ def _of_others(content: Content) -> bool:
 def words_of(folder: Path) -> str:
     """The verdict as a person reads it."""
     path = folder / "verdict.txt"
-    return path.read_text(encoding="utf-8") if path.is_file() else f"{folder.name}: no verdict was written"
+    if not path.is_file():
+        return f"{folder.name}: no verdict was written"
+    return path.read_text(encoding="utf-8", errors="replace")
 
 
 def to_do_of(folder: Path) -> str:

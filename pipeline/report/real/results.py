@@ -13,6 +13,7 @@ from ...real.black_boxes import looks
 from ...real.plan import ALL_OTHERS
 from ...real.rigs import Expected, Rig, expected_of
 from ..layout.verdict_content import Content
+from ..layout.verdict_file import NAME, read_verdict
 from .verdict_doubts import doubt
 
 SIMULATORS = {"nominal": "nominal", "calibrated": "calibrated", "explained": "explained"}
@@ -108,8 +109,9 @@ def _unit(content: Content | None) -> str:
 
 def read_result(folder: Path, together: bool = False) -> Result:
     """The verdict in a folder."""
-    path = folder / "diagnosis.json"
-    content = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+    path = folder / NAME
+    mend = f"remove {folder} and run snakemake real: it is made again"
+    content = read_verdict(path, mend) if path.is_file() else None
     words = (folder / "verdict.txt").read_text(encoding="utf-8").strip()
     name = f"{folder.name} together" if together else folder.name
     return Result(name, folder, content, words, folder.name if together else "", unit=_unit(content), together=together)
