@@ -50,6 +50,7 @@ class Loop:
         if before != [str(run) for run in self.runs]:
             mend = "name another --out, or the runs with which it was begun"
             raise BadInput(self.place.out, "step-0", f"is of {' and '.join(before or [])}", mend)
+        self.place.check(steps)
         if move.waits_for_a_person(steps[-1], MAKES):  # who may have other limits now, or a rig at a port
             steps[-1] = self.place.write(steps[-1].at("proposed", approved_by=None))
         while not self.answers.stopped():

@@ -1,15 +1,17 @@
 """One step of the loop as a file: its proposal and its progress; it survives a kill at any moment."""
 
 import json
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from ..ground.errors import BadInput
+from ..ground.stored.checked_json import read_checked
 from ..ground.stored.files import write_text
 from .proposed import LegJson, ProposedRun, StepVerdict
+from .stored_step import ANEW, Options, Proposed, State, Verdict, check_form, read_formed
 
-STATES = ("proposed", "approved", "recorded", "diagnosed")
 STANDS = 5e-3  # turns: a leg that goes less far stands
 STILL = 5e-3  # of the run's range: a way so short is no stroke, and nobody sees it
 NAME, PROPOSED = "state.json", "proposed.json"
@@ -89,14 +91,11 @@ class Place:
         """All steps so far, in order; raises BadInput for a state that cannot be read."""
         steps: list[Step] = []
         while (path := self.folder(len(steps)) / NAME).is_file():
-            try:
-                step = Step(**json.loads(path.read_text(encoding="utf-8")))
-                if step.number != len(steps) or step.state not in STATES:
-                    raise ValueError("is no step of this folder")
-            except (ValueError, TypeError) as error:
-                mend = "restore it, or name another --out to begin anew"
-                raise BadInput(path, "state", f"cannot be read ({error})", mend) from None
-            steps.append(step)
+            content = read_checked(path, ANEW)
+            check_form(path, State, content)
+            if content["number"] != len(steps):
+                raise BadInput(path, "number", "is no step of this folder", ANEW)
+            steps.append(Step(**content))
         return steps
 
     def write_run(self, number: int, run: ProposedRun) -> None:
@@ -104,16 +103,36 @@ class Place:
         write_text(self.folder(number) / PROPOSED, json.dumps(run, ensure_ascii=False) + "\n")
 
     def proposed_run(self, number: int) -> ProposedRun:
-        """The run that a step proposes, with its prediction."""
-        run: ProposedRun = json.loads((self.folder(number) / PROPOSED).read_text(encoding="utf-8"))
+        """The run that a step proposes, with its prediction; raises BadInput where it cannot be read."""
+        run: ProposedRun = read_formed(self.folder(number) / PROPOSED, Proposed)
         return run
 
     def diagnosis(self, number: int) -> StepVerdict:
-        """The diagnosis of a step."""
-        verdict: StepVerdict = json.loads((self.folder(number) / "diagnosis.json").read_text(encoding="utf-8"))
+        """The diagnosis of a step; raises BadInput where it cannot be read."""
+        verdict: StepVerdict = read_formed(self.folder(number) / "diagnosis.json", Verdict, self._again(number))
         return verdict
 
     def next_runs(self, number: int) -> list[ProposedRun]:
-        """The possible runs after a step, the best first."""
-        runs: list[ProposedRun] = json.loads((self.folder(number) / "next_runs.json").read_text(encoding="utf-8"))
+        """The possible runs after a step, the best first; raises BadInput where they cannot be read."""
+        runs: list[ProposedRun] = read_formed(self.folder(number) / "next_runs.json", Options, self._again(number))
         return runs
+
+    def check(self, steps: Sequence[Step]) -> None:
+        """Read what the loop goes on with, before anything moves; raises BadInput where it cannot be read."""
+        last = steps[-1]
+        if (last.legs or last.state in ("proposed", "approved")) and "title" not in last.proposal:
+            raise BadInput(self.folder(last.number) / NAME, "proposal.title", "is missing", ANEW)
+        for step in steps[-2:]:
+            if step.state == "diagnosed":
+                self.diagnosis(step.number)
+        if last.state == "diagnosed":
+            self.next_runs(last.number)
+        elif (self.folder(last.number) / PROPOSED).is_file():
+            self.proposed_run(last.number)
+
+    def _again(self, number: int) -> str:
+        """How a damaged diagnosis of a step is mended: of the last step it can be made once more."""
+        state = self.folder(number) / NAME
+        if (self.folder(number + 1) / NAME).is_file():
+            return ANEW
+        return f'set "state" in {state} to "recorded", and start again: its runs are diagnosed once more'

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from ..ground.errors import BadInput
 from .proposed import ProposedRun, StepVerdict
 from .step import Place, Step
 
@@ -39,7 +40,7 @@ def tie(step: Step, place: Place) -> list[str]:
         return []
     try:
         verdict = place.diagnosis(step.number - 1)
-    except (OSError, ValueError):
+    except (BadInput, OSError):
         return []
     words = [probable(ids, verdict) for ids in step.proposal.get("parts", [])]
     decides = [f"It is to tell apart what ties: {', '.join(words)}."] if words else []

@@ -97,5 +97,5 @@ class Settling:
                 "calibrated": curves["calibrated"],
                 "rivals": dict([*rivals.items()][:RIVALS]),
             }
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        except (BadInput, OSError, KeyError):
             return None

@@ -56,7 +56,8 @@ def test_before_a_person_says_yes_the_tie_is_named_with_its_probabilities_and_th
     assert "verdict so far" not in told(step, place), "of a folder that is not there"
     explanations = [{"ids": ["friction_hysteresis"], "probability": 0.481}, {"ids": ["backlash"], "probability": 0.376}]
     explanations += [{"ids": ["wear", "creep"], "probability": None}]
-    written = json.dumps({"evidence": {"explanations": explanations}})
+    rest = {"verdict": "ambiguous", "mechanisms": [], "alternatives": []}
+    written = json.dumps(rest | {"evidence": {"explanations": explanations}})
     for path, words in (("diagnosis.json", written), ("verdict.txt", "ambiguous")):
         place.folder(0).mkdir(exist_ok=True)
         (place.folder(0) / path).write_text(words)

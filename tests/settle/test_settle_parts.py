@@ -283,7 +283,7 @@ def test_a_loop_reads_each_recording_once_however_many_steps_are_diagnosed_with_
     def diagnosed(folders, out, options):
         reads.extend(options.reader(folder) for folder in folders)
         out.mkdir(parents=True)
-        (out / "diagnosis.json").write_text('{"verdict": "ambiguous"}')
+        (out / "diagnosis.json").write_text('{"verdict": "ambiguous", "mechanisms": [], "alternatives": []}')
 
     monkeypatch.setattr(loop, "diagnose", diagnosed)
     going = loop.Loop([run], place, Motor(None, 0, Allowed({}), False), "ask", Budget(3, 30.0, 40))
