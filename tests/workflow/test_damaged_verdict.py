@@ -3,11 +3,8 @@
 import json
 import os
 import shutil
-from collections.abc import Callable
-from pathlib import Path
 
 import pytest
-from conftest import Project
 from made_recording import recording
 
 from pipeline.ground.stored import schemas
@@ -22,11 +19,9 @@ VERDICT = {
 
 
 @pytest.mark.parametrize("content", [b"{", None], ids=["cut", "whole"])
-def test_the_diagnosis_of_its_run_is_planned_again(
-    bare_project: Project, make_run: Callable[..., Path], tmp_path: Path, content: bytes | None
-) -> None:
+def test_the_diagnosis_of_its_run_is_planned_again(bare_project, make_run, tmp_path, content):
     """Its files lie there as if an earlier start had made them."""
-    project, names = Project(tmp_path / "project"), ("samples", "strokes")
+    project, names = type(bare_project)(tmp_path / "project"), ("samples", "strokes")
     shutil.copytree(bare_project.folder, project.folder, symlinks=True)
     shutil.move(make_run("a-3", recording(4)), project.folder / "raw" / "a-3")
     samples, strokes = (project.folder / "processed" / "a-3" / f"{name}.parquet" for name in names)
