@@ -11,8 +11,8 @@ from made_verdict import made_verdict
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored.checked_json import sum_file, write_checked
-from pipeline.report.parts.diagnoses import content_of
 from pipeline.report.layout.verdict_file import damage
+from pipeline.report.parts.diagnoses import content_of
 from pipeline.workflow import known_files
 from pipeline.workflow.dag import Plan, output_of, stored
 from pipeline.workflow.known_files import KnownFiles

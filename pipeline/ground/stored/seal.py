@@ -136,7 +136,7 @@ def opened_json(stored: bytes | memoryview) -> Any:
 
 
 def check(path: Path) -> None:
-    """Raise Damaged unless a stored table (`.parquet`), note (`.json`) or model is as it was written; raises OSError."""
+    """Raise Damaged unless a stored table (`.parquet`), note (`.json`) or model is as written; raises OSError."""
     content = content_of(path)
     if path.suffix == ".parquet":
         check_parquet(content)
