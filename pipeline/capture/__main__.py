@@ -52,7 +52,7 @@ def tell(info: CaptureJson, folder: Path) -> bool:
             tell_clock(run, folder, info)
     except BadInput as error:
         if "lines" in info and info["lines"]["time_backward"]:
-            print(f"{folder}: {clock_question(info)}")
+            print(f"{folder}: {clock_question(info, folder)}")
         print(f"{error} Until then nothing can use this run.")
         return not described
     tell_of_its_string(folder, info)

@@ -12,7 +12,7 @@ from ..ground.command import recover_command
 from ..ground.kinematics import Array
 from ..ground.units import conversion
 from ..run.description import Run
-from ..run.table.named_units import TIMES
+from ..run.table.named_units import time_unit
 from ..wire import Event, Ledger
 from ..wire.counters import Whole, steps_of
 from .column_names import channel_of
@@ -145,7 +145,7 @@ class Printed:
             self.columns = tuple(names)
             return Piece(np.column_stack([[self._next(None) for _ in rows], values]), [])
         if names[at] != "time_s":
-            values[:, at] *= conversion("time_s", TIMES.get(printed[at]))[0]
+            values[:, at] *= conversion("time_s", time_unit(printed[at]))[0]
         self.columns = tuple(names[:at] + names[at + 1 :])
         time_s = [self._next(stamp) for stamp in values[:, at].tolist()]
         self._timed += len(rows)

@@ -511,8 +511,8 @@ def test_holes_of_one_size_are_told_in_one_line(rig, tmp_path):
     left = [one for number, one in enumerate(LINES) if number not in (5, 10, 15, 20, 30, 31, 32)]
     (folder / "recording.lines").write_bytes(b"".join([HEADER, *left]))
     said, _ = start("--recover", str(folder)).communicate(timeout=60)
-    holes = "about 3 samples missing, after the device's time 580; 4 times about 1 sample missing, first after"
-    assert len(re.findall("samples? missing", said)) == 2 and f"{folder}: {holes} the device's time 80\n" in said
+    holes = "about 3 samples missing, after the device's time 580 ms; 4 times about 1 sample missing, first after"
+    assert len(re.findall("samples? missing", said)) == 2 and f"{folder}: {holes} the device's time 80 ms\n" in said
 
 
 def test_the_mend_for_columns_without_names_knows_seconds_and_milliseconds():

@@ -277,3 +277,43 @@ def test_the_next_command_names_no_run_that_cannot_be_read(folder):
         done = recover(other)
     assert f"pipeline.diagnose {folder.parent}/run-2 {other} --together" in done.stdout, done.stdout
     assert str(folder) not in done.stdout
+
+
+def printed_lines(clock: str, every: float = 20.0) -> str:
+    """200 lines of a rig that calls its clock so, of which three are lost."""
+    rows = (f"{number * every:g},{number},{number / 10}\n" for number in range(200) if number not in (50, 51, 52))
+    return "".join([f"{clock},turns,disp\n", *rows])
+
+
+@pytest.mark.parametrize(
+    ("clock", "channel", "every", "at"),
+    [
+        ("ms", {"column": "ms", "unit": "ms"}, 20.0, "980 ms"),
+        ("Uhr", "Uhr", 0.02, "0.98 s"),
+        ("tick", {"column": 0, "unit": "us"}, 20000.0, "980000 us"),
+        ("ms", None, 20.0, "980 ms"),
+        ("us", None, 20000.0, "980000 us"),
+        ("s", None, 0.02, "0.98 s"),
+    ],
+)
+def test_lost_lines_show_in_the_column_that_run_yaml_reads_as_the_time(folder, clock, channel, every, at):
+    """A rig with the clock `ms` was said to print no time, beside `reads time_s = 2000 ms`, and lost lines were not."""
+    if channel is not None:
+        channels = {"time_s": channel, "motor_turns": "turns", "displacement_mm": "disp"}
+        (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", channels=channels)))
+    (folder / "recording.lines").write_text(printed_lines(clock, every))
+    done = recover(folder)
+    assert f"about 3 samples missing, after the device's time {at}\n" in done.stdout, done.stdout
+    assert "prints no time" not in done.stdout
+    info = json.loads((folder / "capture.json").read_text())
+    assert info["lines"]["device_time"] and info["lines"]["holes"] == 1 and info["holes"][0]["samples_about"] == 3
+
+
+def test_a_clock_that_run_yaml_names_afterwards_makes_recover_look_for_lost_lines(folder):
+    """The recording was said to be finished, and its lost lines stayed unseen."""
+    (folder / "recording.lines").write_text(printed_lines("Uhr", 0.02))
+    assert "the rig prints no time" in recover(folder).stdout
+    channels = {"time_s": "Uhr", "motor_turns": "turns", "displacement_mm": "disp"}
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", channels=channels)))
+    assert "about 3 samples missing" in recover(folder).stdout
+    assert "nothing is to be recovered" in recover(folder).stdout

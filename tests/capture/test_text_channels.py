@@ -1,5 +1,6 @@
 """A rig that prints text into a described run: what is read as which channel, and what is said where that cannot be."""
 
+import json
 import os
 import time
 
@@ -119,3 +120,14 @@ def test_a_narrow_line_shows_the_count_and_the_last_values(tmp_path):
     *narrow, counts = Telling(lines, tmp_path, time.monotonic())._parts()
     assert narrow == ["0:00 recorded", "1 line", "turns = 20.0000", "disp = 11.765", "load = 20.000"]
     assert len(", ".join(narrow)) < 80 and counts == lines.counts()
+
+
+@pytest.mark.parametrize("clock", ["ms", "Uhr"])
+def test_the_column_that_run_yaml_reads_as_the_time_is_the_clock_while_it_records_and_at_the_end(rig, tmp_path, clock):
+    """Live `reads time_s = 2000 ms (from ms)`, at the end "the rig prints no time"."""
+    channels = {**OWN, "time_s": {"column": clock, "unit": "ms"}}
+    status, words = printing(rig, tmp_path / "run-1", header=f"{clock},turns,load,disp\r\n".encode(), channels=channels)
+    assert status == 0 and f" ms (from {clock}), motor_turns" in words and "prints no time" not in words, words
+    live = next(line for line in words.splitlines() if " recorded, " in line)
+    assert f"{clock} = " not in live and "turns = " in live, words
+    assert json.loads((tmp_path / "run-1/capture.json").read_text())["lines"]["device_time"]

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Sequence
 
 NAME = re.compile(r"[A-Za-z_][\w .()\[\]/%°-]{0,63}")
 LABELLED = re.compile(r"([A-Za-z_][\w ()\[\]/%-]{0,63}?)\s*[:=]\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)(?:\s*[,;]\s*|\s+|$)")
@@ -12,6 +13,7 @@ KNOWN = re.compile(  # what somebody calls a column of such a rig, and hardly a 
     re.IGNORECASE,
 )
 TIME = re.compile(r"(t|time|millis|micros)(_?(s|ms|us))?", re.IGNORECASE)
+UNIT_OF_TIME = re.compile(r"s|ms|us", re.IGNORECASE)  # a clock where it is all that a column is called
 DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+([eE][+-]?\d+)?")
 WHOLE_OR_COMMA = re.compile(r"[+-]?\d+(,\d+)?([eE][+-]?\d+)?")
 MAX_LINE = 1024  # bytes; what is longer is no line of numbers
@@ -41,6 +43,16 @@ def names_of(parts: list[str]) -> tuple[str, ...]:
     """The fields of a line if they can be names of columns, else nothing."""
     good = len(parts) > 1 and len(set(parts)) == len(parts) and all(NAME.fullmatch(part) for part in parts)
     return tuple(parts) if good else ()
+
+
+def clock_at(columns: Sequence[str], time_column: str | int | None = None) -> int:
+    """Which column is the device's time, -1 if none is: `time_column` of run.yaml, else by the columns' names."""
+    if time_column in columns:
+        return columns.index(str(time_column))
+    if isinstance(time_column, int) and 0 <= time_column < len(columns):
+        return time_column
+    by_name = [at for clock in (TIME, UNIT_OF_TIME) for at, name in enumerate(columns) if clock.fullmatch(name)]
+    return by_name[0] if by_name else -1
 
 
 def labelled(line: bytes) -> dict[str, str]:

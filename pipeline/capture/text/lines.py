@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ...ground.words.counts import are, counted
-from .fields import MAX_LINE, TIME, fields, is_known, labelled, names_of, numbers, points
+from .fields import MAX_LINE, clock_at, fields, is_known, labelled, names_of, numbers, points
 from .lines_without_names import Unnamed
 from .naming import Naming
 
@@ -47,6 +47,7 @@ class Lines:
     """
 
     columns: tuple[str, ...] = ()
+    clock: str | int | None = None  # the column that run.yaml reads as the time, by its name or index
     good: int = 0
     text: int = 0  # lines of words
     bad: int = 0  # lines that are neither words nor a sample
@@ -73,7 +74,7 @@ class Lines:
     @property
     def time_at(self) -> int:
         """Which column is the device's time, -1 if none is."""
-        return next((at for at, name in enumerate(self.columns) if TIME.fullmatch(name)), -1)
+        return clock_at(self.columns, self.clock)
 
     def take(self, line: bytes) -> list[str] | None:
         """The fields of a sample, in the order of the columns and with decimal points, if the next line is a sample."""

@@ -14,7 +14,8 @@ from ..log import LINES, in_use
 from ..stream import Outcome
 from ..uncommitted_note import noted, noted_columns, propose, withdraw
 from . import holes
-from .fields import names
+from .clock_words import clock_in
+from .fields import clock_at, names
 from .lines import Lines, Splitter
 from .naming import naming_in
 
@@ -29,7 +30,7 @@ class Printed:
     """A text recording, read once from its beginning: `rows` gives its samples, and completes the other numbers."""
 
     def __init__(self, path: Path, columns: tuple[str, ...]) -> None:
-        self.path, self.lines, self.steps = path, Lines(columns), holes.Steps()
+        self.path, self.lines, self.steps = path, Lines(columns, clock_in(path.parent)), holes.Steps()
         self.size, self.tail_bytes = 0, 0
         self._digest = hashlib.sha256()
 
@@ -146,8 +147,9 @@ def recover_lines(folder: Path, columns: tuple[str, ...]) -> CaptureJson:
         mend = "restore it from a copy; a recording is never edited"
         raise BadInput(path, "sha256", "its bytes are not those that capture.json was written for", mend)
     before, began, ended, outcome = _said(info, folder)
+    timed = bool(info.get("lines", {}).get("device_time")) or clock_at(before, clock_in(folder)) < 0
     more = bool(columns) and not info.get("columns_given") and info.get("lines", {}).get("unnamed", 0) != 0
-    if digests[1] == info.get("csv_sha256") and columns in ((), before) and not more:
+    if digests[1] == info.get("csv_sha256") and columns in ((), before) and timed and not more:
         mend = "there is nothing to recover; columns that were read wrongly are named with --columns"
         if columns:
             mend = "there is nothing to recover: it is read by these columns already"

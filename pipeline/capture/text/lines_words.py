@@ -3,16 +3,20 @@
 from pathlib import Path
 
 from ...ground.command import recover_command
+from ...ground.units import unit_of
 from ...ground.words.counts import counted
 from ...run.capture_json import CaptureJson, Lost
-from .fields import TIME, is_known
+from ...run.table.named_units import time_unit
+from .clock_words import clock_in
+from .fields import clock_at, is_known
 from .naming import Naming, naming_in
+from .read_channels import ReadChannels
 
 SIZES_TOLD = 5  # of holes
 
 
-def missing(holes: list[Lost]) -> str:
-    """Where samples seem to be missing: holes of the same size are told together, by the first of them."""
+def missing(holes: list[Lost], unit: str) -> str:
+    """Where samples seem to be missing, in a time of `unit`: holes of one size together, by their first."""
     sizes: dict[int, list[float]] = {}
     for hole in holes:
         sizes.setdefault(hole["samples_about"], []).append(hole["after_time"])
@@ -21,15 +25,24 @@ def missing(holes: list[Lost]) -> str:
         times = sizes[size]
         often, first = (f"{len(times)} times ", "first ") if len(times) > 1 else ("", "")
         words = f"{often}about {counted(size, 'sample')} missing"
-        parts.append(f"{words}, {first}after the device's time {times[0]:g}")
+        parts.append(f"{words}, {first}after the device's time {f'{times[0]:g} {unit}'.rstrip()}")
     if smaller:
         parts.append(f"and {counted(sum(len(sizes[size]) for size in smaller), 'smaller hole')}, see capture.json")
     return "; ".join(parts)
 
 
-def clock_of(info: CaptureJson) -> str:
-    """Name of the column that is read as the device's time, from the content of capture.json."""
-    return next((name for name in info["columns"] if TIME.fullmatch(name)), "time")
+def clock_of(info: CaptureJson, folder: Path) -> str:
+    """Name of the column that is read as the device's time, of what capture.json and run.yaml say."""
+    at = clock_at(info["columns"], clock_in(folder))
+    return info["columns"][at] if at >= 0 else "time"
+
+
+def _unit_of_clock(info: CaptureJson, folder: Path) -> str:
+    """The unit of that column, by run.yaml, else by its name; empty where neither says it."""
+    column = clock_of(info, folder)
+    place = ReadChannels(folder, info["columns"]).places.get(column)
+    by_name = time_unit(column) or ("s" if unit_of(column) == "s" else "")
+    return place.unit if place and place.channel == "time_s" else by_name
 
 
 def _names(info: CaptureJson, naming: Naming) -> str:
@@ -64,11 +77,11 @@ def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
     if not lines["device_time"]:
         print(f"{folder}: the rig prints no time, so lost lines cannot be seen; print millis() first in every line")
     if info["holes"]:
-        print(f"{folder}: {missing(info['holes'])}")
+        print(f"{folder}: {missing(info['holes'], _unit_of_clock(info, folder))}")
 
 
-def clock_question(info: CaptureJson) -> str:
+def clock_question(info: CaptureJson, folder: Path) -> str:
     """The question about a time that stands or falls back in a run that cannot be used."""
     often = counted(info["lines"]["time_backward"], "time")
-    column = f"is the time another column than {clock_of(info)}"
+    column = f"is the time another column than {clock_of(info, folder)}"
     return f"the device's time stands or falls back {often}: was it reset, or {column}?"

@@ -11,6 +11,7 @@ from ..log import Log
 from ..port import Port, Unplugged
 from ..screen import Screen
 from ..stream import PERSON, Outcome
+from .clock_words import clock_in
 from .fields import MAX_LINE, is_known
 from .lines import Lines, Splitter
 from .telling import Telling
@@ -99,7 +100,7 @@ def follow(
     Before the first line of numbers silence ends it only when the beginning's time for that is over.
     """
     heard_s = time.monotonic()
-    lines, splitter, waiting = Lines(columns), Splitter(), Waiting(beginning.until_s, SILENCE_S)
+    lines, splitter, waiting = Lines(columns, clock_in(folder)), Splitter(), Waiting(beginning.until_s, SILENCE_S)
     telling = Telling(lines, folder, beginning.since_s)
     outcome: Outcome | None = None
     chunk = beginning.heard

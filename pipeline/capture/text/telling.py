@@ -6,7 +6,6 @@ from pathlib import Path
 from ...ground.command import recover_command
 from ...ground.words.counts import counted
 from ..screen import Screen, clock
-from .fields import TIME
 from .lines import Lines
 from .live_faults import LiveFaults
 from .naming import naming_in
@@ -81,7 +80,7 @@ class Telling:
     def _parts(self) -> list[str]:
         passed, lines = f"{clock(time.monotonic() - self._began_s)} recorded", self.lines
         pairs = zip(lines.columns, lines.last, strict=False)  # of a narrow line the end is cut off
-        values = [f"{name} = {value}" for name, value in pairs if not TIME.fullmatch(name)]
+        values = [f"{name} = {value}" for at, (name, value) in enumerate(pairs) if at != lines.time_at]
         return [passed, *([counted(lines.good, "line"), *values] if lines.good else []), lines.counts()]
 
     def _say(self, what: str, sentence: str) -> None:
