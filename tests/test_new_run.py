@@ -469,3 +469,28 @@ def test_the_example_of_a_text_rig_with_other_names_and_units_is_taken_as_the_pa
     columns = {name: (channel.column, channel.unit) for name, channel in read_run(tmp_path / name).channels.items()}
     whole = {"time_s": ("t_ms", "ms"), "motor_turns": ("turns", None), "load_n": ("load", None)}
     assert columns == {**whole, "displacement_mm": ("disp", None)} and "`t_ms,turns,load,disp` first" in page
+
+
+@pytest.mark.parametrize(
+    ("channel", "name", "times", "unit"),
+    [
+        ("time_s", "ms", 1e3, "ms"),
+        ("time_s", "millis", 1e3, "ms"),
+        ("motor_turns", "deg", 360.0, "deg"),
+        ("motor_turns", "rad", 2.0 * np.pi, "rad"),
+        ("displacement_mm", "cm", 0.1, "cm"),
+        ("load_n", "kgf", 1.0 / 9.80665, "kgf"),
+        ("displacement_mm", "mm", 1.0, None),
+        ("load_n", "N", 1.0, None),
+        ("motor_turns", "u", 1.0, None),
+    ],
+)
+def test_a_column_that_is_called_by_its_unit_alone_is_read_in_it(new, tmp_path, channel, name, times, unit):
+    """`time_s: ms` was read in seconds: nothing said so before the end, and then only that it is no rate of a rig."""
+    samples = GOOD.assign(load_n=20.0)
+    samples[channel] *= times
+    given = f"{{{channel}: {name}}}"
+    status, said, wrong = new("a-01", "--channels", given, samples=samples.rename(columns={channel: name}))
+    assert status == 0 and f"(from {name}{f' in {unit}' if unit else ''})" in said, wrong
+    read = read_samples(tmp_path / "raw" / "a-01")[1]
+    assert read[channel].to_numpy() == pytest.approx(samples[channel].to_numpy() / times)

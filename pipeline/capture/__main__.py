@@ -14,7 +14,7 @@ from ..run.run_arguments import run_dir
 from .commit import recover
 from .log import LINES
 from .motion_program import read_legs
-from .refused_run import is_refused, tell_refused
+from .refused_run import refusal, tell_refused
 from .session import capture, capture_lines
 from .text.clock_words import tell_clock
 from .text.fields import names
@@ -154,7 +154,7 @@ def main() -> int:
         try:
             info = recover_lines(folder, columns) if (folder / LINES).is_file() else recover(folder)
         except Finished:
-            if not is_refused(folder):
+            if refusal(folder) is None:
                 raise
             print(f"{folder}: nothing is to be recovered: it is read by these columns already")
             tell(capture_info(folder), folder)

@@ -25,7 +25,7 @@ from .folder import RECORDINGS, checked_info, read_run, recording_path
 from .option_mend import import_command
 from .run_yaml import RunYaml
 from .strokes import segment
-from .table.clock import Clock
+from .table.clock import Clock, unit_of_rate
 from .table.file_lines import FileLines, Where, by_row
 from .table.recorded_table import read_recording, recording_pieces
 
@@ -71,10 +71,16 @@ def check_numbers(samples: pd.DataFrame | Rows, path: Path, where: Where = by_ro
             raise BadInput(path, name, problem, mend)
 
 
-def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STEP_S[1], where: Where = by_row) -> None:
+def check_clock(
+    samples: pd.DataFrame | Rows,
+    path: Path,
+    slowest_s: float = STEP_S[1],
+    where: Where = by_row,
+    unit: str | None = None,
+) -> None:
     """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig of this kind has.
 
-    `where` says where a row stands.
+    `where` says where a row stands, and `unit` in which unit run.yaml reads the time, where it says so.
     """
     clock = Clock.of(rows_of(samples))
     if clock.wrong:
@@ -89,10 +95,15 @@ def check_clock(samples: pd.DataFrame | Rows, path: Path, slowest_s: float = STE
         ends = f"{clock.leap_s[0]:.6g} s in {where(clock.leap)} and {clock.leap_s[1]:.6g} s after it"
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"
         raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
-    if not STEP_S[0] * (1.0 - ROUNDED) <= clock.usual_s <= slowest_s * (1.0 + ROUNDED):
+    if not _is_rate(clock.usual_s, slowest_s):
         rates = f"{_lasting(STEP_S[0])} to {_lasting(slowest_s)}"
-        mend = f"set channels.time_s.unit (s, ms or us), or record a sample every {rates}"
+        told_unit = unit_of_rate(clock.usual_s, unit, lambda step_s: _is_rate(step_s, slowest_s))
+        mend = f"set channels.time_s.unit {told_unit}, or record a sample every {rates}"
         raise BadInput(path, "time_s", f"a sample every {_lasting(clock.usual_s)} is no rate of a rig", mend)
+
+
+def _is_rate(step_s: float, slowest_s: float) -> bool:
+    return STEP_S[0] * (1.0 - ROUNDED) <= step_s <= slowest_s * (1.0 + ROUNDED)
 
 
 def _lasting(step_s: float) -> str:
@@ -102,7 +113,8 @@ def _lasting(step_s: float) -> str:
 
 def _cut(run: Run, samples: Rows, path: Path, where: Where) -> pd.DataFrame:
     """Strokes of finite samples; raises BadInput if a channel cannot be what its name says, or no stroke is there."""
-    check_clock(samples, path, STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S, where)
+    slowest_s = STEP_S[1] if run.actuator in STRING_ACTUATORS else SLOWEST_S
+    check_clock(samples, path, slowest_s, where, _unit_of_time(run))
     if run.actuator not in STRING_ACTUATORS and len(set(samples.extremes(run.system.channel))) == 1:
         raise BadInput(path, run.system.channel, "never changes", "check the sensor and its cable")
     if run.actuator in STRING_ACTUATORS:
@@ -111,6 +123,12 @@ def _cut(run: Run, samples: Rows, path: Path, where: Where) -> pd.DataFrame:
         except BadInput as mistake:  # of an angle that wraps any unit and any direction is wrong
             raise wrapped(samples, path) or mistake from None
     return segment(samples, run.system.driver, path)
+
+
+def _unit_of_time(run: Run) -> str | None:
+    """The unit in which run.yaml reads a column as the time; None where it does not say it."""
+    channel = run.channels.get("time_s")
+    return None if channel is None or channel.step_s is not None else channel.unit or "s"
 
 
 def check(run: Run, samples: pd.DataFrame, path: Path, where: Where = by_row) -> tuple[pd.DataFrame, pd.DataFrame]:

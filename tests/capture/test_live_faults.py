@@ -193,3 +193,25 @@ def test_a_recording_that_begins_in_the_middle_of_a_stroke_is_not_complained_of(
 @pytest.mark.parametrize(("top", "speed"), [(5.0, 2.0), (12.0, 10.0), (27.0, 0.5)])
 def test_few_strokes_of_any_height_pace_and_resolution_are_not_complained_of(tmp_path, form, top, speed):
     assert said_of(tmp_path / "run-1", recording(1, top=top, speed=speed), form) == []
+
+
+@pytest.mark.parametrize("wrong", ["sign", "columns"])
+def test_a_time_in_a_wrong_unit_hides_no_other_fault_at_the_end(rig, tmp_path, wrong):
+    """The end said that a sample every 25 s is no rate, and left out the mend that was shown while it recorded."""
+    folder, table, header = tmp_path / "run-1", printed(), ["t", "theta", "disp", "cell"]
+    if wrong == "sign":
+        table = table.assign(displacement_mm=-table["displacement_mm"])
+    else:
+        header = ["t", "theta", "cell", "disp"]
+    done = Recorded(rig, folder, table, header, {**NAMED, "time_s": "t"})
+    end = done.said[len(done.live) :]
+    assert "is no rate of a rig. Mend: set channels.time_s.unit to 'ms', or record" in end, end
+    assert f"\nwarning: {FALLS if wrong == 'sign' else LOAD}" in end, end
+    line = re.search(r"in the place of its channels: (channels: .*)", done.next[0])[1]
+    text = yaml.safe_load((folder / "run.yaml").read_text())
+    (folder / "run.yaml").write_text(yaml.safe_dump(text | yaml.safe_load(line)))
+    if wrong == "columns":
+        assert done.next[1].startswith("Then: mend it further: ")
+        again = ready.run("pipeline.capture", *shlex.split(done.next[1].partition("pipeline.capture ")[2]))
+        assert again.returncode == 0 and "warning" not in again.stdout, again.stdout
+    assert "there is nothing to recover" in ready.run("pipeline.capture", "--recover", folder).stderr

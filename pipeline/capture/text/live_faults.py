@@ -21,6 +21,9 @@ LEAST_SPAN_MM = 2.0  # where the string, if they are, contracted by so much
 SURE = 2  # times in a row that they are found exchanged, before it is said
 
 
+WHEN = ". When the recording has ended: "  # between what is wrong and what mends it
+
+
 class Seen:
     """Channels of a selection of the samples so far, by name, in our units."""
 
@@ -134,7 +137,7 @@ class LiveFaults:
 
     def _mend(self, mend: str) -> str:
         command = copied_mend(mend, self.folder, self.columns)
-        return f"{mend}. When the recording has ended: {command}" if command else mend
+        return f"{mend}{WHEN}{command}" if command else mend
 
     def _contraction_mm(self, turns: float) -> float:
         assert self._base is not None

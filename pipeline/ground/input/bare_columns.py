@@ -3,14 +3,17 @@
 from typing import Any
 
 from ..units import conversion, ending_of, is_load_in_kg, unit_of
-from .header_units import header_unit
+from .header_units import header_unit, unit_word
+
+UNSURE = ("V", "count")  # of these a channel says how many make its unit
+OTHER_THINGS = ("in", "u", "rot")  # names of an input, a voltage and an angle as likely as of a unit
 
 
 def written_out(channel: str, as_written: Any) -> Any:
     """The keys of a channel that was given as a name, or an index from 0; any other value unchanged.
 
-    A name that ends in another unit that the channel converts from is in that unit: `slide_cm` is read in cm, and
-    `Zeit [ms]` or `Zeit (ms)` in ms.
+    A name that is another unit that the channel converts from, or ends in it, is in that unit: `ms` and `Zeit [ms]` or
+    `Zeit (ms)` are read in ms, `slide_cm` in cm.
     """
     if not isinstance(as_written, str | int) or isinstance(as_written, bool):
         return as_written
@@ -19,15 +22,22 @@ def written_out(channel: str, as_written: Any) -> Any:
 
 
 def _unit(channel: str, name: str) -> str:
-    """The unit of a channel from its column's name: in brackets at the end or after the last `_`; else its own."""
-    in_brackets = header_unit(name) if name.rstrip()[-1:] in ("]", ")") else None
-    if in_brackets in (None, "V", "count"):
+    """The unit of a channel from its column's name: in brackets, after the last `_` or the whole name; else its own."""
+    in_brackets = name.rstrip()[-1:] in ("]", ")")
+    unit = header_unit(name) if in_brackets else _whole(name)
+    if unit is None or unit in UNSURE:
         return ending_of(name, channel) if "_" in name else unit_of(channel)
     try:
-        conversion(channel, in_brackets)
+        conversion(channel, unit)
     except ValueError:
-        return in_brackets if is_load_in_kg(channel, in_brackets) else unit_of(channel)
-    return in_brackets
+        return unit if is_load_in_kg(channel, unit) else unit_of(channel)
+    return unit
+
+
+def _whole(name: str) -> str | None:
+    """The unit that a column, or the last part of `data.ms`, is called by alone; None for what may be another thing."""
+    word = name.rpartition(".")[2].strip()
+    return None if word.lower() in OTHER_THINGS else unit_word(word)
 
 
 def all_written_out(channels: Any) -> Any:
