@@ -405,3 +405,24 @@ def test_an_angle_that_is_unwrapped_as_the_mend_says_is_imported(tmp_path):
     mapping.write_text(filled(done.stdout.replace("unit: rad", "unit: deg")))
     done = program(file, "--map", mapping, "--run", "a-01", cwd=tmp_path)
     assert done.returncode == 0 and (tmp_path / "raw" / "a-01").exists(), done.stderr
+
+
+def test_a_load_in_kilonewtons_is_read_in_them_and_one_that_is_read_in_newtons_is_questioned(tmp_path):
+    """`did you mean 'N' or 'K'?`: by that advice 20 to 40 N became 0.02 to 0.04 N, without a word."""
+    columns = {"Zeit": T, "Winkel": M * 2.0 * np.pi, "Weg": X / 10.0, "Kraft": 0.02 + 1e-4 * np.sin(T)}
+    rows = [["s", "rad", "cm", "kN"], *np.column_stack([*columns.values()])]
+    (tmp_path / "a.csv").write_text("\n".join(";".join(map(str, row)) for row in [list(columns), *rows]))
+    drafted = program("--guess", "a.csv", "--out", "map.yaml", cwd=tmp_path)
+    text = (tmp_path / "map.yaml").read_text()
+    assert drafted.returncode == 0 and "  load_n: {column: Kraft, unit: kN}\n" in text, text
+    sizes = {"material": "nylon", "radius_mm": "0.4", "length_mm": "400", "torsion_zone_mm": "150", "separator_mm": "8"}
+    for key, value in sizes.items():
+        text = re.sub(rf"(?m)^(  {key}:).*$", rf"\1 {value}", text)
+    (tmp_path / "map.yaml").write_text(text)
+    done = program("a.csv", "--map", "map.yaml", "--run", "a-01", cwd=tmp_path)
+    assert done.returncode == 0 and "(from Kraft in kN)" in done.stdout and "next to no" not in done.stderr, done.stderr
+    assert read_samples(tmp_path / "raw" / "a-01")[1]["load_n"].mean() == pytest.approx(20.0, abs=0.1)
+    (tmp_path / "map.yaml").write_text(text.replace("kN}", "N}"))
+    done = program("a.csv", "--map", "map.yaml", "--run", "a-02", cwd=tmp_path)
+    question = "load_n: is 0.0201 N at most, next to no load. Mend: kN? Then set channels.load_n.unit to 'kN'"
+    assert done.returncode == 0 and question in done.stderr, done.stderr

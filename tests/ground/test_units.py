@@ -17,6 +17,8 @@ from pipeline.ground.units import conversion
         ("displacement_mm", "um", 1500.0, 1.5),
         ("position_m", "mm", 250.0, 0.25),
         ("load_n", "kgf", 2.0, 19.6133),
+        ("load_n", "kN", 0.02, 20.0),
+        ("load_n", "mN", 150.0, 0.15),
         ("torque_nm", "Nmm", 12.0, 0.012),
         ("time_s", "us", 2.5e6, 2.5),
         ("time_s", "ms", 40.0, 0.04),

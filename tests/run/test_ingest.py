@@ -443,3 +443,22 @@ def test_five_hertz_are_a_rate_of_a_rig_however_the_stamps_round(make_run, first
         check_clock(pd.DataFrame({"time_s": np.arange(30) * 0.25}), Path("log.csv"))
     with pytest.raises(BadInput, match=r"a sample every 0.02 ms is no rate of a rig"):
         check_clock(pd.DataFrame({"time_s": np.arange(30) * 2e-5}), Path("log.csv"))
+
+
+@pytest.mark.parametrize(
+    ("load_n", "changes", "asked"),
+    [
+        (lambda v: v / 1000.0, {}, True),
+        (lambda v: v / 1000.0, {"channels": {"load_n": {"unit": "mN", "scale": 1000.0}}}, False),
+        (lambda v: v * 0.0, {}, False),
+        (lambda v: 0.01 * np.sin(np.arange(len(v))), {}, False),  # noise of a cell on which nothing hangs
+        (lambda v: v / 1000.0, {"string": {"material": "a", "radius_mm": 0.02, "length_mm": 400}}, False),
+    ],
+    ids=["kN", "said", "none", "noise", "thin"],
+)
+def test_a_load_that_is_next_to_none_is_questioned(make_run, load_n, changes, asked):
+    samples = spoiled("load_n", load_n)
+    samples["displacement_mm"] *= 0.012 if "string" in changes else 1.0  # a thin string contracts by less
+    folder = make_run("a-01", samples, **changes)
+    found = [str(question) for question in questions(*read_samples(folder), folder) if question.field == "load_n"]
+    assert len(found) == asked and all("kN? Then set channels.load_n.unit to 'kN'" in each for each in found)

@@ -11,7 +11,7 @@ from ...ground.stored.rows import Rows
 from ...ground.units import conversion
 from ..description import Channel, Run
 from .exchanged_columns import exchange, exchanged
-from .plausible_load import DOUBT_STRETCH, check_load, load_mistake
+from .plausible_load import DOUBT_STRETCH, check_load, load_mistake, small_load
 from .plausible_temperature import temperature_mistake
 from .recorded_curve import AS_LIKELY, DOUBT_RATIO, Curve, Guess, bound
 from .wrong_sign import FALLS, turned_sign
@@ -109,7 +109,7 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
 def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
     """Oddities of a string's checked samples that are likely mistakes: a far 0 of the twist, an odd span.
 
-    A load that a string would hardly bear, and a temperature that no room has, are two more.
+    Two more are a load that a string would hardly bear, or that is next to none, and a temperature that no room has.
     """
     curve = Curve(samples, base)
     questions = []
@@ -121,6 +121,8 @@ def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput
         questions.append(_span(run, curve, path))
     if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
         questions.append(mistake)
+    if small := small_load(run, samples, base, path):
+        questions.append(small)
     if odd := temperature_mistake(samples, path):
         questions.append(odd)
     return questions
