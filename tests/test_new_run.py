@@ -494,3 +494,17 @@ def test_a_column_that_is_called_by_its_unit_alone_is_read_in_it(new, tmp_path, 
     assert status == 0 and f"(from {name}{f' in {unit}' if unit else ''})" in said, wrong
     read = read_samples(tmp_path / "raw" / "a-01")[1]
     assert read[channel].to_numpy() == pytest.approx(samples[channel].to_numpy() / times)
+
+
+@pytest.mark.parametrize(
+    ("scale", "offset", "words"),
+    [(-1, 0, "in mm, × -1"), (-1, 12, "in mm, × -1 + 12"), (1, -3, "in mm, - 3"), (1, 0, "")],
+)
+def test_what_is_done_to_a_columns_numbers_is_said(new, scale, offset, words):
+    """Of a column whose sign was turned only `(from slide_mm)` was said."""
+    samples = GOOD.assign(displacement_mm=(GOOD["displacement_mm"] - offset) * scale)
+    given = f"{{displacement_mm: {{column: slide_mm, scale: {scale}, offset: {offset}}}}}"
+    status, said, wrong = new(
+        "a-01", "--channels", given, samples=samples.rename(columns={"displacement_mm": "slide_mm"})
+    )
+    assert status == 0 and f"(from slide_mm{words and ' '}{words})" in said, said + wrong

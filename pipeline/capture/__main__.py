@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..ground.command import command
 from ..ground.errors import BadInput, program
@@ -14,7 +15,7 @@ from ..run.run_arguments import run_dir
 from .commit import recover
 from .log import LINES
 from .motion_program import read_legs
-from .refused_run import refusal, tell_refused
+from .refused_run import reader_of, refusal, tell_refused
 from .session import capture, capture_lines
 from .text.clock_words import tell_clock
 from .text.fields import names
@@ -26,6 +27,9 @@ from .text.near_names import doubt
 from .text.printed_lines import WAIT_S
 from .undescribed_string import warn_undescribed
 
+if TYPE_CHECKING:
+    from ..string.jumps_beside import Reader
+
 GAPS_TOLD = 5
 
 
@@ -34,8 +38,15 @@ def tell(info: CaptureJson, folder: Path) -> bool:
 
     That nobody has described the run yet is no fault of its recording.
     """
+    reader = refused = None
     if "lines" in info:
-        tell_lines(info, folder, usable=not unusable_columns(folder))
+        usable = not unusable_columns(folder)
+        if usable and not info["lines"]["time_backward"]:  # of a clock that falls back it is asked first
+            reader = reader_of(folder)
+            refused = refusal(folder, reader)
+        if refused:
+            tell_refused(refused, folder, info)
+        tell_lines(info, folder, usable)
     else:
         tell_frames(info, folder)
     ended = f"ended by {info['ended_by']}" if info["ended_by"] else None
@@ -55,17 +66,18 @@ def tell(info: CaptureJson, folder: Path) -> bool:
             print(f"{folder}: {clock_question(info, folder)}")
         print(f"{error} Until then nothing can use this run.")
         return not described
-    tell_of_its_string(folder, info)
+    if refused is None:
+        tell_of_its_string(folder, info, reader)
     return True
 
 
-def tell_of_its_string(folder: Path, info: CaptureJson) -> None:
+def tell_of_its_string(folder: Path, info: CaptureJson, reader: "Reader | None" = None) -> None:
     """Say whether the sensor's zero moved since the run of the same string before, and what comes next."""
     from ..string.jumps_beside import Beside, advice_on  # it needs pandas, for which no rig should wait
     from ..string.next_steps import next_steps
-    from .use_after_fault import once, strokes_of_use, strokes_unwound
+    from .use_after_fault import strokes_of_use, strokes_unwound
 
-    reader = once(folder)
+    reader = reader or reader_of(folder)
     beside = Beside(reader=reader)
     for sentence in advice_on(folder, beside):
         print(f"{folder}: {sentence}")
@@ -154,7 +166,7 @@ def main() -> int:
         try:
             info = recover_lines(folder, columns) if (folder / LINES).is_file() else recover(folder)
         except Finished:
-            if refusal(folder) is None:
+            if refusal(folder, reader_of(folder)) is None:
                 raise
             print(f"{folder}: nothing is to be recovered: it is read by these columns already")
             tell(capture_info(folder), folder)

@@ -3,6 +3,7 @@
 import io
 from contextlib import redirect_stderr
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..ground.errors import BadInput
 from ..run.capture_json import CaptureJson
@@ -10,6 +11,9 @@ from ..run.next_command import following
 from .text.copied_mend import EXCHANGE, copied_mend, is_by_columns
 from .text.lines_to_csv import CSV
 from .text.live_faults import WHEN, LiveFaults
+
+if TYPE_CHECKING:
+    from ..string.jumps_beside import Reader
 
 UNTIL = "Until then nothing can use this run."
 
@@ -53,13 +57,18 @@ def _commands(mends: list[str], folder: Path, info: CaptureJson) -> list[str]:
     return list(filter(None, [whole, *each]))
 
 
-def refusal(folder: Path) -> BadInput | None:
-    """Why a described recording cannot be used as it is read; None where it can be, or where nobody described it."""
-    from ..string.from_raw import read  # it needs pandas, for which no rig should wait
+def reader_of(folder: Path) -> "Reader":
+    """What reads the run in a folder once in this program; it needs pandas, for which no rig should wait."""
+    from .use_after_fault import once
 
+    return once(folder)
+
+
+def refusal(folder: Path, reader: "Reader") -> BadInput | None:
+    """Why a described recording cannot be used as `reader` reads it; None where it can be, or is not described."""
     try:
         with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
-            read(folder)
+            reader(folder)
     except BadInput as error:
         return error if (folder / "run.yaml").is_file() else None
     return None

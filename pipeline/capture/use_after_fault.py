@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..ground.errors import BadInput
 from ..ground.numbers.unwound import HOME
 from ..ground.words.counts import counted
 from ..string.from_raw import read
@@ -15,11 +16,22 @@ from ..string.jumps_beside import Reader
 
 
 def once(folder: Path) -> Reader:
-    """A reader of runs that reads and cuts the run in `folder` once; it stores no other run."""
-    own = cache(read)
+    """A reader of runs that reads and cuts the run in `folder` once, refused or not; it stores no other run."""
+
+    @cache
+    def own() -> Recorded | BadInput:
+        try:
+            return read(folder)
+        except BadInput as error:
+            return error
 
     def reader(place: Path) -> Recorded:
-        return own(place) if place == folder else read(place)
+        if place != folder:
+            return read(place)
+        outcome = own()
+        if isinstance(outcome, BadInput):
+            raise outcome
+        return outcome
 
     return reader
 

@@ -76,6 +76,7 @@ def test_a_good_recording_is_not_complained_of(rig, tmp_path):
     done = Recorded(rig, tmp_path / "run-1", printed())
     assert done.status == 0 and "warning" not in done.said, done.said
     assert "pipeline.diagnose" in done.next[0]
+    assert "the columns are" not in done.said, "all are channels of run.yaml, and were shown"
 
 
 def test_a_wrong_sign_is_said_while_it_records_and_mended_by_a_command(rig, tmp_path):
@@ -88,6 +89,8 @@ def test_a_wrong_sign_is_said_while_it_records_and_mended_by_a_command(rig, tmp_
     assert done.status == 0 and "Until then nothing can use this run." in done.said
     assert done.next[0] == f"Next: mend it, and record nothing anew: {command}"
     assert done.next[1].startswith("Then: ") and "pipeline.diagnose" in done.next[1]
+    end = done.said[len(done.live) :]
+    assert end.index("Next: mend it") < end.index("run-1: ended,"), "the mend stands before all else"
     again = ready.run("pipeline.capture", "--recover", folder)
     assert again.returncode == 2 and f"anew: {command}\n" in again.stdout, "said again, not only that it is finished"
     subprocess.run(command, shell=True, check=True)

@@ -55,7 +55,8 @@ def _names(info: CaptureJson, naming: Naming) -> str:
 def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
     """Say what was recorded, which lines were no numbers, and where samples seem to be missing.
 
-    Where the columns are not `usable` as they are called, no command calls them so: the one that mends it follows.
+    Where the columns are not `usable` as they are called, no command calls them so: the one that mends it follows. Of
+    columns that all are channels of run.yaml nothing is said: they were shown while they came.
     """
     lines = info["lines"]
     text = f", {counted(lines['text'], 'line')} of text passed over" if lines["text"] else ""
@@ -67,7 +68,8 @@ def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
         print(f"{folder}: {came}; {again if usable else 'the command below reads them too'}")
     again = f"{recover_command(folder)} {_names(info, naming_in(folder))}"
     rename = f"if not, put their names in the order in which they are printed: {again}"
-    print(f"{folder}: the columns are {', '.join(info['columns'])}{f'; {rename}' if usable else ''}")
+    if not (usable and ReadChannels(folder, info["columns"]).all_fit):
+        print(f"{folder}: the columns are {', '.join(info['columns'])}{f'; {rename}' if usable else ''}")
     if lines["swapped_headers"]:
         again = f"named the columns in another order {counted(lines['swapped_headers'], 'time')}"
         print(f"{folder}: the rig {again}; the fields are put back into the first one's")

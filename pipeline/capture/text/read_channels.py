@@ -79,6 +79,11 @@ class ReadChannels:
         whence = f" ({', '.join(own)})" if own else ""
         return f"{channel} = {value}{shown}{whence}"
 
+    @property
+    def all_fit(self) -> bool:
+        """Whether the run is described, and each column is read as one of its channels."""
+        return self.run is not None and not self.lacking and {*self.columns} == {*self.places}
+
     def warning(self) -> str:
         """Why nothing can use the run with columns of these names, and the mend; empty where it can be used."""
         if self.run is None or not self.lacking:

@@ -7,8 +7,9 @@ import numpy as np
 import pandas as pd
 
 from ...ground.input.complaint import key_name
+from ...ground.units import unit_of
 from ...ground.words.counts import counted
-from ..description import Run
+from ..description import Channel, Run
 from .named_units import in_its_unit
 
 NAMED = 8  # columns that nothing is read from
@@ -28,8 +29,10 @@ def read_as(
         channel = run.channels.get(name)
         column = key_name(channel.column) if channel and channel.column is not None else name
         parts = [f"from {column}"] if column != name else []
-        parts += [f"in {channel.unit}"] if channel and channel.unit else []
-        whence = f" ({' '.join(parts)})" if parts else ""
+        changed = _changed(channel) if channel else ""
+        unit = channel.unit or (unit_of(name) if changed else "") if channel else ""
+        parts += [f"in {unit}"] if unit else []
+        whence = f" ({' '.join(parts)}{changed})" if parts else ""
         sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
     if has_no_load(run) and not np.any(samples.get("load_n", 0.0)):
         sentences.append("no load: taken as 0 N; if one hangs, name its column as load_n, or write rig.load_n")
@@ -40,6 +43,14 @@ def read_as(
     count = len(samples) if recorded is None else recorded
     wild = f", of which {count - len(samples)} will not count (see the warning)" if count > len(samples) else ""
     return "\n  ".join([f"{path.name} has {counted(count, 'sample')}{wild}. They are read as:", *sentences])
+
+
+def _changed(channel: Channel) -> str:
+    """What is done to a column's numbers in its own unit, such as ", × -1 + 12"; empty where nothing is."""
+    times = f", × {channel.scale:g}" if channel.scale != 1.0 else ""
+    if not channel.offset:
+        return times
+    return f"{times or ','} {'-' if channel.offset < 0 else '+'} {abs(channel.offset):g}"
 
 
 def _keys(run: Run, columns: Sequence[object]) -> set[object]:
