@@ -11,12 +11,13 @@ from ..ground.input.strict_yaml import write_yaml
 from ..ground.names import checked, own_material, run_name
 from ..ground.stored.files import write_text
 from ..ground.stored.folders import whole_folder
+from ..run.checked_clock import WrongClock
 from ..run.description import Run, parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import has_recording, recording_path, unfinished
 from ..run.option_mend import by_option
 from ..run.run_yaml import RunYaml
-from ..run.samples import WrongClock, check, questions
+from ..run.samples import check, questions
 from ..run.table.columns_read import read_as
 from ..run.table.file_lines import FileLines, Where
 from ..run.table.read_log import copy_log, read_log, recording_name, rows_left

@@ -8,43 +8,24 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ..ground.command import command
 from ..ground.errors import BadInput
-from ..ground.input.strict_yaml import read_yaml
 from ..ground.kinematics import Places
 from ..ground.stored import schemas
 from ..ground.stored.files import whole
 from ..ground.stored.rows import Rows, Stored, rows_of
 from ..ground.words.counts import counted
+from .checked_clock import SLOWEST_S, STEP_S, check_clock
 from .description import STRING_ACTUATORS, Run
 from .dimensions import geometry
 from .doubts.plausible import check_string, doubts
 from .doubts.wild_samples import wild_samples
 from .doubts.wrapping import wrapped
-from .folder import RECORDINGS, checked_info, read_run, recording_path
-from .option_mend import import_command
-from .run_yaml import RunYaml
+from .folder import checked_info, read_run, recording_path
 from .strokes import segment
-from .table.clock import Clock, unit_of_rate
 from .table.file_lines import FileLines, Where, by_row
 from .table.recorded_table import read_recording, recording_pieces
 
-STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
-ROUNDED = 1e-4  # of a step: what stamps that are written with few digits make of it
-SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill
 LEAST_SAMPLES = 20
-LONGEST_GAP_S = 7 * 86_400.0
-
-
-class WrongClock(BadInput):
-    """Time stamps that stand still or run backwards; `importing` says what the import makes of them."""
-
-    importing = f"{command('import_run')} mends repeated and backward time stamps and says so"
-
-    def by_import(self, content: RunYaml, recording: Path, name: str, out: Path) -> BadInput:
-        """The same, with the command that imports the recording as run `name` of such a content as its mend."""
-        mend = f"import it: {import_command(content, recording, name, out)}; {self.importing}"
-        return BadInput(self.file, self.field, self.problem, mend)
 
 
 def check_finite(samples: pd.DataFrame | Rows, path: Path, where: Where = by_row) -> None:
@@ -69,46 +50,6 @@ def check_numbers(samples: pd.DataFrame | Rows, path: Path, where: Where = by_ro
             mend = f"remove the {what}s without a reading; missing {what}s are no harm"
             problem = f"is not a number in {count} of {counted(len(rows), what)}, first in {where(first)}"
             raise BadInput(path, name, problem, mend)
-
-
-def check_clock(
-    samples: pd.DataFrame | Rows,
-    path: Path,
-    slowest_s: float = STEP_S[1],
-    where: Where = by_row,
-    unit: str | None = None,
-) -> None:
-    """Raise BadInput for a clock that stands, runs backwards, or has a rate that no rig of this kind has.
-
-    `where` says where a row stands, and `unit` in which unit run.yaml reads the time, where it says so.
-    """
-    clock = Clock.of(rows_of(samples))
-    if clock.wrong:
-        word = "runs backwards" if clock.least_s < 0 else "stands still"
-        problem = f"{word} at {where(clock.first_wrong + 1)} ({counted(clock.wrong, 'time')} in all)"
-        refusal = WrongClock(path, "time_s", problem, WrongClock.importing)
-        folder, described = path.parent, path.parent / "run.yaml"
-        if path.name not in RECORDINGS or not described.is_file():
-            raise refusal
-        raise refusal.by_import(read_yaml(described), path, f"{folder.name}-mended", folder.parent)
-    if clock.most_s > LONGEST_GAP_S:
-        ends = f"{clock.leap_s[0]:.6g} s in {where(clock.leap)} and {clock.leap_s[1]:.6g} s after it"
-        mend = "correct the stamp that is wrong, or cut the recording there into two runs"
-        raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
-    if not _is_rate(clock.usual_s, slowest_s):
-        rates = f"{_lasting(STEP_S[0])} to {_lasting(slowest_s)}"
-        told_unit = unit_of_rate(clock.usual_s, unit, lambda step_s: _is_rate(step_s, slowest_s))
-        mend = f"set channels.time_s.unit {told_unit}, or record a sample every {rates}"
-        raise BadInput(path, "time_s", f"a sample every {_lasting(clock.usual_s)} is no rate of a rig", mend)
-
-
-def _is_rate(step_s: float, slowest_s: float) -> bool:
-    return STEP_S[0] * (1.0 - ROUNDED) <= step_s <= slowest_s * (1.0 + ROUNDED)
-
-
-def _lasting(step_s: float) -> str:
-    """The time between two samples in words, in ms if it is short."""
-    return f"{step_s:.4g} s" if step_s >= 0.1 else f"{1000.0 * step_s:.4g} ms"
 
 
 def _cut(run: Run, samples: Rows, path: Path, where: Where) -> pd.DataFrame:

@@ -13,7 +13,8 @@ from made_recording import recording
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored import schemas
-from pipeline.run.samples import SLOWEST_S, check_clock, questions, read_samples
+from pipeline.run.checked_clock import SLOWEST_S, check_clock
+from pipeline.run.samples import questions, read_samples
 
 GOOD = recording()
 

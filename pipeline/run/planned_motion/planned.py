@@ -11,8 +11,9 @@ from ...ground.input.cell_numbers import cell_numbers
 from ...ground.input.text_file import TextFile
 from ...ground.kinematics import Array
 from ...ground.words.counts import counted
+from ..checked_clock import check_clock
 from ..description import STRING_ACTUATORS, Run
-from ..samples import LEAST_SAMPLES, check_clock, check_numbers
+from ..samples import LEAST_SAMPLES, check_numbers
 from ..table.recorded_table import to_samples
 
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
