@@ -18,6 +18,11 @@ from capture.test_capture_text import rig
 from made_recording import BASE, content, recording
 
 from pipeline.capture.text.live_faults import LiveFaults
+from pipeline.ground.errors import BadInput
+from pipeline.ground.stored.rows import rows_of
+from pipeline.run.description import parse_run
+from pipeline.run.dimensions import geometry
+from pipeline.run.doubts.plausible import check_string
 
 __all__ = ["rig"]
 COLUMNS = ["time_ms", "motor_turns", "displacement_mm", "load_n"]
@@ -137,6 +142,30 @@ def test_exchanged_columns_are_said_while_it_records_with_the_whole_command(rig,
     assert right.returncode == 0 and "pipeline.diagnose" in right.stdout and "warning" not in right.stdout
 
 
+IN_OTHER_UNITS = {
+    "time_s": {"column": "time_ms", "unit": "ms"},
+    "motor_turns": {"column": "motor_turns", "unit": "deg"},
+    "displacement_mm": "displacement_mm",
+    "load_n": {"column": "load_n", "unit": "gf"},
+}
+
+
+@pytest.mark.parametrize("pair", [("motor_turns", "displacement_mm"), ("displacement_mm", "load_n")])
+def test_exchanged_columns_are_seen_in_whatever_unit_they_are(tmp_path, pair):
+    """A laser in mm that is read as degrees never winds, and one that is read as grams hardly pulls."""
+    first, second = pair
+    table = printed(3).assign(motor_turns=lambda read: 360.0 * read["motor_turns"], load_n=lambda read: 2000.0)
+    swapped = table.assign(**{first: table[second], second: table[first]})
+    sentence = f"exchange the columns of {first} and {second}"
+    channels = {**IN_OTHER_UNITS}
+    told = said_of(tmp_path / "run-1", swapped.assign(time_s=swapped["time_ms"] / 1000.0), channels=channels)
+    assert sum(sentence in each for each in told) == 1 and sentence in told[0], told
+    run, samples = parse_run(content("run-1", channels=channels), tmp_path / "run-1" / "run.yaml"), swapped
+    samples = samples.assign(motor_turns=swapped["motor_turns"] / 360.0, load_n=swapped["load_n"] * 0.00980665)
+    with pytest.raises(BadInput, match=sentence):
+        check_string(run, rows_of(samples), geometry(run), tmp_path / "recording.csv")
+
+
 GOOD = recording(3, noise_mm=0.0)
 TURNS, TIME_S = GOOD["motor_turns"].to_numpy(), GOOD["time_s"].to_numpy()
 NOISE = 0.02 * np.random.default_rng(0).standard_normal(len(GOOD))
@@ -154,10 +183,10 @@ def with_play(width: float):
     return np.array(behind)
 
 
-def said_of(folder: Path, table: pd.DataFrame, form: str = "%.3f") -> list[str]:
+def said_of(folder: Path, table: pd.DataFrame, form: str = "%.3f", channels=None) -> list[str]:
     """What is said while the samples of a table come, asked every second for exchanged columns."""
     folder.mkdir()
-    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
+    (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", channels=channels)))
     faults, said = LiveFaults(folder, COLUMNS), []
     for at, row in enumerate(table[["time_s", *COLUMNS[1:]]].to_numpy()):
         said.append(faults.look([f"{1000 * row[0]:.0f}", *(form % value for value in row[1:])]))

@@ -9,7 +9,7 @@ from ...ground.kinematics import Array, Geometry, Places
 from ...ground.units import conversion
 from ...run.description import STRING_ACTUATORS, Channel, Run
 from ...run.dimensions import geometry
-from ...run.doubts.exchanged_columns import exchange, exchanged
+from ...run.doubts.exchanged_columns import as_exchanged, exchange, exchanged
 from ...run.doubts.wrong_sign import FALLS, turned_sign
 from ..motion_faults import FROZEN, LEAST_TURNS, MotionFaults, stands_words
 from .copied_mend import copied_mend
@@ -147,7 +147,7 @@ class LiveFaults:
 
     def _contracted(self, pair: tuple[str, str]) -> bool:
         """Whether the column that would then be the displacement moved far enough, and the twist too."""
-        displacement = next(name for name in pair if name != "displacement_mm")
-        turns = "displacement_mm" if displacement == "motor_turns" else "motor_turns"
-        spans = [float(np.ptp(self._seen.percentiles(name, [1, 99]))) for name in (displacement, turns)]
-        return spans[0] >= LEAST_SPAN_MM and spans[1] >= LEAST_TURNS
+        assert self.run is not None
+        seen = as_exchanged(self.run, self._seen, pair)
+        span_mm, turns = (float(np.ptp(seen.percentiles(name, [1, 99]))) for name in ("displacement_mm", "motor_turns"))
+        return span_mm >= LEAST_SPAN_MM and turns >= LEAST_TURNS

@@ -8,6 +8,7 @@ from ..description import Channel, Run
 from .recorded_curve import AS_LIKELY, DOUBT_RATIO, LIKELY, Curve, Readings
 
 PAIRS = (("displacement_mm", "load_n"), ("motor_turns", "displacement_mm"))
+LEAST_TURNS = 0.05  # of twist: less is no stroke
 Pair = tuple[str, str]
 
 
@@ -43,6 +44,11 @@ class Exchanged:
         return self._samples.median(source) * factor
 
 
+def as_exchanged(run: Run, samples: Readings, pair: Pair) -> Exchanged:
+    """The samples of a run as they are if the columns of two channels are exchanged, each in its channel's unit."""
+    return Exchanged(samples, pair, _unit(run, pair[0]) / _unit(run, pair[1]))
+
+
 def exchanged(run: Run, samples: Readings, base: Geometry) -> Pair | None:
     """The two channels of a string run whose columns are exchanged; None where none are."""
     as_it_stands = Curve(samples, base)
@@ -50,8 +56,9 @@ def exchanged(run: Run, samples: Readings, base: Geometry) -> Pair | None:
     if _passes(as_it_stands) and misfit <= LIKELY:
         return None
     for pair in PAIRS:
-        curve = Curve(Exchanged(samples, pair, _unit(run, pair[0]) / _unit(run, pair[1])), base)
-        if _passes(curve) and AS_LIKELY * curve.misfit() <= min(LIKELY, misfit):
+        curve = Curve(as_exchanged(run, samples, pair), base)
+        is_stroke = curve.high - curve.low >= LEAST_TURNS
+        if is_stroke and _passes(curve) and AS_LIKELY * curve.misfit() <= min(LIKELY, misfit):
             return pair
     return None
 

@@ -10,7 +10,7 @@ from ...ground.numbers.too_short import MOST_STRETCH
 from ...ground.stored.rows import Rows
 from ...ground.units import conversion
 from ..description import Channel, Run
-from .exchanged_columns import exchange, exchanged
+from .exchanged_columns import LEAST_TURNS, exchange, exchanged
 from .plausible_load import DOUBT_STRETCH, check_load, load_mistake, small_load
 from .plausible_temperature import temperature_mistake
 from .recorded_curve import AS_LIKELY, DOUBT_RATIO, Curve, Guess, bound
@@ -91,10 +91,10 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
     curve = Curve(samples, base)
     if mistake := load_mistake(run, samples, base, path, MOST_STRETCH):
         raise mistake
-    if curve.high - curve.low < 0.05:
-        return  # no stroke in it: the segmentation says so
     if pair := exchanged(run, samples, base):
         raise BadInput(path, "displacement_mm", "does not follow the twist as this string would", exchange(pair))
+    if curve.high - curve.low < LEAST_TURNS:
+        return  # no stroke in it: the segmentation says so
     if curve.high <= 0:
         mend = "winding is positive: set channels.motor_turns.scale to -1"
         raise BadInput(path, "motor_turns", "is negative throughout", mend)
