@@ -14,6 +14,7 @@ from models.made_dataset import made_dataset
 
 from pipeline.export.source import Beside, opened
 from pipeline.ground.errors import BadInput
+from pipeline.ground.kinematics import usual_stiffness
 from pipeline.ground.stored import schemas
 from pipeline.models.interface import make_model
 from pipeline.models.parts.questions.question_points import read_questions
@@ -625,3 +626,20 @@ def test_a_size_that_is_not_the_named_strings_is_no_question(of_two_sizes: Path)
     done = ask(of_two_sizes, "stroke,direction,motor_turns,string\n2,1,9,new\n2,1,9,made-01\n", "--model", "polynomial")
     assert "string: is new in row 1, which has no recording, and its radius_mm is not told" in done.stderr
     assert "recorded are made-01, made-02; of a new string add the column radius_mm" in done.stderr
+
+
+def test_a_new_string_has_the_usual_stiffness_where_none_was_measured(of_two_sizes: Path) -> None:
+    """It was asked for, though nobody had measured that of any string."""
+    points = pd.read_parquet(of_two_sizes)
+    usual = usual_stiffness(points["radius_mm"], points["length_mm"])
+    table = read_questions(
+        _written(of_two_sizes, "stroke,direction,motor_turns,string,radius_mm\n2,1,9,new,0.5\n2,1,9,made-01,\n"),
+        points.assign(stiffness_n_per_mm=usual),
+    ).points
+    assert table["stiffness_n_per_mm"].tolist() == pytest.approx([usual_stiffness(0.5, 400.0), usual.min()])
+
+
+def _written(beside: Path, text: str) -> Path:
+    path = beside.with_name("of_new.csv")
+    path.write_text(text)
+    return path

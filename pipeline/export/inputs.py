@@ -7,7 +7,7 @@ import pandas as pd
 
 from ..ground.kinematics import RAD_PER_TURN, Array, usual_stiffness
 from ..ground.units import unit_of
-from ..models.parts.box import Box
+from ..models.parts.box import ROUNDED, Box
 from ..models.parts.conditions import MEASURED, VARIES
 
 SAME = 1e-6  # spread over size below which a dimension is one number
@@ -92,14 +92,18 @@ class Inputs:
 
     @property
     def assumed(self) -> dict[str, str]:
-        """Constants that nobody measured, and their origin, such as a usual stiffness."""
-        names = ("radius_mm", "length_mm", "stiffness_n_per_mm")
-        if not all(name in self.baked for name in names):
+        """Numbers that nobody measured, and their origin, such as a usual stiffness: of one length, of each radius."""
+        ranges = {name: (value, value) for name, value in self.baked.items()}
+        ranges |= {field.name: (field.low, field.high) for field in self.fields}
+        if "length_mm" not in self.baked or not {"radius_mm", "stiffness_n_per_mm"} <= set(ranges):
             return {}
-        radius_mm, length_mm, stiffness = (self.baked[name] for name in names)
-        if abs(stiffness / usual_stiffness(radius_mm, length_mm) - 1.0) > SAME:
+        usual = [usual_stiffness(radius_mm, self.baked["length_mm"]) for radius_mm in ranges["radius_mm"]]
+        is_field = "stiffness_n_per_mm" not in self.baked
+        near = 4.0 * ROUNDED if is_field else SAME  # the ends of a field have room
+        if not np.allclose(ranges["stiffness_n_per_mm"], usual, rtol=near, atol=0.0):
             return {}
-        return {"stiffness_n_per_mm": "assumed, not measured: the usual one of this radius_mm and length_mm"}
+        whose = "of each radius_mm and this" if is_field else "of this radius_mm and"
+        return {"stiffness_n_per_mm": f"assumed, not measured: the usual one {whose} length_mm"}
 
     @property
     def pair(self) -> bool:

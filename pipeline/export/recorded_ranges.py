@@ -13,7 +13,7 @@ import pyarrow.parquet as pq
 
 from ..ground.kinematics import Array
 from ..ground.units import unit_of
-from ..models.parts.box import MARGIN, room
+from ..models.parts.box import MARGIN, ROUNDED, SIZES, room
 from ..models.parts.conditions import MEASURED
 from ..models.parts.questions.recorded_pairs import Paired, pairs_of
 from ..models.parts.questions.recorded_strokes import LOAD
@@ -64,10 +64,9 @@ def strokes_foreseen(dataset: Path, string: str = "") -> tuple[int, int] | None:
 def recorded(source: Source) -> str:
     """A sentence for each condition that the export takes or does not read: its recorded values."""
     ranges = {field.name: (field.low, field.high) for field in source.inputs.fields if field.name in MEASURED}
-    sentences = [
-        f"{name}: recorded were {source.values.get(name) or _unwidened(name, *ends)}{_room(name)}."
-        for name, ends in ranges.items()
-    ]
+    origin = dict.fromkeys(source.inputs.assumed, "assumed")
+    values = {name: source.values.get(name) or _unwidened(name, *ends) for name, ends in ranges.items()}
+    sentences = [f"{name}: {origin.get(name, 'recorded')} were {words}{_room(name)}." for name, words in values.items()]
     return " ".join([*sentences, ALONE]) if sentences else ""
 
 
@@ -147,6 +146,8 @@ def _span(values: Array) -> str:
 def _unwidened(name: str, low: float, high: float) -> str:
     """The recorded range of a column by the range of the box, which has room on either side."""
     wide = MARGIN.get(name, 0.0) * (high - low) / (1.0 + 2.0 * MARGIN.get(name, 0.0))
+    if name in SIZES and high > low:
+        wide = ROUNDED * high / (1.0 + ROUNDED)
     return f"{low + wide:.4g} to {high - wide:.4g} {unit_of(name)}"
 
 

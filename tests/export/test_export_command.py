@@ -90,6 +90,30 @@ def test_a_stiffness_that_nobody_measured_is_said_to_be_assumed(tmp_path: Path, 
     assert list(json.loads(said["assumed"])) == ([] if measured else ["stiffness_n_per_mm"])
 
 
+def test_of_several_radii_the_assumed_stiffness_and_what_the_header_says_of_each_size_are_taken(tmp_path: Path) -> None:
+    """The numbers in the comment were rounded out of their own range, and a usual stiffness was called recorded."""
+    radii = {"a": 0.31, "b": 0.37}
+    points = pd.concat(
+        [
+            made_dataset(60, 6).assign(string=name, radius_mm=radius, stiffness_n_per_mm=usual_stiffness(radius, 413.0))
+            for name, radius in radii.items()
+        ],
+        ignore_index=True,
+    ).assign(length_mm=413.0)
+    model = make_model("polynomial")
+    model.fit(points, 0)
+    file = tmp_path / "polynomial" / "within-0.model"
+    file.parent.mkdir()
+    model.save(file)
+    assert export(file, "--format", "c", "--out", tmp_path).returncode == 0
+    text = said_of((tmp_path / "tsa.h").read_text())
+    assert "stiffness_n_per_mm is assumed, not measured: the usual one of each radius_mm and this length_mm." in text
+    words = re.search(r"stiffness_n_per_mm: assumed were ([\d.]+) to ([\d.]+) N/mm", text)
+    (limits,) = [field for field in opened(file, None, Beside()).inputs.fields if field.name == "stiffness_n_per_mm"]
+    assert limits.low <= float(words[1]) < float(words[2]) <= limits.high
+    assert limits.low > 0.998 * usual_stiffness(0.31, 413.0), "no wider than a rounding"
+
+
 def test_it_writes_a_header(folder: Path, tmp_path: Path) -> None:
     model = folder / "spline" / "within-0.model"
     command = [sys.executable, "-m", "pipeline.export", str(model), "--format", "c", "--name", "arm", "--out", "arm.h"]

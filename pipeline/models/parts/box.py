@@ -12,11 +12,15 @@ COLUMNS = (
     "motor_turns", "displacement_mm", "stroke", "direction", "load_n", "separator_mm", "length_mm", "radius_mm",
     "torsion_zone_mm", "stiffness_n_per_mm",
 )  # fmt: skip
+SIZES = ("separator_mm", "length_mm", "radius_mm", "torsion_zone_mm", "stiffness_n_per_mm")
+ROUNDED = 5e-4  # of a size that varies: it is told with four digits, and what is told lies in the box
 MARGIN = {"motor_turns": 0.01, "displacement_mm": 0.01, "load_n": 0.05}  # of the range, or of the value where constant
 
 
 def room(name: str, least: float, most: float) -> float:
     """How far beyond the recorded range a column still counts as inside, at either end, in the column's unit."""
+    if name in SIZES and most > least:
+        return ROUNDED * max(abs(least), abs(most))
     return MARGIN.get(name, 1e-9) * (most - least or abs(most))
 
 

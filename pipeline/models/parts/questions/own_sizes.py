@@ -3,9 +3,11 @@
 import numpy as np
 import pandas as pd
 
+from ....ground.kinematics import usual_stiffness
 from .bad_rows import BadRow, of_mask
 from .strings_alike import SIZES
 
+STIFFNESS = "stiffness_n_per_mm"
 ALIKE = 1e-3  # relative: a size that is told so near to the recorded one is that one, rounded
 
 
@@ -13,7 +15,8 @@ def with_own_sizes(questions: pd.DataFrame, dataset: pd.DataFrame) -> tuple[pd.D
     """Questions with the sizes of their strings filled in, and the rows that tell a recorded string another size.
 
     Only sizes that vary between strings and never within one are filled in. Where no string is told and the sizes of
-    each row are those of one string alone, that string is filled in.
+    each row are those of one string alone, that string is filled in. A new string has the usual stiffness if none is
+    told and none of the recorded strings' was measured.
     """
     own = _own_sizes(dataset)
     if own.empty or own.columns.empty:
@@ -26,11 +29,12 @@ def with_own_sizes(questions: pd.DataFrame, dataset: pd.DataFrame) -> tuple[pd.D
     for name in own.columns:
         recorded = strings.map(own[name]).astype(float)
         if name not in questions.columns:
-            sized[name] = recorded
-            each = [f"is {string}" for string in strings[is_strange]]
+            sized[name] = recorded.fillna(_usual_stiffness(sized, dataset)) if name == STIFFNESS else recorded
+            is_unknown = is_strange & sized[name].isna().to_numpy()
+            each = [f"is {string}" for string in strings[is_unknown]]
             strange = f", which has no recording, and its {name} is not told"
             mend = f"recorded are {', '.join(sorted(own.index)[:10])}; of a new string add the column {name}"
-            wrong += of_mask(is_strange, "string", each, strange, mend)
+            wrong += of_mask(is_unknown, "string", each, strange, mend)
             continue
         sizes = pd.to_numeric(questions[name], errors="coerce")
         is_other = (sizes.notna() & recorded.notna() & ~_alike(sizes, recorded)).to_numpy(bool)
@@ -41,6 +45,17 @@ def with_own_sizes(questions: pd.DataFrame, dataset: pd.DataFrame) -> tuple[pd.D
             wrong.append(entry._replace(instead=of_string, mend=mend))
         sized[name] = questions[name].where(questions[name].notna(), recorded)
     return sized, wrong
+
+
+def _usual_stiffness(sized: pd.DataFrame, dataset: pd.DataFrame) -> pd.Series:
+    """The usual stiffness of each question's string, in N/mm; NaN if that of a recorded string was measured."""
+    radius_mm, length_mm = (
+        pd.to_numeric(sized[name], errors="coerce") if name in sized else dataset[name].iloc[0]
+        for name in ("radius_mm", "length_mm")
+    )
+    is_assumed = np.allclose(dataset[STIFFNESS], usual_stiffness(dataset["radius_mm"], dataset["length_mm"]), rtol=1e-6)
+    usual = usual_stiffness(radius_mm, length_mm) if is_assumed else np.nan
+    return pd.Series(usual, index=sized.index)
 
 
 def _own_sizes(dataset: pd.DataFrame) -> pd.DataFrame:
