@@ -27,7 +27,8 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     names += ["models.md", "models.html", "models.csv", "models.csv-metadata.json"]
     names += ["figure_leak.png", "figure_leak.pdf"]
     assert all((reports / "synthetic" / name).stat().st_size > 0 for name in names)
-    assert "TABLE I: FORWARD" in printed and "TABLE II: INVERSE" in printed and "figure_4.png" in printed
+    assert "TABLE I: FORWARD" in printed and "TABLE II: INVERSE" in printed
+    assert "tables, figures, every model and how to ask it: reports/synthetic/index.html" in printed
     with open(reports / "synthetic" / "table_1.csv", encoding="utf-8", newline="") as file:
         rows = list(csv.reader(file))[1:]
     titles, models = [row[0] for row in rows[::3]], yaml.safe_load((ROOT / "pipeline/config/default.yaml").read_text())
