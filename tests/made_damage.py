@@ -50,6 +50,17 @@ def damaged(content: bytes, chance: random.Random, words: list[bytes]) -> bytes:
     return bytes(data)
 
 
+def flips_and_cuts(whole: bytes) -> Iterator[bytes]:
+    """Content with one bit the other way, 300 times, and cut off, 20 times."""
+    draw = random.Random(0)
+    for _ in range(300):
+        at, content = draw.randrange(8 * len(whole)), bytearray(whole)
+        content[at // 8] ^= 1 << at % 8
+        yield bytes(content)
+    for _ in range(20):
+        yield whole[: draw.randrange(len(whole))]
+
+
 def places(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
     """Path of every value in nested dicts and lists."""
     items = content.items() if isinstance(content, dict) else enumerate(content) if isinstance(content, list) else ()

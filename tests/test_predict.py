@@ -628,6 +628,15 @@ def test_a_size_that_is_not_the_named_strings_is_no_question(of_two_sizes: Path)
     assert "recorded are made-01, made-02; of a new string add the column radius_mm" in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("column", "cell", "says"), [("", "", "string: is missing"), ("string,", "made-02,", "has 0.6")]
+)
+def test_a_size_of_400_digits_is_refused_in_words(of_two_sizes: Path, column: str, cell: str, says: str) -> None:
+    text = f"stroke,direction,motor_turns,{column}radius_mm\n2,1,9,{cell}{'9' * 400}\n"
+    with pytest.raises(BadInput, match=says):
+        read_questions(_written(of_two_sizes, text), pd.read_parquet(of_two_sizes))
+
+
 def test_a_new_string_has_the_usual_stiffness_where_none_was_measured(of_two_sizes: Path) -> None:
     """It was asked for, though nobody had measured that of any string."""
     points = pd.read_parquet(of_two_sizes)

@@ -8,7 +8,8 @@ from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC, SYNTHETIC_DEVICE
 from ..ground.stored.regular_file import read_regular
 from ..ground.words.counts import counted
-from ..models.parts.questions.strings_alike import SIZES, strings_alike
+from ..models.parts.box import SIZES
+from ..models.parts.questions.strings_alike import strings_alike
 from .recorded_ranges import points_to
 
 SHOWN = 3  # runs that are named

@@ -1,7 +1,6 @@
 import ast
 import json
 import os
-import random
 import re
 import stat
 from pathlib import Path
@@ -10,6 +9,7 @@ import numpy as np
 import pandas as pd
 import pyarrow.parquet as pq
 import pytest
+from made_damage import flips_and_cuts
 from models.made_dataset import made_dataset
 
 from pipeline.capture.log import Log
@@ -117,14 +117,8 @@ KINDS = {
 
 def flipped(whole, path, read):
     """How many of 300 files with one bit the other way, and of 20 cut off, are read without a word."""
-    draw, silent = random.Random(0), 0
-    for attempt in range(320):
-        content = bytearray(whole)
-        if attempt < 300:
-            at = draw.randrange(8 * len(content))
-            content[at // 8] ^= 1 << at % 8
-        else:
-            del content[draw.randrange(len(content)) :]
+    silent = 0
+    for content in flips_and_cuts(whole):
         path.write_bytes(content)
         try:
             read(path)

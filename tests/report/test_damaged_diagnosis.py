@@ -3,10 +3,10 @@
 import hashlib
 import json
 import os
-import random
 
 import programs
 import pytest
+from made_damage import flips_and_cuts
 from made_verdict import made_verdict
 
 from pipeline.ground.errors import BadInput
@@ -54,16 +54,10 @@ def test_its_check_sum_is_what_sha256sum_writes(folder):
 
 
 def test_no_flipped_bit_of_a_diagnosis_is_read_silently(folder):
-    path, draw, refused = folder / "diagnosis.json", random.Random(0), 0
+    path, refused = folder / "diagnosis.json", 0
     whole = path.read_bytes()
     assert content_of(folder) == CONTENT and damage(path) == ""
-    for attempt in range(320):
-        content = bytearray(whole)
-        if attempt < 300:
-            at = draw.randrange(8 * len(content))
-            content[at // 8] ^= 1 << at % 8
-        else:
-            del content[draw.randrange(len(content)) :]
+    for content in flips_and_cuts(whole):
         path.write_bytes(content)
         with pytest.raises(BadInput, match=r"damaged.*Mend: run snakemake: it is made again") as error:
             content_of(folder)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....ground.errors import BadInput
-from ....ground.words.counts import are, counted
+from ....ground.words.counts import are, consecutive, counted
 
 SHOWN = 10  # rows, or stretches of rows, that are named; of the others it is said how many they are
 
@@ -69,12 +69,7 @@ def _mends(bad: Sequence[BadRow]) -> str:
 
 def numbered(rows: Sequence[int]) -> str:
     """Rows by number, in rising order: row 3; rows 2, 5; rows 1 to 96; of many stretches the first."""
-    stretches: list[list[int]] = []
-    for row in rows:
-        if stretches and row == stretches[-1][-1] + 1:
-            stretches[-1].append(row)
-        else:
-            stretches.append([row])
+    stretches = consecutive(rows)
     texts = [f"{rows[0]} to {rows[-1]}" if len(rows) > 2 else ", ".join(map(str, rows)) for rows in stretches]
     unshown = sum(map(len, stretches[SHOWN:]))
     more = f" and {unshown} more" if unshown else ""

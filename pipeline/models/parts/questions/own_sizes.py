@@ -3,9 +3,11 @@
 import numpy as np
 import pandas as pd
 
+from ....ground.input.cell_numbers import cell_numbers
 from ....ground.kinematics import usual_stiffness
+from ..box import SIZES
 from .bad_rows import BadRow, of_mask
-from .strings_alike import SIZES
+from .question_table import recorded_values
 
 STIFFNESS = "stiffness_n_per_mm"
 ALIKE = 1e-3  # relative: a size that is told so near to the recorded one is that one, rounded
@@ -21,8 +23,9 @@ def with_own_sizes(questions: pd.DataFrame, dataset: pd.DataFrame) -> tuple[pd.D
     own = _own_sizes(dataset)
     if own.empty or own.columns.empty:
         return questions, []
+    questions = questions if "string" in questions.columns else _with_strings(questions, own)
     if "string" not in questions.columns:
-        return _with_strings(questions, own), []
+        return questions, []
     sized, wrong = questions.copy(), list[BadRow]()
     strings = questions["string"].astype("string")
     is_strange = (strings.notna() & ~strings.isin(own.index)).to_numpy(bool)
@@ -33,10 +36,10 @@ def with_own_sizes(questions: pd.DataFrame, dataset: pd.DataFrame) -> tuple[pd.D
             is_unknown = is_strange & sized[name].isna().to_numpy()
             each = [f"is {string}" for string in strings[is_unknown]]
             strange = f", which has no recording, and its {name} is not told"
-            mend = f"recorded are {', '.join(sorted(own.index)[:10])}; of a new string add the column {name}"
+            mend = f"{recorded_values(dataset['string'])}; of a new string add the column {name}"
             wrong += of_mask(is_unknown, "string", each, strange, mend)
             continue
-        sizes = pd.to_numeric(questions[name], errors="coerce")
+        sizes = cell_numbers(questions[name])
         is_other = (sizes.notna() & recorded.notna() & ~_alike(sizes, recorded)).to_numpy(bool)
         each = [f"is {size:g}" for size in sizes[is_other]]
         for entry, string in zip(of_mask(is_other, name, each, "", ""), strings[is_other], strict=True):
@@ -50,8 +53,7 @@ def with_own_sizes(questions: pd.DataFrame, dataset: pd.DataFrame) -> tuple[pd.D
 def _usual_stiffness(sized: pd.DataFrame, dataset: pd.DataFrame) -> pd.Series:
     """The usual stiffness of each question's string, in N/mm; NaN if that of a recorded string was measured."""
     radius_mm, length_mm = (
-        pd.to_numeric(sized[name], errors="coerce") if name in sized else dataset[name].iloc[0]
-        for name in ("radius_mm", "length_mm")
+        cell_numbers(sized[name]) if name in sized else dataset[name].iloc[0] for name in ("radius_mm", "length_mm")
     )
     is_assumed = np.allclose(dataset[STIFFNESS], usual_stiffness(dataset["radius_mm"], dataset["length_mm"]), rtol=1e-6)
     usual = usual_stiffness(radius_mm, length_mm) if is_assumed else np.nan
@@ -71,18 +73,12 @@ def _with_strings(questions: pd.DataFrame, own: pd.DataFrame) -> pd.DataFrame:
     told_sizes = [name for name in own.columns if name in questions.columns]
     if not told_sizes:
         return questions
-    sizes = questions[told_sizes].apply(pd.to_numeric, errors="coerce")
+    sizes = questions[told_sizes].apply(cell_numbers)
     fits = [_alike(sizes, own.loc[string, told_sizes]).all(axis=1) for string in own.index]
     if not (sum(fit.astype(int) for fit in fits) == 1).all():
         return questions
     string = np.select([fit.to_numpy() for fit in fits], list(own.index), default="")
-    return _with_own(questions.assign(string=string), own)
-
-
-def _with_own(questions: pd.DataFrame, own: pd.DataFrame) -> pd.DataFrame:
-    """Questions with the sizes that they do not tell, those of their recorded strings."""
-    lacking = [name for name in own.columns if name not in questions.columns]
-    return questions.assign(**{name: questions["string"].map(own[name]) for name in lacking})
+    return questions.assign(string=string)
 
 
 def _alike(sizes: pd.DataFrame | pd.Series, recorded: pd.Series) -> pd.DataFrame | pd.Series:

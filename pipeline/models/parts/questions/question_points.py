@@ -11,19 +11,17 @@ from numpy.typing import NDArray
 from ....ground.command import command
 from ....ground.errors import BadInput
 from ....ground.input.cell_numbers import cell_numbers
-from ....ground.units import unit_of
 from ..box import COLUMNS
 from ..conditions import Conditions
 from ..settings import shown
 from .bad_rows import BadRow, first_of_each, of_mask, refusal
 from .own_sizes import with_own_sizes
-from .question_table import bad_cells, known_columns, question_table
+from .question_table import bad_cells, known_columns, question_table, recorded_values
 
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = {1: "winding", -1: "unwinding"}
 MOST_STROKE = 10**9  # that a question may be about: any number that a person means
 EITHER = ("motor_turns", "displacement_mm")  # one of which a question tells, to be answered the other
-NAMED = 30  # strings that are named where a file names none
 LABELS = ("actuator", "string", "material", "phase")  # columns of words that are read
 
 
@@ -90,9 +88,13 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_
         else:
             points[name] = dataset[name].iloc[0]
     if missing:
-        each = "; ".join(f"{name}, {_which(dataset[name])}" for name in missing)
+        each = "; ".join(f"{name}, {recorded_values(dataset[name])}" for name in missing)
         problem = "are missing, and vary" if len(missing) > 1 else "is missing, and varies"
-        mend = f"add the columns: {each}" if len(missing) > 1 else f"add the column: {_which(dataset[missing[0]])}"
+        mend = (
+            f"add the columns: {each}"
+            if len(missing) > 1
+            else f"add the column: {recorded_values(dataset[missing[0]])}"
+        )
         raise BadInput(path, ", ".join(missing), f"{problem} in the recordings", mend)
     strange = _unrecorded(points["string"], dataset) if each_string else []
     bad = first_of_each([*wrong, *strange, *_bad_rows(path, questions, points, dataset)])
@@ -149,14 +151,4 @@ def _unrecorded(strings: pd.Series, dataset: pd.DataFrame) -> list[BadRow]:
     """The rows about a string without a recording, where no model answers for that string alone."""
     strange = (strings.notna() & ~strings.astype(str).isin(set(dataset["string"].astype(str)))).to_numpy()
     each = [f"is {shown(str(string))}" for string in strings[strange]]
-    return of_mask(strange, "string", each, ", which has no recording", _which(dataset["string"]))
-
-
-def _which(recorded: pd.Series) -> str:
-    """The recorded values of a column, as a help for filling it in."""
-    if recorded.dtype.kind in "iuf":
-        unit = unit_of(str(recorded.name)).replace("1", "")
-        return f"recorded are {recorded.min():.4g} to {recorded.max():.4g} {unit}".rstrip()
-    values = sorted(set(map(str, recorded)))
-    more = f" and {len(values) - NAMED} more" if len(values) > NAMED else ""
-    return f"recorded are {', '.join(values[:NAMED])}{more}"
+    return of_mask(strange, "string", each, ", which has no recording", recorded_values(dataset["string"]))

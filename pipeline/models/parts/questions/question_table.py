@@ -20,6 +20,7 @@ IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the m
     "file.encoding": ("file", "save it as CSV in UTF-8"),
 }
 ALIKE = 0.7  # from there on a name is a misspelt one: `note` is no `stroke`, `stroek` is
+NAMED = 30  # strings that are named where a file names none
 MOST = 10  # wrong columns that are named
 OTHER_NAMES = {  # of a column's quantity, without unit
     "displacement_mm": {"contraction", "displacement", "shortening", "x"},
@@ -75,6 +76,16 @@ def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty
             bad.append(BadRow(int(row) + 1, name, f"is {short(cell)}", ", no number", mend))
     endless = np.isinf(numbers.to_numpy(np.float64))
     return bad + of_mask(endless, name, "is without end", "", "write a number")
+
+
+def recorded_values(recorded: pd.Series) -> str:
+    """The recorded values of a column, as a help for filling it in."""
+    if recorded.dtype.kind in "iuf":
+        unit = unit_of(str(recorded.name)).replace("1", "")
+        return f"recorded are {recorded.min():.4g} to {recorded.max():.4g} {unit}".rstrip()
+    values = sorted(set(map(str, recorded)))
+    more = f" and {len(values) - NAMED} more" if len(values) > NAMED else ""
+    return f"recorded are {', '.join(values[:NAMED])}{more}"
 
 
 def _all_meant(names: list[str], columns: Collection[str]) -> str:

@@ -4,9 +4,9 @@ import numpy as np
 import pandas as pd
 
 from ....ground.words.counts import counted
-from ..conditions import MEASURED, Conditions
+from ..box import SIZES
+from ..conditions import Conditions
 
-SIZES = tuple(name for name in MEASURED if name != "load_n")  # a load is told by each question
 NAMED = 4  # strings that are named
 ANSWER_OF = "answer_of"  # the column that says of which strings together an answer is
 
