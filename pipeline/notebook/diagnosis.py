@@ -25,6 +25,7 @@ from ..ground.errors import BadInput
 from ..ground.units import unit_of
 from ..string.history import in_order
 from ..systems import System, systems
+from .kind_of_rig import kind_of_rig
 from .mechanism import Interval, Mechanism, interval
 from .recording import Recording
 
@@ -73,9 +74,14 @@ class Diagnosis:
         return cls(content, ordered[0].run.actuator, study)
 
     @classmethod
-    def read(cls, path: Path | str, actuator: str = "separator") -> Diagnosis:
-        """The diagnosis that a `diagnosis.json` holds, of a rig of this kind; it has no page. Raises BadInput."""
-        return cls(read_diagnosis(Path(path)), actuator)
+    def read(cls, path: Path | str, actuator: str | None = None) -> Diagnosis:
+        """The diagnosis that a `diagnosis.json` holds; it has no page of figures.
+
+        `actuator` is the kind of rig as in `run.yaml`; without it the file tells, by its units and its motion. Raises
+        BadInput for a file that is no diagnosis, and for a kind of rig that the file is not about or does not tell.
+        """
+        content = read_diagnosis(Path(path))
+        return cls(content, kind_of_rig(Path(path), content, actuator))
 
     @property
     def system(self) -> System:
