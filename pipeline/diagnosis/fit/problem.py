@@ -58,7 +58,7 @@ class Problem:
 
     def until(self, rows: int) -> "Problem":
         """The same problem, with a fit that sees only the first rows."""
-        return replace(self, rows=rows)
+        return replace(self, rows=rows, drivers=replace(self.drivers, seen=rows))
 
     @property
     def library(self) -> dict[str, Mechanism]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from .interface import Mechanism
 
-HELPERS = {"interface", "library", "plain_drag", "shared_laws", "shared_meanings"}  # what they share
+HELPERS = {"interface", "library", "plain_drag", "shared_laws", "shared_meanings", "shared_wander"}  # what they share
 
 
 @cache

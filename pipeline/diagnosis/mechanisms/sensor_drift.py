@@ -6,9 +6,8 @@ from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .plain_drag import drag, drag_along, leaves
-from .shared_laws import half_waves
+from .shared_wander import half_waves, passed, wandering
 
-WAVES = 8.0  # half waves over the recording, at most: for a drift that wanders without a law
 SETTLING = 0.1  # of the recording: time constant of a drift that settles
 WARMINGS = (0.25, 0.5, 1.0, 4.0)  # of the recording: time constants with which a true zero is left as it begins
 CLEARLY = 0.8  # of the mean square that an offset leaves
@@ -16,12 +15,12 @@ MEANS = {"straight_mm": 1.0 / 2.0, "bent_mm": 1.0 / 3.0, "settling_mm": 1.0 - SE
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """A law, or one about which the zero wanders by so many `half_waves`; `whole_s` is the recording's length.
+    """A law, or one about which the zero wanders by so many `half_waves`; `whole_s` is how long a fit sees it.
 
     Where the zero is a true one, the law is one about its mean, for an offset is another name.
     """
-    law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
-    return [law, {**law, "half_waves": WAVES}] if drivers.free_zero and drivers.levered else [law]
+    law = {"whole_s": drivers.seen_s}
+    return [law, *wandering(drivers, law)] if drivers.free_zero and drivers.levered else [law]
 
 
 def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
@@ -31,7 +30,7 @@ def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonline
     """
     if drivers.free_zero:
         return []
-    whole_s = float(f"{drivers.elapsed_s[-1]:.6g}")
+    whole_s = drivers.seen_s
     laws = [{"whole_s": whole_s, "warming_s": float(f"{share * whole_s:.6g}")} for share in WARMINGS]
     drag_columns = [*drag(drivers), *drag_along(drivers)]
     drifting = min(leaves(residual, [*drag_columns, warming(drivers, law)]) for law in laws)
@@ -44,10 +43,13 @@ def warming(drivers: Drivers, nonlinear: Nonlinear) -> Array:
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
-    """Straight, bent, settling and wandering drift, of either sign; about its mean where the zero is a true one."""
+    """Straight, bent, settling and wandering drift, of either sign; about its mean where the zero is a true one.
+
+    A drift that wanders stays where it stood when the fit's last sample was taken.
+    """
     if "warming_s" in nonlinear:
         return [Term("warming_mm", "sensor", warming(drivers, nonlinear), "mm", -np.inf)]
-    share = drivers.elapsed_s / nonlinear["whole_s"]
+    share = passed(drivers, nonlinear)
     signals = {"straight_mm": share, "bent_mm": share**2, "settling_mm": 1.0 - np.exp(-share / SETTLING)}
     means = dict.fromkeys(signals, 0.0) if drivers.free_zero else MEANS
     for count, wave in half_waves(share, nonlinear, 2).items():

@@ -29,15 +29,6 @@ def growths(amount: Array, whole: float) -> dict[str, Array]:
     return {**saturations(amount, whole), "faster": (amount / whole) ** 2}
 
 
-def half_waves(share: Array, nonlinear: Nonlinear, first: int) -> dict[int, Array]:
-    """Cosines with `first` to `half_waves` half waves over a recording, by number; `share` is the part that has passed.
-
-    None where the shape has no `half_waves`. Each of shape (samples,), without a unit; `share` in shares of 1.
-    """
-    last = int(nonlinear.get("half_waves", 0.0))
-    return {count: np.cos(np.pi * count * np.clip(share, 0.0, 1.0)) for count in range(first, last + 1)}
-
-
 def pulled_in(residual: Array, spreads: float) -> Array:
     """A residual with outliers pulled to so many robust spreads. Shape (samples,), in the residual's unit."""
     spread = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))

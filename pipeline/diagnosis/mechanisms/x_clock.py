@@ -7,21 +7,20 @@ import numpy as np
 from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
-from .shared_laws import half_waves
+from .shared_wander import half_waves, passed, wandering
 
-WAVES = 8.0  # half waves over the recording, at most
 MOST_S = 2.0  # largest delay that comes or goes
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """Parting, or wandering by so many `half_waves`; `whole_s` is the whole recording. None where nothing is wound."""
-    law = {"whole_s": float(f"{drivers.elapsed_s[-1]:.6g}")}
-    return [law, {**law, "half_waves": WAVES}] if drivers.levered else []
+    """Parting, or wandering by so many `half_waves`, over the `whole_s` that a fit sees. None where nothing winds."""
+    law = {"whole_s": drivers.seen_s}
+    return [law, *wandering(drivers, law)] if drivers.levered else []
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
     """A delay that grows with time, or wanders; one that stays is a lag."""
-    share = drivers.elapsed_s / nonlinear["whole_s"]
+    share = passed(drivers, nonlinear)
 
     def late(delay: Array) -> Callable[[Array], Array]:
         return lambda reading: np.asarray(-delay * drivers.slope(reading))

@@ -43,6 +43,7 @@ class Drivers:
     temperature_c: Array | None  # in °C
     current_a: Array | None  # in A
     counted_s: Array | None = None  # time since what events are timed from, in s; None: since the first sample
+    seen: int | None = None  # of the first samples that a fit sees, a count; None: all
     drawn: bool = False  # whether the motion was drawn as straight lines: nothing in it is noise, and nothing is early
 
     @cached_property
@@ -108,6 +109,16 @@ class Drivers:
     def elapsed_s(self) -> Array:
         """Time since the first sample, or since what events are timed from. In s, shape (samples,)."""
         return self.time_s - self.time_s[0] if self.counted_s is None else self.counted_s
+
+    @cached_property
+    def seen_s(self) -> float:
+        """How long what a fit sees lasts, to six digits: the scale of what changes with time alone."""
+        return float(f"{self.elapsed_s[: self.seen][-1]:.6g}")
+
+    @cached_property
+    def seen_strokes(self) -> int:
+        """How many strokes a fit sees, begun ones too."""
+        return len(np.unique(self.stroke[: self.seen][self.stroke[: self.seen] > 0]))
 
     @cached_property
     def load0(self) -> float:
