@@ -15,11 +15,10 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..models.interface import about
 from ..models.parts.box import MARGIN
-from ..models.parts.questions.beyond_range import also, beyond, held, with_unit
+from ..models.parts.inside.beyond_range import also, beyond, held, with_unit
+from ..models.parts.inside.measure import Measure
 from ..models.parts.questions.foreseen import MAPS
 from ..models.parts.questions.reached_contraction import reached_mm, unreached
-from ..models.parts.questions.recorded_pairs import Paired
-from ..models.parts.questions.recorded_strokes import Under
 from ..models.parts.rolling_origin import too_far
 from .inputs import ANSWER, SAME, WIDE, Field
 from .interface import Source
@@ -35,15 +34,14 @@ def answers(
     points: pd.DataFrame,
     from_column: str,
     file: Path,
-    pairs: tuple[Paired, ...] = (),
-    strokes: Mapping[str, int] | None = None,
-    under: Under | None = None,
+    measure: Measure,
+    strokes: Mapping[str, int],
 ) -> pd.DataFrame:
     """The value of each question, in the answer's unit, whether it is `inside`, and `why` not.
 
-    Inside is what the export would answer and what was recorded: an export checks each number alone, `pairs` are those
-    of twist and condition that were recorded, `under` those of stroke, load and twist, `strokes` the last one of each
-    string, after which errors were measured so many strokes ahead.
+    Inside is what the export would answer and what was recorded: an export checks each number alone, the `measure`
+    knows the recorded pairs and what the questions' string was recorded under, `strokes` the last one of each string,
+    after which errors were measured so many strokes ahead.
     `points` have the dataset's columns, of which `from_column` is the twist or the contraction that is asked about.
     Raises BadInput for a column that the model reads and the dataset of the `file` lacks.
     """
@@ -58,6 +56,7 @@ def answers(
         for row in np.flatnonzero(other).tolist():
             reason = f"{with_unit(name, float(points[name].iloc[row]))}: the export has {baked:.4g} baked in"
             why[row] = also(why[row], reason)
+    pairs, under = measure.pairs, measure.under
     if from_column == "displacement_mm":
         ends = source.inputs.motor_turns
         rows = np.flatnonzero(_held(source, points, value) & (why == ""))
@@ -69,18 +68,23 @@ def answers(
     turns = points["motor_turns"].to_numpy(float) if from_column == "motor_turns" else value
     refused = why != ""
     for row, string in enumerate(points["string"].astype(str)):
-        if strokes and string not in strokes:
+        if string not in strokes:
             why[row] = why[row] or f"string {string} is none that it was fitted to; {NAMELESS}"
     for paired in pairs:
         for row, reason in enumerate(paired.never(points, turns)):
             why[row] = why[row] or (f"{reason}; {UNCHECKED}" if reason else "")
     for row, reason in enumerate(under.never(points, turns) if under else ()):
         why[row] = also(why[row], f"{reason}; {UNCHECKED}") if reason and not refused[row] else why[row]
-    for row, reason in _too_far(source, points, strokes or {}):
+    for name in measure.ends:
+        numbers = turns if name == "motor_turns" else points[name].to_numpy(float)
+        for row in np.flatnonzero(~refused & ((name, from_column) != ("displacement_mm", "motor_turns"))).tolist():
+            reason = measure.leaning(name, float(numbers[row]))
+            why[row] = also(why[row], f"{reason}; {NAMELESS}" if reason else "")
+    for row, reason in _too_far(source, points, strokes):
         why[row] = why[row] if refused[row] else also(why[row], f"{reason}; {FURTHER}")
     inside = why == ""
     for paired in pairs:
-        why[:] = [also(*both) for both in zip(why, paired.gaps(points), strict=True)]
+        why[:] = [also(*both) for both in zip(why, measure.gaps(paired, points), strict=True)]
     return pd.DataFrame({ANSWER[from_column]: value, "inside": inside, "why": why})
 
 

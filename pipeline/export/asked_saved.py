@@ -1,21 +1,21 @@
 """Questions beside the answers of a saved model, each with whether it is inside, and why not."""
 
+from functools import cache
 from pathlib import Path
 
 import pandas as pd
 
 from ..models.interface import about
+from ..models.parts.inside.measure import Measure, measures
 from ..models.parts.questions.beside_questions import beside_questions
 from ..models.parts.questions.each_string import Answer, by_string
 from ..models.parts.questions.question_points import Questions
-from ..models.parts.questions.recorded_pairs import pairs_of
-from ..models.parts.questions.recorded_strokes import Under
 from ..models.parts.questions.strings_alike import strings_alike, with_whom
 from ..models.parts.rolling_origin import last_strokes
 from ..models.parts.saved_files import check_own
 from .all_points import string_alone
 from .asked import answers
-from .interface import names
+from .interface import Source, names
 from .source import Beside, opened
 
 
@@ -38,14 +38,19 @@ def saved_answers(file: Path, dataset: pd.DataFrame, questions: Questions, datas
     check_own(file, dataset_file)
     strings, alone = questions.points["string"], string_alone(file)
     fitted = dataset[dataset["string"].astype(str) == alone] if alone else dataset
-    pairs, strokes = pairs_of(fitted), last_strokes(fitted)
+    last, is_apart = last_strokes(fitted), keeps_strings_apart(file)
 
-    def answer_of(string: str | None = None) -> Answer:
+    @cache
+    def asked_of(string: str | None) -> tuple[Source, dict[str, Measure]]:
         source = opened(file, None, Beside(dataset=dataset_file, string=string))
-        under = Under.of(fitted, source.foreseen[1] if source.foreseen else 0)
-        return lambda part, from_column: answers(source, part, from_column, file, pairs, strokes, under)
+        return source, measures(fitted, source.foreseen[1] if source.foreseen else 0)
 
-    if keeps_strings_apart(file):
-        return beside_questions(questions, by_string(answer_of))
-    table = beside_questions(questions, answer_of())
+    def answer_of(string: str) -> Answer:
+        source, by_name = asked_of(string if is_apart else None)
+        measure = by_name.get(string, by_name[""])
+        return lambda part, from_column: answers(source, part, from_column, file, measure, last)
+
+    table = beside_questions(questions, by_string(answer_of))
+    if is_apart:
+        return table
     return with_whom(table, strings.set_axis(questions.rows, axis=0), strings_alike(fitted))

@@ -6,8 +6,8 @@ Half-planes of each hull.
 from itertools import pairwise
 
 from ..ground.kinematics import Array
-from ..models.parts.questions.recorded_pairs import Paired
-from ..models.parts.questions.recorded_strokes import Under
+from ..models.parts.inside.recorded_pairs import Paired
+from ..models.parts.inside.recorded_strokes import Under
 from .c_text import function, real
 from .interface import Source
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ..ground.code.modules import holding
-from ..models.parts.questions.recorded_pairs import Paired
-from ..models.parts.questions.recorded_strokes import Under
+from ..models.parts.inside.recorded_pairs import Paired
+from ..models.parts.inside.recorded_strokes import Under
 from .c_text import Body
 from .inputs import Inputs
 

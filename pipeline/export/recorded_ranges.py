@@ -15,8 +15,8 @@ from ..ground.kinematics import Array
 from ..ground.units import unit_of
 from ..models.parts.box import MARGIN, ROUNDED, SIZES, room
 from ..models.parts.conditions import MEASURED
-from ..models.parts.questions.recorded_pairs import Paired, pairs_of
-from ..models.parts.questions.recorded_strokes import LOAD
+from ..models.parts.inside.recorded_pairs import Paired, pairs_of
+from ..models.parts.inside.recorded_strokes import LOAD
 from ..models.parts.rolling_origin import most_ahead
 from .interface import Source
 

@@ -15,7 +15,7 @@ from ..models.interface import Model, StringsApart, about, make_model
 from ..models.interface import names as models_there
 from ..models.parts.box import Box
 from ..models.parts.divided import SPLITS, divided
-from ..models.parts.questions.recorded_strokes import Under
+from ..models.parts.inside.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import dataset_beside, in_words
 from .caveats import zeroed_runs

@@ -8,7 +8,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..models.parts.conditions import MEASURED
-from ..models.parts.questions.recorded_strokes import LOAD
+from ..models.parts.inside.recorded_strokes import LOAD
 from .c_text import function, real
 from .inputs import Field, Inputs
 from .interface import Source

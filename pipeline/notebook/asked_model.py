@@ -81,13 +81,14 @@ class Fitted:
     def answered(self, questions: Questions) -> pd.DataFrame:
         """Questions beside their answers; raises BadInput where too few points tell how the model errs."""
         if self.apart:
-            return beside_questions(questions, by_string(self._fitted_to))
-        answers = beside_questions(questions, self._fitted_to())
+            return beside_questions(questions, by_string(lambda string: self._answer(self._fitted_to(string))))
+        intervals = self._fitted_to()
+        answers = beside_questions(questions, by_string(lambda string: self._answer(intervals.of_string(string))))
         strings = questions.points["string"].set_axis(questions.rows, axis=0)
         return with_whom(answers, strings, strings_alike(self.dataset))
 
-    def _fitted_to(self, string: str = "") -> Answer:
-        """What answers questions by a fit to the points of one string, or of all where none is named."""
+    def _fitted_to(self, string: str = "") -> Intervals:
+        """A fit to the points of one string, or of all where none is named."""
         points = self.dataset[self.dataset["string"].astype(str) == string] if string else self.dataset
         intervals = Intervals(lambda: configured(self.name, self.settings))
         try:
@@ -96,6 +97,10 @@ class Fitted:
         except TooFew as error:
             of = f"points of {string}" if string else "points"
             raise BadInput(self.source, of, str(error), "record more strokes, or more samples a stroke") from None
+        return intervals
+
+    def _answer(self, intervals: Intervals) -> Answer:
+        """What answers questions by a fit."""
 
         def answer(part: pd.DataFrame, from_column: str) -> pd.DataFrame:
             with fitting(self.name):  # between recorded loads more is fitted

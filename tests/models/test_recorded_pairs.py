@@ -11,8 +11,8 @@ from made_dataset import made_dataset
 
 from pipeline.ground.stored import schemas
 from pipeline.models.interface import make_model
+from pipeline.models.parts.inside.recorded_pairs import Paired, pairs_of
 from pipeline.models.parts.questions.prediction_intervals import Intervals
-from pipeline.models.parts.questions.recorded_pairs import Paired, pairs_of
 
 TOP_AT_30_N = 16.0
 

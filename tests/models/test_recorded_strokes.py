@@ -10,7 +10,7 @@ from made_dataset import made_dataset
 
 from pipeline.ground.stored import schemas
 from pipeline.models.interface import make_model
-from pipeline.models.parts.questions.recorded_strokes import Under
+from pipeline.models.parts.inside.recorded_strokes import Under
 
 
 def two_loads() -> pd.DataFrame:

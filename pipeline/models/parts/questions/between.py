@@ -21,8 +21,8 @@ from ....ground.kinematics import Array
 from ....ground.words.counts import counted
 from ....ground.words.progress import steps
 from ...interface import Model
+from ..inside.recorded_pairs import Paired, pairs_of
 from .foreseen import MAPS, foreseen
-from .recorded_pairs import Paired
 from .scatter import Scatter, quantile
 
 MOST = 4  # values of a condition that are left out, evenly chosen: each costs a fit
@@ -33,6 +33,7 @@ class Between:
 
     def __init__(self, make: Callable[[], Model], points: pd.DataFrame, seed: int) -> None:
         self.make, self.points, self.seed = make, points, seed
+        self.pairs = {paired.name: paired for paired in pairs_of(points)}
         self.errors: dict[str, pd.DataFrame] = {}  # by condition, at all values that were left out
 
     def widened(
@@ -63,8 +64,11 @@ class Between:
         return low, high
 
     def left_out(self, paired: Paired) -> list[tuple[float, float]]:
-        """The recorded ranges of a condition that can be left out, since others lie on both sides; in its unit."""
-        inner = paired.groups()[1:-1]
+        """The recorded ranges of a condition that can be left out, since others lie on both sides; in its unit.
+
+        They are those of all strings, also where a question lies between the recorded values of one.
+        """
+        inner = self.pairs[paired.name].groups()[1:-1]
         return [inner[place] for place in np.unique(np.linspace(0, len(inner) - 1, MOST).astype(int))] if inner else []
 
     def said(self, paired: Paired) -> str:

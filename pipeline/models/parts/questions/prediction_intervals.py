@@ -16,6 +16,7 @@ of-sample tests of forecasting accuracy", International Journal of Forecasting 1
 """
 
 from collections.abc import Callable
+from copy import copy
 
 import numpy as np
 import pandas as pd
@@ -24,12 +25,12 @@ from ....ground.kinematics import Array, Mask
 from ....ground.words.progress import steps
 from ...interface import Model
 from ..box import Box
+from ..inside.measure import measures
+from ..inside.recorded_pairs import Paired, turns_at
 from ..rolling_origin import FOLDS, last_seen, last_strokes, parts_of
 from .between import Between
 from .foreseen import GIVEN, foreseen
 from .reached_contraction import brought
-from .recorded_pairs import pairs_of, turns_at
-from .recorded_strokes import Under
 from .scatter import Scatter, quantile
 
 
@@ -51,7 +52,7 @@ class Intervals:
         parts = parts_of(points)
         if not parts:
             raise TooFew("are all of one block, so nothing can be foreseen from the rest")
-        self.model, self.box, self.pairs = self.make(), Box.of(points), pairs_of(points)
+        self.model = self.make()
         self.between = Between(self.make, points, seed)
         self.strokes, error_tables = last_strokes(points), []
         for part in steps([None, *parts], "fit"):
@@ -79,7 +80,24 @@ class Intervals:
                 shrunk = np.sqrt((square - above * (1.0 - less)) / square)
                 self.scores[wanted][int(ahead)] = np.sort(np.abs(rows[wanted].to_numpy()) / size * shrunk)
 
-        self.under = Under.of(points, self.ahead("displacement_mm"))
+        self.measures = measures(points, self.ahead("displacement_mm"))
+        self.measure = self.measures[""]
+
+    def of_string(self, string: str) -> "Intervals":
+        """The same, with what is inside measured by the recordings of a string; of all, if it has none."""
+        measured = copy(self)
+        measured.measure = self.measures.get(string, self.measures[""])
+        return measured
+
+    @property
+    def box(self) -> Box:
+        """The recorded ranges that are the measure."""
+        return self.measure.box
+
+    @property
+    def pairs(self) -> tuple[Paired, ...]:
+        """The recorded pairs of conditions and twist that are the measure."""
+        return self.measure.pairs
 
     def forward(self, points: pd.DataFrame, level: float) -> pd.DataFrame:
         """Contraction in mm with an interval that holds it with probability `level`: value, low, high, inside."""
@@ -109,8 +127,8 @@ class Intervals:
         if wanted == "displacement_mm":
             low, high = self.turns(points)
             wrong["pairs"] = (turns < low) | (turns > high)
-        if self.under:
-            wrong["under"] = np.array([bool(reason) for reason in self.under.never(points, turns)])
+        if under := self.measure.under:
+            wrong["under"] = np.array([bool(reason) for reason in under.never(points, turns)])
         return {name: np.asarray(mask, bool) for name, mask in wrong.items() if mask.any()}
 
     def turns(self, points: pd.DataFrame) -> tuple[Array, Array]:

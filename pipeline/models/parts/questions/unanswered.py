@@ -13,12 +13,12 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ..box import MARGIN
+from ..inside.beyond_range import also, beyond, held
+from ..inside.recorded_pairs import around
 from ..rolling_origin import too_far
 from .bad_rows import numbered
-from .beyond_range import also, beyond, held
 from .prediction_intervals import Intervals
 from .reached_contraction import reached_mm
-from .recorded_pairs import around
 
 SHOWN = 5  # reasons that are printed; the file has all
 
@@ -36,7 +36,7 @@ def reasons(
     if len(rows):
         sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
     for paired in intervals.pairs:
-        gaps, rests_on = paired.gaps(points), intervals.between.said(paired)
+        gaps, rests_on = intervals.measure.gaps(paired, points), intervals.between.said(paired)
         gaps = [also(gap, rests_on) if gap and within else gap for gap, within in zip(gaps, inside, strict=True)]
         sentences[:] = [also(*both) for both in zip(sentences, gaps, strict=True)]
     return list(sentences)
@@ -49,7 +49,8 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
     turns = questions["motor_turns"].to_numpy(float) if forward else intervals.brought(questions, level)[0]
     outside, last = intervals.outside(questions, wanted, turns), intervals.last_recorded(questions)
     apart = outside.pop("pairs", np.zeros(len(questions), bool))
-    never = intervals.under.never(questions, turns) if intervals.under and "under" in outside else ()
+    under = intervals.measure.under
+    never = under.never(questions, turns) if under and "under" in outside else ()
     outside.pop("under", None)
     for name, mask in outside.items():
         for row, value, recorded in zip(np.flatnonzero(mask).tolist(), questions[name][mask], last[mask], strict=True):
@@ -71,15 +72,15 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
         for place in np.flatnonzero(wrong):
             end, least, most = float(twists[place]), float(least_mm[place]), float(most_mm[place])
             conditions = [paired.name for paired in intervals.pairs]
-            sentences[rows[place]] = held(end, least, most, conditions, near[place])
+            sentences[rows[place]] = held(end, least, most, conditions, near[place], intervals.measure.whose)
     if wanted == "displacement_mm" and len(rows):
         ends = intervals.box.low[wanted], intervals.box.high[wanted]
         for row, value in zip(rows.tolist(), intervals.model.forward(questions.iloc[rows]), strict=True):
             if not ends[0] <= value <= ends[1]:
-                reason = beyond(
-                    wanted, float(f"{value:.4g}"), *ends, f"was recorded, with {MARGIN[wanted]:.0%} to spare"
-                )
-                sentences[row] = f"the answer is beyond all that was recorded: {reason}"
+                recorded = f"was recorded{intervals.measure.whose}"
+                range_is = f"{recorded}, with {MARGIN[wanted]:.0%} to spare"
+                reason = beyond(wanted, float(f"{value:.4g}"), *ends, range_is)
+                sentences[row] = f"the answer is beyond all that {recorded}: {reason}"
     sentences[sentences == ""] = "how large an error is here could not be learnt"
     return sentences
 
@@ -97,13 +98,16 @@ def first_of(sentences: Sequence[str]) -> list[str]:
 
 def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: int) -> str:
     """The fault of one number of a question."""
-    box = intervals.box
+    measure = intervals.measure
     if name == "string":
         return f"string {value} has no recording here"
     if name == "material":
-        return f"material {value} was not recorded; recorded: {', '.join(box.materials)}"
+        return f"material {value} was not recorded; recorded: {', '.join(measure.box.materials)}"
     number = float(value)  # type: ignore[arg-type]
     if name == "stroke" and number > last:
         return too_far(number, last, ahead)
+    if leaning := measure.leaning(name, number):
+        return leaning
+    box = (measure.whole or measure).box
     spare = f", with {MARGIN[name]:.0%} to spare" if name in MARGIN else ""
     return beyond(name, number, box.low[name], box.high[name], f"was recorded{spare}")

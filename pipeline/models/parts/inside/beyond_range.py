@@ -43,13 +43,16 @@ def also(sentence: str, reason: str, between: str = "; ") -> str:
     return between.join(filter(None, (sentence, reason)))
 
 
-def held(turns: float, least_mm: float, most_mm: float, conditions: Sequence[str], around: str = "") -> str:
+def held(
+    turns: float, least_mm: float, most_mm: float, conditions: Sequence[str], around: str = "", whose: str = ""
+) -> str:
     """Say that a twist, in turns, is held at an end of its range, since the range only gives contractions between two.
 
     `conditions` are the columns of those that a question tells; `around` those, in words, around which no more was
-    recorded.
+    recorded; `whose` names the string whose range it is, if others have another.
     """
     reached = f"{inward(least_mm, up=True):g} to {inward(most_mm, up=False):g} mm"
-    at_end = f"HELD at {turns:.4g} turns, the end of the range{around and f' recorded around {around}'}"
+    range_is = f"the range{whose}{around and f' recorded around {around}'}"
+    at_end = f"HELD at {turns:.4g} turns, the end of {range_is}"
     state = ["stroke", "direction", *(WORDS.get(name, name) for name in conditions)]
     return f"{at_end}: its twists give {reached} at this {', '.join(state[:-1])} and {state[-1]}"

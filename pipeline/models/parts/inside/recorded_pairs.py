@@ -10,6 +10,7 @@ interpolation from extrapolation); Andrew, "Another efficient algorithm for conv
 Information Processing Letters 9, 1979.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,15 +32,17 @@ class Paired:
     values: Array  # (values,): of the condition, each once, rising; in its unit
     room: float
     corners: tuple[Array, Array]  # below and above, each (corners, 2): the condition in its unit, twist in turns
+    whose: str = ""  # " of string C", where others were recorded otherwise
 
     @classmethod
-    def of(cls, points: pd.DataFrame, name: str) -> "Paired":
-        """The pairs of recorded points."""
+    def of(cls, points: pd.DataFrame, name: str, least_room: float = 0.0) -> "Paired":
+        """The pairs of recorded points, with a room of `least_room` or more, in the condition's unit."""
         turns = points["motor_turns"].groupby(points[name].astype(float), sort=True)
         least, most = turns.min(), turns.max()
         values = least.index.to_numpy(float)
         wide, turns_wide = (room(of, float(low), float(high)) for of, low, high in (
             (name, values[0], values[-1]), ("motor_turns", least.min(), most.max())))  # fmt: skip
+        wide = max(wide, least_room)
         below = upper(values, wide, turns_wide - least.to_numpy(float)) * (1.0, -1.0)
         return cls(name, values, wide, (below, upper(values, wide, most.to_numpy(float) + turns_wide)))
 
@@ -74,7 +77,7 @@ class Paired:
         for row, (below, above) in enumerate(zip(*self.neighbours(points), strict=True)):
             if np.isfinite(below):
                 ends = f"{below:.4g} and {above:.4g}{'' if unit == '1' else f' {unit}'}"
-                what = f"no {WORDS.get(self.name, self.name)} between {ends} was recorded"
+                what = f"no {WORDS.get(self.name, self.name)} between {ends} was recorded{self.whose}"
                 sentences[row] = f"{what}, so no error was measured there"
         return sentences
 
@@ -92,14 +95,20 @@ class Paired:
             limit = inward(float(most[row] if above else least[row]), up=not above)
             side, end = ("above", "most") if above else ("below", "least")
             around = with_unit(self.name, values[row])
-            sentences[row] = f"twist {turns[row]:.4g} turns is {side} {limit:g}, the {end} recorded around {around}"
+            most_is = f"the {end} recorded{self.whose} around {around}"
+            sentences[row] = f"twist {turns[row]:.4g} turns is {side} {limit:g}, {most_is}"
         return sentences
 
 
-def pairs_of(points: pd.DataFrame) -> tuple[Paired, ...]:
-    """The recorded pairs of each condition that differs among recorded points."""
+def pairs_of(points: pd.DataFrame, rooms: Mapping[str, float] | None = None) -> tuple[Paired, ...]:
+    """The recorded pairs of each condition that differs among recorded points.
+
+    With `rooms`, in each condition's unit, only those of these conditions, each with so much room or more.
+    """
     names = [name for name in Conditions.of(points).names if np.isfinite(points[name].to_numpy(float)).all()]
-    return tuple(Paired.of(points, name) for name in names)
+    if rooms is None:
+        return tuple(Paired.of(points, name) for name in names)
+    return tuple(Paired.of(points, name, rooms[name]) for name in names if name in rooms)
 
 
 def turns_at(pairs: tuple[Paired, ...], points: pd.DataFrame, turns: tuple[float, float]) -> tuple[Array, Array]:

@@ -37,10 +37,14 @@ class Under:
     hulls: tuple[Corners, ...]
     last: float  # stroke after which no error was measured under any load: that is said of the stroke alone
     name: str = LOAD
+    whose: str = ""  # " of string C", where others were recorded otherwise
 
     @classmethod
-    def of(cls, points: pd.DataFrame, ahead: int) -> "Under | None":
-        """The pairs of recorded points, with errors measured up to `ahead` strokes later; None for a single load."""
+    def of(cls, points: pd.DataFrame, ahead: int, least_room: float = 0.0, whose: str = "") -> "Under | None":
+        """The pairs of recorded points, with errors measured up to `ahead` strokes later; None for a single load.
+
+        The room around a load is `least_room`, in N, or more.
+        """
         if LOAD not in Conditions.of(points, (LOAD,)).names or not np.isfinite(points[LOAD].to_numpy(float)).all():
             return None
         numbers = {LOAD: float, "stroke": float, "motor_turns": float}
@@ -48,7 +52,7 @@ class Under:
         last = table[table["stroke"] == table.groupby("string")["stroke"].transform("max")]
         table = pd.concat([table, last.assign(stroke=last["stroke"] + ahead)], ignore_index=True)
         values = np.unique(table[LOAD].to_numpy())
-        wide = room(LOAD, float(values[0]), float(values[-1]))
+        wide = max(least_room, room(LOAD, float(values[0]), float(values[-1])))
         twists = table["motor_turns"]
         near = np.searchsorted(values[1:][np.diff(values) > 2.0 * wide], table[LOAD].to_numpy(), "right")
         most = twists.groupby(near).transform("max")
@@ -60,7 +64,7 @@ class Under:
             if not hulls or not all(map(np.array_equal, hull, hulls[-1])):
                 levels.append(level)
                 hulls.append(hull)
-        return cls(values, wide, np.array(levels), tuple(hulls), float(table["stroke"].max()))
+        return cls(values, wide, np.array(levels), tuple(hulls), float(table["stroke"].max()), whose=whose)
 
     def strokes(self, points: pd.DataFrame, turns: Array) -> tuple[Array, Array]:
         """First and last recorded stroke around each question's load at its twist in turns.
@@ -85,7 +89,8 @@ class Under:
         for row in np.flatnonzero(near & ((strokes < first) | (strokes > last))):
             above = strokes[row] > last[row]
             end = math.floor(last[row] - NEXT) if above else math.ceil(first[row] + BEFORE - 1e-6)
-            what = f"stroke {points['stroke'].iloc[row]:.0f} was not recorded under {with_unit(LOAD, loads[row])}"
+            stroke = f"stroke {points['stroke'].iloc[row]:.0f}{self.whose}"
+            what = f"{stroke} was not recorded under {with_unit(LOAD, loads[row])}"
             far = f" as far as {turns[row]:.4g} turns" if level[row] else ""
             sentences[row] = f"{what}{far}: the {'last' if above else 'first'} there is {end}"
         return sentences
