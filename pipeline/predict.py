@@ -28,10 +28,9 @@ from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, read_jumps
-from .models.parts.questions.bad_rows import refusal
+from .models.parts.questions.bad_rows import first_of, refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
-from .models.parts.questions.unanswered import first_of
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
 from .stages.train import seed
@@ -114,7 +113,8 @@ def main() -> None:
     counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
     print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
     refused = {entry.row for entry in questions.bad}  # said once, at the end
-    sentences = first_of(["" if row in refused else why for row, why in enumerate(table["why"], start=1)])
+    whys = ["" if row in refused else why for row, why in enumerate(table["why"], start=1)]
+    sentences = first_of(whys, ", each with its reason in the column `why`")
     end = "; row 1 is the first question:" if sentences else "."
     print(f". The column `why` says why{end}" if counts else "")
     for sentence in sentences:
@@ -123,7 +123,7 @@ def main() -> None:
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")
     if questions.bad:
-        raise refusal(arguments.questions, questions.bad, len(questions.points))
+        raise refusal(arguments.questions, questions.bad, len(questions.points), arguments.out)
 
 
 def _taken_by_page(dataset: Path) -> str:

@@ -91,7 +91,7 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
         ("stroke,direction,motor_turns\n2.5,1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n,1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n0,1,3\n", "stroke"),
-        ("stroke,direction,motor_turns\n9,1,1,3\n9,1,1,4\n", "file"),  # pandas takes the first for an index
+        ("stroke,direction,motor_turns\n9,1,1,3\n9,1,1,4\n", "rows"),  # pandas takes the first for an index
         ("stroke,direction,motor_turns,motor_turns\n1,1,3,4\n", "motor_turns"),
         ("stroke,direction,motor_turns\nTrue,1,3\n", "stroke"),
         ("stroke,direction,motor_turns\n1,1,1e999\n", "motor_turns"),
@@ -390,18 +390,17 @@ def test_a_limit_that_is_named_is_itself_inside(dataset: Path) -> None:
 
 def test_all_rows_that_cannot_be_answered_are_named_at_once_and_the_others_answered(dataset):
     """One bad row refused the whole file."""
-    rows = ["1,1,3", "1.5,1,3", "1,2,3", "1,1,x", "1,1,", "0,0,inf", "1,-1,4"]
+    rows = ["1,1,3", "1.5,1,3", "1,2,3", "1,1,x", "1,1,", "1,1,inf", "1,-1,4"]
     done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *rows]) + "\n", "--model", "polynomial")
-    errors = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
-    assert done.returncode == 2 and len(errors) == 1 and "row 1:" not in errors[0], done.stderr
-    for named in (
-        "rows: 5 cannot be answered (row 1 is the first question): row 2: stroke is 1.5, no whole number from 1; ",
-        "row 3: direction is 2, neither 1 nor -1; row 4: motor_turns is 'x', no number; ",
-        "; row 5: motor_turns is empty or nan; row 6: ",
-        "Mend: row 2: the first stroke of a new string is 1; row 3: 1 is winding, -1 unwinding; row 4: write a number ",
-        "row 5: fill it in, or take the row out; row 6: write a number. The other 2 rows are answered.",
-    ):
-        assert named in errors[0], done.stderr
+    first = "rows: 5 cannot be answered (row 1 is the first question). Mend: each as its line says."
+    assert done.returncode == 2 and done.stderr.splitlines() == [
+        f"error: {dataset.with_name('questions.csv')}: {first} The other 2 rows are answered.",
+        "  row 2: stroke is 1.5, no whole number from 1; the first stroke of a new string is 1",
+        "  row 3: direction is 2, neither 1 nor -1; 1 is winding, -1 unwinding",
+        "  row 4: motor_turns is 'x', no number; write a number alone",
+        "  row 5: motor_turns is empty or nan; fill it in, or take the row out",
+        "  row 6: motor_turns is without end; write a number",
+    ], "a line a row: all were one paragraph"
     assert "2 answers in " in done.stdout and "; 5 rows without an answer. The column `why` says why" in done.stdout
     assert "row 4" not in done.stdout, "what is wrong is said once, in the error"
     table = pd.read_csv(dataset.with_name("answers.csv"))
@@ -416,14 +415,79 @@ def test_all_rows_that_cannot_be_answered_are_named_at_once_and_the_others_answe
 def test_where_no_row_can_be_answered_nothing_is_written(dataset):
     answers = dataset.with_name("answers.csv")
     answers.unlink(missing_ok=True)
-    done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *["1,3,3"] * 40]) + "\n")
+    rows = [*["1,3,3"] * 40, *(f"1,1,x{number}" for number in range(9))]
+    done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *rows]) + "\n")
     assert done.returncode == 2 and not answers.exists()
-    assert (
-        "40 cannot be answered (row 1 is the first question): row 1: direction is 3" in done.stderr
-        and "row 10: " in done.stderr
-    )
-    assert "row 11" not in done.stderr and "; and 30 more rows. Mend: 1 is winding" in done.stderr
-    assert done.stderr.endswith("Until then no row is answered.\n")
+    first, alike, *others = done.stderr.splitlines()
+    assert "49 cannot be answered (row 1 is the first question)" in first
+    assert first.endswith("Until then no row is answered.")
+    assert alike == "  rows 1 to 40: direction is 3, neither 1 nor -1; 1 is winding, -1 unwinding"
+    assert [line.split(":")[0] for line in others[:-1]] == ["  row 41", "  row 42", "  row 43", "  row 44"]
+    assert others[-1] == "  and 5 more", "no file has them"
+
+
+def test_of_many_bad_rows_the_first_are_said_and_where_the_others_are(dataset):
+    """Twelve bad rows were one paragraph, with their mends behind all of them."""
+    rows = ["1,1,3", *(f"1,1,x{number}" for number in range(12))]
+    done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *rows]) + "\n", "--model", "polynomial")
+    lines, answers = done.stderr.splitlines(), dataset.with_name("answers.csv")
+    assert done.returncode == 2 and len(lines) == 7 and lines[1].startswith("  row 2: motor_turns is 'x0', no number; ")
+    assert lines[6] == f"  and 7 more, each with its reason in the column `why` of {answers}"
+    assert pd.read_csv(answers)["why"].notna().sum() == 12
+
+
+@pytest.mark.parametrize(("row", "has"), [("1,1,3,5", 4), ("1,1,3,5,,7", 6), ("1", 1), ("1,1", 2)])
+@pytest.mark.parametrize("place", [0, 1, 2], ids=["first", "middle", "last"])
+def test_a_row_with_another_number_of_fields_is_refused_alone(dataset, row, has, place):
+    """One with too many fields refused the whole file; a last one with too few was left out with status 0."""
+    rows = ["1,1,3", "1,-1,4"]
+    rows.insert(place, row)
+    done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *rows]) + "\n", "--model", "polynomial")
+    fields = f"{has} field{'s' * (has > 1)}, and the header has 3"
+    assert done.returncode == 2 and f"row {place + 1}: has {fields}. Mend: " in done.stderr, done.stderr
+    assert done.stderr.endswith("The other 2 rows are answered.\n") and "1 row without an answer" in done.stdout
+    assert ("what is missing: " in done.stderr) == (has < 3) and "cut off" not in done.stderr
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert table["inside"].tolist() == [at != place for at in range(3)] and table["displacement_mm"].notna().sum() == 2
+    assert table["why"][place].startswith(f"no question: has {fields}; ")
+
+
+def test_fields_that_may_be_empty_may_be_left_out(dataset):
+    text = "stroke,direction,motor_turns,displacement_mm\n1,1,3\n1,1,,5,,\n1,1,4,\n"
+    done = ask(dataset, text, "--model", "polynomial")
+    assert done.returncode == 0 and pd.read_csv(dataset.with_name("answers.csv"))["inside"].all(), done.stderr
+
+
+def test_a_string_that_is_called_by_a_number_is_found(dataset):
+    """`07` was read as 7, which no recording has; beside an empty cell 12 was read as 12.0."""
+    first = pd.read_parquet(dataset)
+    path = dataset.with_name("numbered.parquet")
+    strings = [first.assign(string=name, radius_mm=radius) for name, radius in (("07", 0.4), ("12", 0.5))]
+    schemas.write(pd.concat(strings, ignore_index=True), schemas.DATASET, path)
+    done = ask(path, "stroke,direction,motor_turns,string\n1,1,3,07\n1,1,3, 12 \n1,1,3,\n", "--model", "polynomial")
+    table = pd.read_csv(dataset.with_name("answers.csv"), dtype=str)
+    assert done.returncode == 2 and table["inside"].tolist() == ["True", "True", "False"], done.stdout
+    assert table["string"].tolist()[:2] == ["07", "12"]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("stroke;direction;motor_turns\n3;1;12,5\n", "columns: are parted by ';'. Mend: part the columns by commas"),
+        ("stroke\tdirection\tmotor_turns\n3\t1\t12\n", "columns: are parted by tabulators. Mend: part"),
+        ("My questions\nstroke,direction,motor_turns\n1,1,3\n1,1,4\n", "Mend: begin with the header."),
+    ],
+)
+def test_another_layout_is_said_to_be_that(dataset, text, says):
+    done = ask(dataset, text)
+    assert done.returncode == 2 and says in done.stderr, done.stderr
+
+
+def test_a_workbook_is_to_be_saved_as_csv(dataset):
+    questions = dataset.with_name("questions.xlsx")
+    questions.write_bytes(b"PK\x03\x04" + bytes(100))
+    done = programs.run("pipeline.predict", dataset, questions, "--out", dataset.with_name("answers.csv"))
+    assert done.returncode == 2 and "Mend: save its sheet of questions as CSV" in done.stderr, done.stderr
 
 
 @pytest.mark.parametrize("is_saved", [False, True], ids=["anew", "saved"])

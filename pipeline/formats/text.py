@@ -44,7 +44,7 @@ def read_text(path: Path, layout: TextFile) -> pd.DataFrame:
 def text_pieces(path: Path, layout: TextFile) -> Iterator[pd.DataFrame]:
     """What `read_text` gives, in pieces of some rows, at least one; raises BadInput as it does."""
     with TableFile(path, layout) as lines:
-        names = _names(path, layout, lines)
+        names = first_names(path, layout, lines.first, lines.count)
         rows = 0
         for table in _tables(path, layout, lines):
             if layout.header:  # as they stand: pandas would number those that stand twice
@@ -58,15 +58,17 @@ def text_pieces(path: Path, layout: TextFile) -> Iterator[pd.DataFrame]:
             raise BadInput(path, "file", problem, "remove the quotation mark that is left open in one of its lines")
 
 
-def _names(path: Path, layout: TextFile, lines: TableFile) -> list[str]:
-    """Cells of the table's first line; raises BadInput where its beginning is not as `file:` says."""
-    first = lines.first
+def first_names(path: Path, layout: TextFile, first: list[tuple[int, str]], count: int) -> list[str]:
+    """Cells of a table's first line; raises BadInput where its beginning is not as `file:` says.
+
+    `first` are its first lines, each after how many lines of the file, and `count` how many it has as far as is known.
+    """
     begin = first[0][1].lstrip() if first else ""
     if begin.startswith(("{", "[", "<")):
         if begin[0] == "<":
             raise BadInput(path, "file", "is a page of the web, not a table", "save its table as CSV")
         raise BadInput(path, "file", "is JSON, not a table", f"name it .json and {IMPORT}")
-    if lines.count <= layout.header:
+    if count <= layout.header:
         raise BadInput(path, "file", "holds no samples", "record again; nothing was written by the logger")
     other = other_delimiter([line for _, line in first], layout.delimiter)
     if other:

@@ -7,10 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ....ground.errors import BadInput
+from ....ground.errors import BadInput, bounded
 from ....ground.words.counts import are, consecutive, counted
 
-SHOWN = 10  # rows, or stretches of rows, that are named; of the others it is said how many they are
+SHOWN = 10  # stretches of rows that are named; of the others it is said how many they are
+PRINTED = 5  # reasons that are printed; the file has all
+NO_QUESTION = "no question: "  # how the reason of a row begins that asks nothing that can be answered
 
 
 class BadRow(NamedTuple):
@@ -40,31 +42,48 @@ def first_of_each(wrong: Sequence[BadRow]) -> list[BadRow]:
 
 def reason(entry: BadRow) -> str:
     """The fault of a row, and the mend, in the words of its answer."""
-    return f"no question: {entry.column} {entry.what}{entry.instead}; {entry.mend}".replace(":  ", ": ")
+    return f"{NO_QUESTION}{entry.column} {entry.what}{entry.instead}; {entry.mend}".replace(":  ", ": ")
 
 
-def refusal(path: Path, bad: Sequence[BadRow], answered: int) -> BadInput:
-    """The complaint that names the bad rows, each once, and says that the others are `answered`."""
+class BadRows(BadInput):
+    """Rows that cannot be answered: the text has a line for each, after the first line."""
+
+    def __init__(self, path: Path, problem: str, mend: str, lines: Sequence[str]) -> None:
+        super().__init__(path, "rows", problem, mend)
+        self.args = ("\n".join([str(self), *(bounded(f"  {line}") for line in lines)]),)
+
+
+def refusal(path: Path, bad: Sequence[BadRow], answered: int, answers: Path | None = None) -> BadInput:
+    """The complaint that names the bad rows, each once, and says that the others are `answered`, in a file.
+
+    Of several rows each reason has a line.
+    """
     others = f". The other {counted(answered, 'row')} {are(answered)} answered" if answered else ""
     if len(bad) == 1:
         row, column, what, instead, mend = bad[0]
         if column:
             return BadInput(path, column, f"{what} in row {row}{instead}", f"{mend}{others}")
         return BadInput(path, f"row {row}", what + instead, f"{mend}{others}")
-    each = [f"row {entry.row}: {entry.column} {entry.what}{entry.instead}".replace(":  ", ": ") for entry in bad]
-    more = [f"and {len(bad) - SHOWN} more rows"] if len(bad) > SHOWN + 1 else each[SHOWN:]
-    problem = f"{len(bad)} cannot be answered (row 1 is the first question): {'; '.join([*each[:SHOWN], *more])}"
-    return BadInput(path, "rows", problem, f"{_mends(bad[:SHOWN])}{others or '. Until then no row is answered'}")
+    sentence_by_row = {entry.row: reason(entry).removeprefix(NO_QUESTION) for entry in bad}
+    sentences = [sentence_by_row.get(row, "") for row in range(1, bad[-1].row + 1)]
+    where = f", each with its reason in the column `why` of {answers}" if answers else ""
+    problem = f"{len(bad)} cannot be answered (row 1 is the first question)"
+    mend = f"each as its line says{others or '. Until then no row is answered'}"
+    return BadRows(path, problem, mend, first_of(sentences, where))
 
 
-def _mends(bad: Sequence[BadRow]) -> str:
-    """Each mend with its rows; without rows where all have the same mend."""
-    rows_by_mend: dict[str, list[int]] = {}
-    for entry in bad:
-        rows_by_mend.setdefault(entry.mend, []).append(entry.row)
-    if len(rows_by_mend) == 1:
-        return next(iter(rows_by_mend))
-    return "; ".join(f"{numbered(rows)}: {mend}" for mend, rows in rows_by_mend.items())
+def first_of(sentences: Sequence[str], where: str) -> list[str]:
+    """The first reasons, each once with the numbers of its rows, and `where` the others are; empty ones are left out.
+
+    The sentences are those of all rows in their order.
+    """
+    rows_by_reason: dict[str, list[int]] = {}
+    for number, sentence in enumerate(sentences, start=1):
+        if sentence:
+            rows_by_reason.setdefault(sentence, []).append(number)
+    lines = [f"{numbered(rows)}: {sentence}" for sentence, rows in list(rows_by_reason.items())[:PRINTED]]
+    unshown = sum(map(len, list(rows_by_reason.values())[PRINTED:]))
+    return lines + ([f"and {unshown} more{where}"] if unshown else [])
 
 
 def numbered(rows: Sequence[int]) -> str:

@@ -15,6 +15,7 @@ from ..box import COLUMNS
 from ..conditions import Conditions
 from ..settings import shown
 from .bad_rows import BadRow, first_of_each, of_mask, refusal
+from .even_rows import EvenRows
 from .own_sizes import with_own_sizes
 from .question_table import bad_cells, known_columns, question_table, recorded_values
 
@@ -46,14 +47,14 @@ def read_questions(path: Path, dataset: pd.DataFrame, each_string: bool = False)
     With `each_string` a row about a string that was not recorded is no question. Raises BadInput naming all columns
     that are missing, or all rows where none can be answered.
     """
-    return _questions(question_table(path, _known(dataset)), path, dataset, each_string)
+    return _questions(question_table(path, _known(dataset), LABELS), path, dataset, each_string)
 
 
 def questions_of(table: pd.DataFrame, dataset: pd.DataFrame, each_string: bool = False) -> Questions:
     """Questions of a table about a dataset, a row each, as those of a csv; raises BadInput as for a csv."""
     source = Path("questions")
     known_table = known_columns(table.reset_index(drop=True), source, _known(dataset))
-    return _questions(known_table, source, dataset, each_string)
+    return _questions(EvenRows(known_table, [], []), source, dataset, each_string)
 
 
 def _known(dataset: pd.DataFrame) -> list[str]:
@@ -61,8 +62,10 @@ def _known(dataset: pd.DataFrame) -> list[str]:
     return [name for name in (*COLUMNS, *LABELS) if name in dataset]
 
 
-def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_string: bool) -> Questions:
-    """Questions of a table whose columns are known; `path` is where it is from, for complaints."""
+def _questions(rows: EvenRows, path: Path, dataset: pd.DataFrame, each_string: bool) -> Questions:
+    """Questions of rows whose columns are known; `path` is where they are from, for complaints."""
+    labels = {name: rows.table[name].map(_bare) for name in LABELS if name in rows.table}
+    questions = rows.table.assign(**labels)
     from_columns = [name for name in EITHER if name in questions.columns]
     if not from_columns:
         problem = f"are {', '.join(map(repr, questions.columns))}: neither of {' and '.join(EITHER)}"
@@ -97,7 +100,10 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_
         )
         raise BadInput(path, ", ".join(missing), f"{problem} in the recordings", mend)
     strange = _unrecorded(points["string"], dataset) if each_string else []
-    bad = first_of_each([*wrong, *strange, *_bad_rows(path, questions, points, dataset)])
+    wrong += [*strange, *_bad_rows(path, questions, points, dataset)]
+    wrong_rows = {entry.row for entry in wrong}
+    lacking = [entry for entry in rows.shorter if entry.row in wrong_rows]  # others leave out what may be empty
+    bad = first_of_each([*rows.longer, *lacking, *wrong])
     if len(bad) == len(points):
         raise refusal(path, bad, answered=0)
     is_bad = np.isin(np.arange(len(points)), [entry.row - 1 for entry in bad])
@@ -105,6 +111,11 @@ def _questions(questions: pd.DataFrame, path: Path, dataset: pd.DataFrame, each_
     good["stroke"] = good["stroke"].astype(np.int64)
     kept = [name for name in points if name in columns]
     return Questions(good, columns, np.flatnonzero(~is_bad), bad, points.loc[is_bad, kept])
+
+
+def _bare(cell: object) -> object:
+    """A cell without the white space around a word."""
+    return cell.strip() if isinstance(cell, str) else cell
 
 
 def by_known(points: pd.DataFrame) -> Iterator[tuple[str, NDArray[np.intp], pd.DataFrame]]:

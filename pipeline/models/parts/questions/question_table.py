@@ -7,18 +7,20 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ....formats.text import read_text
 from ....ground.errors import BadInput
 from ....ground.input.cell_numbers import cell_numbers
 from ....ground.input.complaint import key_name, short
-from ....ground.input.text_file import TextFile
 from ....ground.units import unit_of
 from .bad_rows import BadRow, of_mask
+from .even_rows import EvenRows, even_rows
 
 IN_WORDS = {  # of run.yaml, which questions have not: the field here, and the mend
     "file.delimiter": ("columns", "part the columns by commas, and write numbers with a point: 3.5"),
     "file.encoding": ("file", "save it as CSV in UTF-8"),
+    "file.skip": ("file", "begin with the header"),
+    "file.skip_below": ("file", "write the first question below the header"),
 }
+SHEET = "save its sheet of questions as CSV, with commas between the columns"
 ALIKE = 0.7  # from there on a name is a misspelt one: `note` is no `stroke`, `stroek` is
 NAMED = 30  # strings that are named where a file names none
 MOST = 10  # wrong columns that are named
@@ -29,19 +31,23 @@ OTHER_NAMES = {  # of a column's quantity, without unit
 WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a word where a number belongs
 
 
-def question_table(path: Path, columns: Collection[str]) -> pd.DataFrame:
-    """Table of a csv with a header whose columns are among the known; raises BadInput naming the column."""
+def question_table(path: Path, columns: Collection[str], words: Collection[str]) -> EvenRows:
+    """Rows of a csv with a header whose columns are among the known, those of `words` as text.
+
+    Raises BadInput naming the column.
+    """
     try:
-        cells = read_text(path, TextFile.model_validate({}))
+        rows = even_rows(path, columns, words)
     except BadInput as error:
         if "holds no samples" in error.problem:
             raise BadInput(path, "rows", "there are none", "write a header, and one question a line") from None
-        if not path.is_file():
+        if not path.is_file() or error.field in ("columns", "rows"):
             raise
         mend = "part columns by commas, write numbers with a point (3.5), and one question a line below a header"
-        field, mend = IN_WORDS.get(error.field, (error.field, mend))
+        field, mend = IN_WORDS.get(error.field, (error.field, SHEET if "workbook" in error.problem else mend))
         raise BadInput(path, field, error.problem, mend) from None
-    return known_columns(cells, path, columns)
+    known_columns(rows.table, path, columns)
+    return rows
 
 
 def known_columns(cells: pd.DataFrame, path: Path, columns: Collection[str]) -> pd.DataFrame:

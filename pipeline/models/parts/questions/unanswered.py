@@ -6,8 +6,6 @@ or its answer lies beyond all recorded contractions. One that lies
 between what was recorded is answered with an interval, and that is said too.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
@@ -16,11 +14,8 @@ from ..box import MARGIN
 from ..inside.beyond_range import also, beyond, held
 from ..inside.recorded_pairs import around
 from ..rolling_origin import too_far
-from .bad_rows import numbered
 from .prediction_intervals import Intervals
 from .reached_contraction import reached_mm
-
-SHOWN = 5  # reasons that are printed; the file has all
 
 
 def reasons(
@@ -83,17 +78,6 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
                 sentences[row] = f"the answer is beyond all that {recorded}: {reason}"
     sentences[sentences == ""] = "how large an error is here could not be learnt"
     return sentences
-
-
-def first_of(sentences: Sequence[str]) -> list[str]:
-    """The first reasons, each once with the numbers of its rows; empty sentences are left out."""
-    rows_by_reason: dict[str, list[int]] = {}
-    for number, sentence in enumerate(sentences, start=1):
-        if sentence:
-            rows_by_reason.setdefault(sentence, []).append(number)
-    lines = [f"{numbered(rows)}: {reason}" for reason, rows in list(rows_by_reason.items())[:SHOWN]]
-    unshown = sum(map(len, list(rows_by_reason.values())[SHOWN:]))
-    return lines + ([f"and {unshown} more, each with its reason in the column `why`"] if unshown else [])
 
 
 def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: int) -> str:
