@@ -27,7 +27,7 @@ from .ground.stored import schemas
 from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
-from .ground.words.jump_notes import NAME, read_jumps
+from .ground.words.jump_notes import NAME, in_one_line, read_jumps
 from .models.parts.questions.bad_rows import first_of, refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
@@ -88,8 +88,9 @@ def main() -> None:
     reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
     file_to_write(arguments.out, reads=reads)
     dataset = opened(arguments.dataset, schemas.DATASET, dataset_mend(arguments.dataset))
-    for note in read_jumps([arguments.dataset.with_name(NAME)]):
-        print(f"beware: {note}", file=sys.stderr)
+    notes = arguments.dataset.with_name(NAME)
+    if on_zero := in_one_line(read_jumps([notes]), notes):
+        print(f"beware: {on_zero}", file=sys.stderr)
     if arguments.saved:
         questions = read_questions(arguments.questions, dataset, keeps_strings_apart(arguments.saved))
         table = saved_answers(arguments.saved, dataset, questions, arguments.dataset)
@@ -103,9 +104,10 @@ def main() -> None:
         to = f"each string of {arguments.dataset}" if arguments.each_string else str(arguments.dataset)
         by, less = f"by a {arguments.model} fitted anew to {to}", "without an interval"
     if ANSWER_OF in table:
-        print(
-            one_answer(arguments.model, strings_alike(dataset), "--each-string, or --model calibrated"), file=sys.stderr
-        )
+        strings = set(questions.points["string"].astype(str))
+        alike = {string: words for string, words in strings_alike(dataset).items() if string in strings}
+        if beware := one_answer(arguments.model, alike, ALONE):
+            print(beware, file=sys.stderr)
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum()) - len(questions.bad)
     noted = int((table["inside"] & (table["why"] != "")).sum())

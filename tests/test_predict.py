@@ -16,6 +16,7 @@ from pipeline.export.source import Beside, opened
 from pipeline.ground.errors import BadInput
 from pipeline.ground.kinematics import usual_stiffness
 from pipeline.ground.stored import schemas
+from pipeline.ground.words.jump_notes import NOT_COMPARED, write_jumps
 from pipeline.models.interface import make_model
 from pipeline.models.parts.questions.question_points import read_questions
 
@@ -531,6 +532,7 @@ def test_all_columns_and_all_strings_that_are_missing_are_named_at_once(dataset)
     assert f"recorded are {', '.join(f'made-{number:02d}' for number in range(8))}" in done.stderr
 
 
+JUMP = "The zero jumps by 3 mm."
 TWO = "stroke,direction,motor_turns,string\n2,1,9,made-01\n2,1,9,made-02\n"
 
 
@@ -633,6 +635,23 @@ def test_the_model_that_the_page_takes_is_named_where_another_answers(of_two: Pa
     assert "The page of" not in ask(of_two, TWO).stdout
 
 
+def test_what_is_said_of_the_zero_is_one_line_a_call(dataset: Path) -> None:
+    """Each pair of runs had a line of its own above the answers, at every call."""
+    notes, text = dataset.with_name("zero_jumps.json"), "stroke,direction,motor_turns\n1,1,3\n1,1,4\n"
+    uncompared = [f"{NOT_COMPARED} a and {run}: why." for run in "bcd"]
+    try:
+        for sentences, beware in (
+            (uncompared[:1], f"{NOT_COMPARED} a and b: why."),
+            ([*uncompared, JUMP], f"{JUMP} 3 more notes on the zero of these runs: {notes}"),
+        ):
+            write_jumps(notes, sentences)
+            done = ask(dataset, text, "--model", "polynomial")
+            assert done.returncode == 0 and done.stderr == f"beware: {beware}\n" and done.stdout.count("zero") == 1
+    finally:
+        for path in notes.parent.glob(f"{notes.name}*"):
+            path.unlink()
+
+
 def test_a_dataset_that_is_not_there_can_be_made_alone_if_its_material_was_recorded(tmp_path: Path) -> None:
     (tmp_path / "raw" / "nylon-1").mkdir(parents=True)
     (tmp_path / "raw" / "nylon-1" / "run.yaml").write_text("material: nylon  # of spool 3\n")
@@ -693,7 +712,7 @@ def test_a_size_that_is_not_the_named_strings_is_no_question(of_two_sizes: Path)
 
 
 @pytest.mark.parametrize(
-    ("column", "cell", "says"), [("", "", "string: is missing"), ("string,", "made-02,", "has 0.6")]
+    ("column", "cell", "says"), [("", "", "radius_mm: is without end"), ("string,", "made-02,", "has 0.6")]
 )
 def test_a_size_of_400_digits_is_refused_in_words(of_two_sizes: Path, column: str, cell: str, says: str) -> None:
     text = f"stroke,direction,motor_turns,{column}radius_mm\n2,1,9,{cell}{'9' * 400}\n"

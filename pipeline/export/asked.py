@@ -15,6 +15,7 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..models.interface import about
 from ..models.parts.box import MARGIN
+from ..models.parts.inside.assumed_stiffness import said_once
 from ..models.parts.inside.beyond_range import also, beyond, held, with_unit
 from ..models.parts.inside.measure import Measure
 from ..models.parts.questions.foreseen import MAPS
@@ -47,10 +48,14 @@ def answers(
     """
     value = np.asarray(getattr(source.model, MAPS[ANSWER[from_column]])(points), float)
     why = np.full(len(points), "", object)
+    refused_by = {}
     for field in source.inputs.columns(from_column):
+        reasons = refused_by[field.name] = [""] * len(points)
         for row in np.flatnonzero(_outside(source, field, points, file)).tolist():
             reason = _reason(source, field, points[field.name].iloc[row])
-            why[row] = also(why[row], f"{reason}; TSA_BAD_{field.name.upper()})")
+            reasons[row] = f"{reason}; TSA_BAD_{field.name.upper()})"
+    for sentences in said_once(points, refused_by, measure.never_measured).values():
+        why[:] = [also(*both) for both in zip(why, sentences, strict=True)]
     for name, baked in _baked(source).items():
         other = np.abs(points[name].to_numpy(float) - baked) > (WIDE / 2.0 if name == "load_n" else SAME) * abs(baked)
         for row in np.flatnonzero(other).tolist():
@@ -70,8 +75,8 @@ def answers(
     for row, string in enumerate(points["string"].astype(str)):
         if string not in strokes:
             why[row] = why[row] or f"string {string} is none that it was fitted to; {NAMELESS}"
-    for paired in pairs:
-        for row, reason in enumerate(paired.never(points, turns)):
+    for sentences in measure.never(points, turns).values():
+        for row, reason in enumerate(sentences):
             why[row] = why[row] or (f"{reason}; {UNCHECKED}" if reason else "")
     for row, reason in enumerate(under.never(points, turns) if under else ()):
         why[row] = also(why[row], f"{reason}; {UNCHECKED}") if reason and not refused[row] else why[row]
@@ -83,8 +88,8 @@ def answers(
     for row, reason in _too_far(source, points, strokes):
         why[row] = why[row] if refused[row] else also(why[row], f"{reason}; {FURTHER}")
     inside = why == ""
-    for paired in pairs:
-        why[:] = [also(*both) for both in zip(why, measure.gaps(paired, points), strict=True)]
+    for sentences in measure.gaps(points).values():
+        why[:] = [also(*both) for both in zip(why, sentences, strict=True)]
     return pd.DataFrame({ANSWER[from_column]: value, "inside": inside, "why": why})
 
 

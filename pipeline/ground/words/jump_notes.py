@@ -7,6 +7,7 @@ from pathlib import Path
 from ..errors import BadInput
 from ..stored import schemas
 from ..stored.notes import read_note, write_note
+from .counts import counted
 
 NAME = "zero_jumps.json"  # of the note, beside the dataset
 LARGEST = 10_000_000  # bytes of a note
@@ -21,6 +22,16 @@ def write_jumps(path: Path, sentences: Sequence[str]) -> None:
 def read_jumps(notes: Sequence[Path]) -> list[str]:
     """The sentences of some notes; a missing note has none. Raises BadInput."""
     return [sentence for path in notes if os.path.lexists(path) for sentence in _sentences(path)]
+
+
+def in_one_line(sentences: Sequence[str], path: Path) -> str:
+    """The first sentence on a jump, or else the first, and how many more the note at a path has; empty for none."""
+    jumps = [sentence for sentence in sentences if not sentence.startswith(NOT_COMPARED)]
+    if not sentences:
+        return ""
+    more = len(sentences) - 1
+    others = f" {counted(more, 'more note')} on the zero of these runs: {path}" if more else ""
+    return f"{(jumps or sentences)[0]}{others}"
 
 
 def _sentences(path: Path) -> list[str]:

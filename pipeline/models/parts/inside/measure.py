@@ -10,10 +10,12 @@ from dataclasses import dataclass, field, replace
 
 import pandas as pd
 
+from ....ground.kinematics import Array
 from ....ground.units import unit_of
 from ....ground.words.counts import counted
 from ..box import Box, room
 from ..conditions import VARIES
+from .assumed_stiffness import is_never_measured, said_once
 from .beyond_range import inward
 from .recorded_pairs import Paired, pairs_of
 from .recorded_strokes import LOAD, Under
@@ -34,6 +36,7 @@ class Measure:
     box: Box
     pairs: tuple[Paired, ...]
     under: Under | None
+    never_measured: bool = False  # the stiffness of any string
     string: str = ""
     ends: Mapping[str, tuple[float, float]] = field(default_factory=dict)  # least and most, in the column's unit
     whole: "Measure | None" = None
@@ -55,11 +58,26 @@ class Measure:
         span, at = _span(name, least, most), _at(name, f"{value:.4g}")
         return f"string {self.string} was recorded {span} only; {at} the answer leans on {_named(strings)}"
 
-    def gaps(self, paired: Paired, points: pd.DataFrame) -> list[str]:
-        """For each question between values of one of the `pairs`, these, as `Paired.gaps` says them.
+    def gaps(self, points: pd.DataFrame) -> dict[str, list[str]]:
+        """By each condition of the `pairs`, between which recorded values a question lies, as `Paired.gaps` says it.
 
         The string is named only where others were recorded otherwise.
         """
+        return said_once(
+            points, {paired.name: self._gaps(paired, points) for paired in self.pairs}, self.never_measured
+        )
+
+    def never(self, points: pd.DataFrame, turns: Array) -> dict[str, list[str]]:
+        """By each condition of the `pairs`, that a twist was not recorded around it, as `Paired.never` says it.
+
+        Twists in turns, of shape (points,).
+        """
+        return said_once(
+            points, {paired.name: paired.never(points, turns) for paired in self.pairs}, self.never_measured
+        )
+
+    def _gaps(self, paired: Paired, points: pd.DataFrame) -> list[str]:
+        """The gaps of one condition."""
         gaps = paired.gaps(points)
         of_all = next((pair for pair in self.whole.pairs if pair.name == paired.name), None) if self.whole else None
         if of_all is None:
@@ -75,7 +93,7 @@ def measures(points: pd.DataFrame, ahead: int) -> dict[str, Measure]:
 
     Errors were measured up to `ahead` strokes after the last one. A string alone has the measure of all.
     """
-    whole = Measure(Box.of(points), pairs_of(points), Under.of(points, ahead))
+    whole = Measure(Box.of(points), pairs_of(points), Under.of(points, ahead), is_never_measured(points))
     tables = {str(string): own for string, own in points.groupby(points["string"].astype(str))}
     if len(tables) < 2:
         return {"": whole}
@@ -88,6 +106,7 @@ def measures(points: pd.DataFrame, ahead: int) -> dict[str, Measure]:
             boxes[string],
             tuple(replace(paired, whose=f" of string {string}") for paired in pairs_of(own, _rooms(whole.pairs))),
             Under.of(own, ahead, whole.under.room, f" of string {string}") if whole.under else None,
+            whole.never_measured,
             string,
             ends[string],
             whole,

@@ -5,11 +5,15 @@ from collections.abc import Callable
 
 import pandas as pd
 
+from ..inside.assumed_stiffness import STIFFNESS
+from ..inside.beyond_range import also
 from .bad_rows import reason
 from .foreseen import GIVEN, MAPS
 from .prediction_intervals import Intervals
 from .question_points import ASKED, EITHER, Questions, by_known
 from .unanswered import reasons
+
+ASSUMED = "its stiffness is assumed, {:.4g} N/mm, the usual one of its radius and length"
 
 
 def with_intervals(intervals: Intervals, points: pd.DataFrame, from_column: str, level: float) -> pd.DataFrame:
@@ -35,7 +39,10 @@ def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str],
     others = [name for name in points if name not in (*EITHER, *ASKED) and name in questions.columns]
     tables = {}
     for from_column, rows, part in by_known(points):
-        tables[from_column] = pd.concat([part[[from_column, *ASKED, *others]], answer(part, from_column)], axis=1)
+        answers = answer(part, from_column)
+        whys = zip(answers["why"], part[STIFFNESS], questions.is_assumed[rows], strict=True)
+        answers["why"] = [also(why, ASSUMED.format(stiffness) * bool(assumed)) for why, stiffness, assumed in whys]
+        tables[from_column] = pd.concat([part[[from_column, *ASKED, *others]], answers], axis=1)
         tables[from_column].index = rows
     if len(tables) == 1:
         return _with_bad(next(iter(tables.values())), questions)

@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 from ....ground.command import command
 from ....ground.errors import BadInput
 from ....ground.input.cell_numbers import cell_numbers
+from ....ground.kinematics import Mask
 from ..box import COLUMNS
 from ..conditions import Conditions
 from ..settings import shown
 from .bad_rows import BadRow, first_of_each, of_mask, refusal
 from .even_rows import EvenRows
-from .own_sizes import with_own_sizes
-from .question_table import bad_cells, known_columns, question_table, recorded_values
+from .own_sizes import NEW, own_sizes, told_by, with_own_sizes
+from .question_table import bad_cells, known_columns, missing_columns, question_table, recorded_values
 
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = {1: "winding", -1: "unwinding"}
@@ -38,6 +39,7 @@ class Questions:
     rows: NDArray[np.intp]  # (points,): their places in the file, from 0, without unit
     bad: list[BadRow]  # the other rows, each by the first thing that is wrong with it
     cells: pd.DataFrame  # what stands in the bad rows, numbers alone; the index is the row, from 0
+    is_assumed: Mask  # (points,): whether nobody told or measured the stiffness, without unit
 
 
 def read_questions(path: Path, dataset: pd.DataFrame, each_string: bool = False) -> Questions:
@@ -73,7 +75,8 @@ def _questions(rows: EvenRows, path: Path, dataset: pd.DataFrame, each_string: b
     if questions.empty:
         raise BadInput(path, "rows", "there are none", "write one question a line")
     columns = list(questions.columns)
-    questions, wrong = with_own_sizes(questions, dataset)
+    questions, wrong, is_assumed = with_own_sizes(questions, dataset)
+    own = own_sizes(dataset).columns
     points, missing = pd.DataFrame(index=range(len(questions))), list[str]()
     for name in dataset.columns:
         if name in questions.columns:
@@ -86,19 +89,14 @@ def _questions(rows: EvenRows, path: Path, dataset: pd.DataFrame, each_string: b
             points[name] = np.nan
         elif name == "load_n" and not Conditions.of(dataset, ("load_n",)).names:
             points[name] = dataset[name].median()  # what little it varies is its cell's noise
+        elif name in own and "string" in missing:
+            points[name] = np.nan  # a recorded string brings it
         elif name in (*COLUMNS, "actuator", "string") and dataset[name].nunique(dropna=False) > 1:
             missing.append(name)
         else:
             points[name] = dataset[name].iloc[0]
     if missing:
-        each = "; ".join(f"{name}, {recorded_values(dataset[name])}" for name in missing)
-        problem = "are missing, and vary" if len(missing) > 1 else "is missing, and varies"
-        mend = (
-            f"add the columns: {each}"
-            if len(missing) > 1
-            else f"add the column: {recorded_values(dataset[missing[0]])}"
-        )
-        raise BadInput(path, ", ".join(missing), f"{problem} in the recordings", mend)
+        raise missing_columns(path, dataset[missing], dataset[told_by(dataset)])
     strange = _unrecorded(points["string"], dataset) if each_string else []
     wrong += [*strange, *_bad_rows(path, questions, points, dataset)]
     wrong_rows = {entry.row for entry in wrong}
@@ -110,7 +108,7 @@ def _questions(rows: EvenRows, path: Path, dataset: pd.DataFrame, each_string: b
     good = points[~is_bad].reset_index(drop=True)
     good["stroke"] = good["stroke"].astype(np.int64)
     kept = [name for name in points if name in columns]
-    return Questions(good, columns, np.flatnonzero(~is_bad), bad, points.loc[is_bad, kept])
+    return Questions(good, columns, np.flatnonzero(~is_bad), bad, points.loc[is_bad, kept], is_assumed[~is_bad])
 
 
 def _bare(cell: object) -> object:
@@ -161,5 +159,7 @@ def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset
 def _unrecorded(strings: pd.Series, dataset: pd.DataFrame) -> list[BadRow]:
     """The rows about a string without a recording, where no model answers for that string alone."""
     strange = (strings.notna() & ~strings.astype(str).isin(set(dataset["string"].astype(str)))).to_numpy()
-    each = [f"is {shown(str(string))}" for string in strings[strange]]
-    return of_mask(strange, "string", each, ", which has no recording", recorded_values(dataset["string"]))
+    is_untold, mend = (strings == NEW).to_numpy(bool), recorded_values(dataset["string"])
+    each = [f"is {shown(str(string))}" for string in strings[strange & ~is_untold]]
+    bad = of_mask(strange & ~is_untold, "string", each, ", which has no recording", mend)
+    return bad + of_mask(strange & is_untold, "string", "is not told", ", and no recorded one has these sizes", mend)

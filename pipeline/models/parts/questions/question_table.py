@@ -11,6 +11,7 @@ from ....ground.errors import BadInput
 from ....ground.input.cell_numbers import cell_numbers
 from ....ground.input.complaint import key_name, short
 from ....ground.units import unit_of
+from ..box import SIZES
 from .bad_rows import BadRow, of_mask
 from .even_rows import EvenRows, even_rows
 
@@ -81,7 +82,25 @@ def bad_cells(cells: pd.Series, recorded: pd.Series, numeric: bool, may_be_empty
             )
             bad.append(BadRow(int(row) + 1, name, f"is {short(cell)}", ", no number", mend))
     endless = np.isinf(numbers.to_numpy(np.float64))
-    return bad + of_mask(endless, name, "is without end", "", "write a number")
+    bad += of_mask(endless, name, "is without end", "", "write a number")
+    none = (numbers <= 0.0).to_numpy() & (name in SIZES)
+    each = [f"is {number:g}" for number in numbers[none]]
+    return bad + of_mask(none, name, each, ", no size of a string", f"write it in {unit_of(name)}, above 0")
+
+
+def missing_columns(path: Path, recorded: pd.DataFrame, told_by: pd.DataFrame) -> BadInput:
+    """The complaint on the columns that are missing, of which `recorded` has the recorded values.
+
+    `told_by` are the recorded sizes by which a new string is told instead of by its name, each a column.
+    """
+    each = {name: recorded_values(recorded[name]) for name in recorded if name not in told_by.columns}
+    if "string" in each and len(told_by.columns):
+        sizes = " and ".join(f"{name} ({recorded_values(told_by[name])})" for name in told_by)
+        each["string"] += f", or of a new string {sizes}"
+    several = len(each) > 1
+    listed = "; ".join(f"{name}, {values}" if several else values for name, values in each.items())
+    problem = f"{'are missing, and vary' if several else 'is missing, and varies'} in the recordings"
+    return BadInput(path, ", ".join(each), problem, f"add the column{'s' * several}: {listed}")
 
 
 def recorded_values(recorded: pd.Series) -> str:

@@ -6,11 +6,14 @@ or its answer lies beyond all recorded contractions. One that lies
 between what was recorded is answered with an interval, and that is said too.
 """
 
+import difflib
+
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
 from ..box import MARGIN
+from ..inside.assumed_stiffness import said_once
 from ..inside.beyond_range import also, beyond, held
 from ..inside.recorded_pairs import around
 from ..rolling_origin import too_far
@@ -30,8 +33,9 @@ def reasons(
     rows = np.flatnonzero(~inside)
     if len(rows):
         sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
+    gaps_by_name = intervals.measure.gaps(points)
     for paired in intervals.pairs:
-        gaps, rests_on = intervals.measure.gaps(paired, points), intervals.between.said(paired)
+        gaps, rests_on = gaps_by_name[paired.name], intervals.between.said(paired)
         gaps = [also(gap, rests_on) if gap and within else gap for gap, within in zip(gaps, inside, strict=True)]
         sentences[:] = [also(*both) for both in zip(sentences, gaps, strict=True)]
     return list(sentences)
@@ -47,16 +51,18 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
     under = intervals.measure.under
     never = under.never(questions, turns) if under and "under" in outside else ()
     outside.pop("under", None)
+    beyond_by = {name: [""] * len(questions) for name in outside}
     for name, mask in outside.items():
         for row, value, recorded in zip(np.flatnonzero(mask).tolist(), questions[name][mask], last[mask], strict=True):
-            reason = _reason(intervals, name, value, float(recorded), intervals.ahead(wanted))
-            sentences[row] = also(sentences[row], reason)
+            beyond_by[name][row] = _reason(intervals, name, value, float(recorded), intervals.ahead(wanted))
+    for reasons_beyond in said_once(questions, beyond_by, intervals.measure.never_measured).values():
+        sentences[:] = [also(*both) for both in zip(sentences, reasons_beyond, strict=True)]
     for row, reason in enumerate(never):
         sentences[row] = also(sentences[row], reason)
     if apart.any():
         apart_in_twist = apart if "motor_turns" not in outside else apart & ~outside["motor_turns"]
-        for paired in intervals.pairs:
-            for row, reason in enumerate(paired.never(questions, turns)):
+        for never_around in intervals.measure.never(questions, turns).values():
+            for row, reason in enumerate(never_around):
                 sentences[row] = also(sentences[row], reason if apart_in_twist[row] else "")
     rows = np.flatnonzero(sentences == "")
     if wanted == "motor_turns" and len(rows):
@@ -84,7 +90,9 @@ def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: 
     """The fault of one number of a question."""
     measure = intervals.measure
     if name == "string":
-        return f"string {value} has no recording here"
+        near = difflib.get_close_matches(str(value).lower(), [*map(str.lower, intervals.strokes)], n=1)
+        meant = next((string for string in intervals.strokes if [string.lower()] == near), "")
+        return f"string {value} has no recording here{meant and f' (did you mean {meant}?)'}"
     if name == "material":
         return f"material {value} was not recorded; recorded: {', '.join(measure.box.materials)}"
     number = float(value)  # type: ignore[arg-type]
