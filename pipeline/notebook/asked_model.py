@@ -1,6 +1,6 @@
 """Questions about a string, answered with intervals by a model that is fitted to recorded points, in memory."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pandas as pd
@@ -97,6 +97,8 @@ class Fitted:
         except TooFew as error:
             of = f"points of {string}" if string else "points"
             raise BadInput(self.source, of, str(error), "record more strokes, or more samples a stroke") from None
+        if string and len(points) < len(self.dataset):
+            intervals.measure = replace(intervals.measure, string=string)  # others were recorded otherwise
         return intervals
 
     def _answer(self, intervals: Intervals) -> Answer:

@@ -114,6 +114,15 @@ def test_between_its_own_loads_a_string_has_a_wider_interval_though_others_were_
     assert half[1] > 1.2 * half[0]
 
 
+def test_a_string_that_is_answered_alone_is_named_beside_its_range(dataset: Path) -> None:
+    """The most that was recorded was 15.75 N, where the material had been under 30."""
+    table, _ = ask(dataset, ["5,1,12,,30,C", "5,1,12,,50,A"], "--model", "polynomial", "--each-string")
+    assert table["why"].tolist() == [
+        "load 30 N is above 15.75, the most that was recorded of string C, with 5% to spare",
+        "load 50 N is above 30.75, the most that was recorded of string A, with 5% to spare",
+    ]
+
+
 def test_what_hardly_differs_or_comes_of_one_string_is_the_materials(dataset: Path) -> None:
     one = string("A", (15.0, 30.0), 1)
     assert list(measures(one, 3)) == [""]

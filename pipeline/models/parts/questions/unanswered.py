@@ -100,6 +100,6 @@ def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: 
         return too_far(number, last, ahead)
     if leaning := measure.leaning(name, number):
         return leaning
-    box = (measure.whole or measure).box
+    box, whose = (measure.whole.box, "") if measure.whole else (measure.box, measure.whose)
     spare = f", with {MARGIN[name]:.0%} to spare" if name in MARGIN else ""
-    return beyond(name, number, box.low[name], box.high[name], f"was recorded{spare}")
+    return beyond(name, number, box.low[name], box.high[name], f"was recorded{whose}{spare}")
