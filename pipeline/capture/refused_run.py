@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground.errors import BadInput
 from ..run.capture_json import CaptureJson
 from ..run.next_command import following
-from .text.copied_mend import EXCHANGE, copied_mend, is_by_columns
+from .text.copied_mend import copied_mends, is_by_columns
 from .text.lines_to_csv import CSV
 from .text.live_faults import WHEN, LiveFaults
 
@@ -18,43 +18,39 @@ if TYPE_CHECKING:
 UNTIL = "Until then nothing can use this run."
 
 
-def tell_refused(error: BadInput, folder: Path, info: CaptureJson) -> None:
-    """Tell the reason and the mend; where no command can mend it, as for a too short recording, none is shown.
+def tell_refused(error: BadInput, folder: Path, info: CaptureJson) -> bool:
+    """Tell the reason and the mend; whether that mend names the columns of all printed lines anew.
+
+    Where no command can mend it, as for a too short recording, none is shown.
 
     An impossible time hides what else is wrong with printed lines: those faults and their mends are told too.
     """
     about = "" if info["exit_status"] == "fault" else "warning: "
     print(f"{about}{error} {UNTIL}")
     if "lines" not in info:
-        return
+        return False
     sentences = _seen_besides(folder, info) if error.field == "time_s" else []
     for sentence in sentences:
         print(f"warning: {sentence}")
-    commands = _commands([error.mend, *(sentence.rpartition("; ")[2] for sentence in sentences)], folder, info)
+    mends = [error.mend, *(sentence.rpartition("; ")[2] for sentence in sentences)]
+    commands = copied_mends(mends, folder, info["columns"], not info["columns_given"])
     if not commands:
-        return
+        return False
     print(f"Next: mend it, and record nothing anew: {commands[0]}")
     for command in commands[1:]:
         print(f"Then: mend it further: {command}")
     if not is_by_columns(commands[-1]):  # which says itself what comes next
         print("\n".join(following(folder, recorded=True)).replace("Next:", "Then:", 1))
+    return is_by_columns(commands[-1])
 
 
 def _seen_besides(folder: Path, info: CaptureJson) -> list[str]:
     """What is said of the samples while they come, by all of them; the time plays no part in it."""
-    faults = LiveFaults(folder, info["columns"])
+    faults = LiveFaults(folder, info["columns"], not info["columns_given"])
     with open(folder / CSV, encoding="ascii") as file:
         next(file)
         sentences = [faults.look(row.strip().split(",")) for row in file]
     return [sentence.partition(WHEN)[0] for sentence in (*sentences, faults.exchange(last=True)) if sentence]
-
-
-def _commands(mends: list[str], folder: Path, info: CaptureJson) -> list[str]:
-    """What does what the mends say: what is written into run.yaml as one, and the exchange of columns as another."""
-    written = [mend for mend in mends if not EXCHANGE.search(mend)]
-    whole = copied_mend(", and ".join(written), folder, info["columns"])
-    each = [copied_mend(mend, folder, info["columns"]) for mend in mends if whole == "" or mend not in written]
-    return list(filter(None, [whole, *each]))
 
 
 def reader_of(folder: Path) -> "Reader":

@@ -12,11 +12,10 @@ from ..ground.words.counts import counted
 from .folder import RECORDINGS
 from .option_mend import import_command
 from .run_yaml import RunYaml
-from .table.clock import Clock, unit_of_rate
+from .table.clock import Clock
 from .table.file_lines import Where, by_row
+from .table.rate import STEP_S, is_rate, lasting, no_rate, unit_of_rate
 
-STEP_S = (0.5e-4, 0.2)  # 10 Hz to 10 kHz, with room for jitter
-ROUNDED = 1e-4  # of a step: what stamps that are written with few digits make of it
 SLOWEST_S = 600.0  # between samples of a rig that is no string: a tank may take a minute to fill
 LONGEST_GAP_S = 7 * 86_400.0
 
@@ -56,17 +55,8 @@ def check_clock(
         ends = f"{clock.leap_s[0]:.6g} s in {where(clock.leap)} and {clock.leap_s[1]:.6g} s after it"
         mend = "correct the stamp that is wrong, or cut the recording there into two runs"
         raise BadInput(path, "time_s", f"leaps by more than a week: {ends}", mend)
-    if not _is_rate(clock.usual_s, slowest_s):
-        rates = f"{_lasting(STEP_S[0])} to {_lasting(slowest_s)}"
-        told_unit = unit_of_rate(clock.usual_s, unit, lambda step_s: _is_rate(step_s, slowest_s))
+    if not is_rate(clock.usual_s, slowest_s):
+        rates = f"{lasting(STEP_S[0])} to {lasting(slowest_s)}"
+        told_unit = unit_of_rate(clock.usual_s, unit, slowest_s)
         mend = f"set channels.time_s.unit {told_unit}, or record a sample every {rates}"
-        raise BadInput(path, "time_s", f"a sample every {_lasting(clock.usual_s)} is no rate of a rig", mend)
-
-
-def _is_rate(step_s: float, slowest_s: float) -> bool:
-    return STEP_S[0] * (1.0 - ROUNDED) <= step_s <= slowest_s * (1.0 + ROUNDED)
-
-
-def _lasting(step_s: float) -> str:
-    """The time between two samples in words, in ms if it is short."""
-    return f"{step_s:.4g} s" if step_s >= 0.1 else f"{1000.0 * step_s:.4g} ms"
+        raise BadInput(path, "time_s", no_rate(clock.usual_s), mend)

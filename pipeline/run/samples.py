@@ -14,7 +14,7 @@ from ..ground.stored import schemas
 from ..ground.stored.files import whole
 from ..ground.stored.rows import Rows, Stored, rows_of
 from ..ground.words.counts import counted
-from .checked_clock import SLOWEST_S, STEP_S, check_clock
+from .checked_clock import SLOWEST_S, check_clock
 from .description import STRING_ACTUATORS, Run
 from .dimensions import geometry
 from .doubts.plausible import check_string, doubts
@@ -23,6 +23,7 @@ from .doubts.wrapping import wrapped
 from .folder import checked_info, read_run, recording_path
 from .strokes import segment
 from .table.file_lines import FileLines, Where, by_row
+from .table.rate import STEP_S
 from .table.recorded_table import read_recording, recording_pieces
 
 LEAST_SAMPLES = 20

@@ -22,8 +22,8 @@ import pytest
 from ready import run
 from scripted_rig import synthetic_rig
 
-from pipeline.capture.__main__ import tell_frames
 from pipeline.capture.commit import Read, account
+from pipeline.capture.ended_run import tell_frames
 from pipeline.capture.handshake import check_rate
 from pipeline.capture.session import capture, plain
 from pipeline.capture.stream import Outcome

@@ -77,6 +77,12 @@ class Recorded:
         return [line for line in self.said.splitlines() if line.startswith(("Next:", "Then:", "  "))]
 
 
+def assert_mended(folder: Path) -> None:
+    """The finished run can be used now, and `--recover` says so."""
+    done = ready.run("pipeline.capture", "--recover", folder)
+    assert done.returncode == 0 and "there is nothing to recover" in done.stdout and "Next:" in done.stdout, done
+
+
 def test_a_good_recording_is_not_complained_of(rig, tmp_path):
     done = Recorded(rig, tmp_path / "run-1", printed())
     assert done.status == 0 and "warning" not in done.said, done.said
@@ -99,7 +105,7 @@ def test_a_wrong_sign_is_said_while_it_records_and_mended_by_a_command(rig, tmp_
     again = ready.run("pipeline.capture", "--recover", folder)
     assert again.returncode == 2 and f"anew: {command}\n" in again.stdout, "said again, not only that it is finished"
     subprocess.run(command, shell=True, check=True)
-    assert "there is nothing to recover" in ready.run("pipeline.capture", "--recover", folder).stderr
+    assert_mended(folder)
 
 
 def test_the_sign_of_a_run_with_channels_is_a_line_with_all_of_them(rig, tmp_path):
@@ -110,7 +116,7 @@ def test_the_sign_of_a_run_with_channels_is_a_line_with_all_of_them(rig, tmp_pat
     assert line.count("scale: -1") == 1 and f"write into {folder}/run.yaml, in the place" in done.next[0]
     text = yaml.safe_load((folder / "run.yaml").read_text())
     (folder / "run.yaml").write_text(yaml.safe_dump(text | yaml.safe_load(line)))
-    assert "there is nothing to recover" in ready.run("pipeline.capture", "--recover", folder).stderr
+    assert_mended(folder)
 
 
 @pytest.mark.parametrize("noise_mm", [0.0, 0.03])
@@ -236,7 +242,13 @@ def test_a_time_in_a_wrong_unit_hides_no_other_fault_at_the_end(rig, tmp_path, w
     else:
         header = ["t", "theta", "cell", "disp"]
     done = Recorded(rig, folder, table, header, {**NAMED, "time_s": "t"})
-    end = done.said[len(done.live) :]
+    end, live = done.said[len(done.live) :], done.live.splitlines()
+    reads = next(at for at, line in enumerate(live) if line.startswith("reads "))
+    told = "warning: time_s is read in s: a sample every 40 s is no rate of a rig; set channels.time_s.unit to 'ms'"
+    assert live[reads + 1].startswith(f"{told}. When the recording has ended: write into {folder}/run.yaml"), live
+    if wrong == "sign":
+        both = yaml.safe_load(re.findall(r"in the place of its channels: (channels: .*)", done.live)[-1])["channels"]
+        assert both["time_s"]["unit"] == "ms" and both["displacement_mm"]["scale"] == -1, "no mend undoes another"
     assert "is no rate of a rig. Mend: set channels.time_s.unit to 'ms', or record" in end, end
     assert f"\nwarning: {FALLS if wrong == 'sign' else LOAD}" in end, end
     line = re.search(r"in the place of its channels: (channels: .*)", done.next[0])[1]
@@ -246,4 +258,4 @@ def test_a_time_in_a_wrong_unit_hides_no_other_fault_at_the_end(rig, tmp_path, w
         assert done.next[1].startswith("Then: mend it further: ")
         again = ready.run("pipeline.capture", *shlex.split(done.next[1].partition("pipeline.capture ")[2]))
         assert again.returncode == 0 and "warning" not in again.stdout, again.stdout
-    assert "there is nothing to recover" in ready.run("pipeline.capture", "--recover", folder).stderr
+    assert_mended(folder)

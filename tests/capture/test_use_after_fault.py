@@ -9,7 +9,7 @@ import ready
 import yaml
 from made_recording import content, recording
 
-from pipeline.capture.__main__ import tell_of_its_string
+from pipeline.capture.ended_run import tell_of_its_string
 from pipeline.run import samples
 
 

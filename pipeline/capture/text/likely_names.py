@@ -32,7 +32,7 @@ def likely(columns: Sequence[str], channels: Sequence[str], own: Mapping[object,
     taken = {name: channel for name, channel in channel_of.items() if channel}
     free = [channel for channel in channels if channel not in taken.values()]
     for name in columns:
-        meant = next((each for each in free if _says(name, each)), None)
+        meant = next((each for each in free if says(name, each)), None)
         if name not in taken and meant is not None:
             taken[name] = meant
             free.remove(meant)
@@ -54,7 +54,7 @@ def _held(name: str, channels: Sequence[str], columns: Sequence[str]) -> str:
     return next((each for each in channels if each not in columns and in_its_unit(each, [name])), "")
 
 
-def _says(name: str, channel: str) -> bool:
+def says(name: str, channel: str) -> bool:
     """Whether a column's name has a word of a channel."""
     return bool(re.search(rf"(^|[_\W])({WORDS.get(channel, '(?!)')})($|[_\W\d])", name, re.IGNORECASE))
 

@@ -2,6 +2,7 @@
 
 from collections import Counter
 
+from .likely_order import MOST_NAMES, Kept, likely_order
 from .naming import Naming
 
 CLOCKS = {"time_s": 1.0, "time_ms": 1e3, "time_us": 1e6}  # how many a second
@@ -16,6 +17,8 @@ class Unnamed:
         self._counts: Counter[int] = Counter()
         self._ends: dict[int, tuple[float, float]] = {}  # by the count of numbers: the first and last first number
         self._example: dict[int, str] = {}
+        self._kept: dict[int, Kept] = {}
+        self._last: dict[int, list[str]] = {}
 
     def take(self, row: list[str], line: bytes) -> None:
         """Take note of a line and its numbers."""
@@ -24,6 +27,9 @@ class Unnamed:
         self._counts[size] += 1
         self._ends[size] = (self._ends.get(size, (number, number))[0], number)
         self._example[size] = line[:60].decode("ascii", "replace").strip()
+        self._last[size] = row
+        if size <= MOST_NAMES:
+            self._kept.setdefault(size, Kept()).take(row)
 
     @property
     def size(self) -> int:
@@ -53,5 +59,7 @@ class Unnamed:
         came = f"{self.times()} lines of {self.size} numbers like {self.example!r} came"
         lost = "a header that was printed before the port was open is lost"
         clock = self.clock(seconds)
-        mend = naming.mend(self.size, recover or "add", clock)
+        own = naming.own if len(naming.own) == self.size else ()
+        order = likely_order(naming.folder, own, self._kept[self.size]) if own and self.size in self._kept else ()
+        mend = naming.mend(self.size, recover or "add", clock, order, self._last[self.size])
         return f"{came}, and no line that names their columns; {lost}", mend

@@ -52,23 +52,25 @@ def _names(info: CaptureJson, naming: Naming) -> str:
     return f"--columns {','.join(columns)}" if all_known else naming.option(len(columns))
 
 
-def tell_lines(info: CaptureJson, folder: Path, usable: bool = True) -> None:
+def tell_lines(info: CaptureJson, folder: Path, usable: bool = True, all_named: bool = False) -> None:
     """Say what was recorded, which lines were no numbers, and where samples seem to be missing.
 
-    Where the columns are not `usable` as they are called, no command calls them so: the one that mends it follows. Of
-    columns that all are channels of run.yaml nothing is said: they were shown while they came.
+    Where the columns are not `usable` as they are called, no command calls them so: the one that mends it follows, or
+    stands above, where `all_named`. Of columns that all are channels of run.yaml nothing is said: they were shown while
+    they came.
     """
     lines = info["lines"]
     text = f", {counted(lines['text'], 'line')} of text passed over" if lines["text"] else ""
     samples, bad = counted(info["samples"]["received"], "sample"), counted(lines["bad"], "bad line")
     print(f"{folder}: {info['exit_status']}, {samples}, {bad}{text}")
     if lines["unnamed"]:
-        again = f"{recover_command(folder)} --columns {','.join(info['columns'])} reads them too"
+        again = f"{recover_command(folder)} --columns {','.join(info['columns'])}"
+        reads = again if usable and not all_named else f"the command {'above' if all_named else 'below'}"
         came = f"{counted(lines['unnamed'], 'line')} of numbers came before anything named their columns"
-        print(f"{folder}: {came}; {again if usable else 'the command below reads them too'}")
+        print(f"{folder}: {came}; {reads} reads them too")
     again = f"{recover_command(folder)} {_names(info, naming_in(folder))}"
     rename = f"if not, put their names in the order in which they are printed: {again}"
-    if not (usable and ReadChannels(folder, info["columns"]).all_fit):
+    if not (all_named or (usable and ReadChannels(folder, info["columns"]).all_fit)):
         print(f"{folder}: the columns are {', '.join(info['columns'])}{f'; {rename}' if usable else ''}")
     if lines["swapped_headers"]:
         again = f"named the columns in another order {counted(lines['swapped_headers'], 'time')}"

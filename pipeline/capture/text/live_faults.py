@@ -12,7 +12,8 @@ from ...run.dimensions import geometry
 from ...run.doubts.exchanged_columns import as_exchanged, exchange, exchanged
 from ...run.doubts.wrong_sign import FALLS, turned_sign
 from ..motion_faults import FROZEN, LEAST_TURNS, MotionFaults, stands_words
-from .copied_mend import copied_mend
+from .copied_mend import copied_mends, is_by_columns
+from .live_clock import LiveClock
 from .read_channels import ReadChannels
 
 MOST_SAMPLES = 4000  # are kept; then every second is left out
@@ -90,10 +91,11 @@ class Reader:
 class LiveFaults:
     """Looks at every sample of a string run: whether its displacement stands, falls, or is another column."""
 
-    def __init__(self, folder: Path, columns: Sequence[str]) -> None:
+    def __init__(self, folder: Path, columns: Sequence[str], named_by_rig: bool = True) -> None:
         channels = ReadChannels(folder, columns)
+        self._named_by_rig, self._mends = named_by_rig, list[str]()
         self.folder, self.columns, self.run = folder, columns, channels.run
-        self._seen, self._found_exchanged = Seen(), 0
+        self._seen, self._found_exchanged, self._clock = Seen(), 0, LiveClock(channels)
         self._said: set[str] = set()
         self._motion: MotionFaults | None = None
         self._base: Geometry | None = None
@@ -104,6 +106,7 @@ class LiveFaults:
 
     def look(self, row: Sequence[str]) -> str:
         """Take note of a sample; a sentence when something new is wrong, else nothing."""
+        self._clock.take(row)
         if self._base is None or self.run is None:
             return ""
         sample = self._reader.sample(row)
@@ -121,6 +124,11 @@ class LiveFaults:
             return stands_words(max(LEAST_TURNS, self._motion.stood_turns))
         return f"displacement_mm {FALLS}; {self._mend(turned_sign(self.run))}"
 
+    def clock(self) -> str:
+        """A sentence if the time cannot be in the unit that it is read in."""
+        fault = self._clock.fault()
+        return f"{fault[0]}; {self._mend(fault[1])}" if fault else ""
+
     def exchange(self, last: bool = False) -> str:
         """A sentence if two columns seem to be exchanged; at the `last` check, one sighting is enough."""
         if self._base is None or self.run is None or "exchanged" in self._said or len(self._seen) < LEAST_SAMPLES:
@@ -136,8 +144,12 @@ class LiveFaults:
         return self._mend(exchange(pair))
 
     def _mend(self, mend: str) -> str:
-        command = copied_mend(mend, self.folder, self.columns)
-        return f"{mend}{WHEN}{command}" if command else mend
+        """The mend with the command that carries it out; of run.yaml with all that was to be written there before."""
+        commands = copied_mends([mend], self.folder, self.columns, self._named_by_rig)
+        if commands and not is_by_columns(commands[0]):
+            self._mends.append(mend)
+            commands = copied_mends(self._mends, self.folder, self.columns, self._named_by_rig)
+        return f"{mend}{WHEN}{commands[0]}" if commands else mend
 
     def _contraction_mm(self, turns: float) -> float:
         assert self._base is not None

@@ -44,7 +44,7 @@ def mend_of(mend: str, columns: Sequence[str], run: Run, folder: Path) -> str:
             return f"did you mean {names}? Then: {again} {names}; or {mend}"
         first = "call the columns as the channels that they likely are, in the order in which they are printed"
         return f"{first}: {again} {names}; or {mend}"
-    return f"{mend}; or {naming_of(run).mend(len(columns), recover_command(folder))}"
+    return f"{mend}; or {naming_of(run, folder).mend(len(columns), recover_command(folder))}"
 
 
 def _meant(columns: Sequence[str], run: Run | None) -> tuple[tuple[str, ...], str]:

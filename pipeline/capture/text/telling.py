@@ -31,7 +31,7 @@ class Telling:
         if row is None:
             return
         if self._faults is None:
-            self._faults = LiveFaults(self.folder, self.lines.columns)
+            self._faults = LiveFaults(self.folder, self.lines.columns, not self.lines.given)
         self._warn(self._faults.look(row))
 
     def _warn(self, fault: str) -> None:
@@ -55,7 +55,9 @@ class Telling:
                 problem, mend = lines.problem(0.0, self.recover, self.naming)
                 self._say("most", f"warning: most lines are not read now; {lines.counts()}; {problem}. Mend: {mend}")
             self._read, self._not_read = read, not_read
-            self._warn(self._faults.exchange() if self._faults else "")
+            if self._faults:
+                self._warn(self._faults.clock())
+                self._warn(self._faults.exchange())
         if self.screen.due:
             self.screen.show(self._parts())
 

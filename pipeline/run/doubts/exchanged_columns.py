@@ -53,7 +53,7 @@ def exchanged(run: Run, samples: Readings, base: Geometry) -> Pair | None:
     """The two channels of a string run whose columns are exchanged; None where none are."""
     as_it_stands = Curve(samples, base)
     misfit = as_it_stands.misfit()
-    if _passes(as_it_stands) and misfit <= LIKELY:
+    if follows(as_it_stands):
         return None
     for pair in PAIRS:
         curve = Curve(as_exchanged(run, samples, pair), base)
@@ -70,6 +70,11 @@ def exchange(pair: Pair) -> str:
     if "load_n" not in pair:
         reads = f"{first} reads as {second} would, and {second} as {first}"
     return f"{reads}: exchange the columns of {first} and {second}"
+
+
+def follows(curve: Curve) -> bool:
+    """Whether a recorded curve is that of its string, about."""
+    return _passes(curve) and curve.misfit() <= LIKELY
 
 
 def _passes(curve: Curve) -> bool:

@@ -1,6 +1,6 @@
 """Statistics of a recording's time stamps, from one pass over them and a median."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,9 +8,6 @@ import numpy as np
 from ...ground.kinematics import Array
 from ...ground.numbers import quantiles
 from ...ground.stored.rows import Rows
-from ...ground.units import conversion
-
-CLOCK_UNITS = ("s", "ms", "us")  # in which a device may give its time
 
 
 def _steps_s(time_s: Array) -> Array:
@@ -53,13 +50,3 @@ class Clock:
             least = min(least, float(step_s.min()))
         before, after = samples.read("time_s", leap, leap + 2).tolist()
         return Clock(least, most, quantiles.median(steps, last), wrong, first_wrong, leap, (before, after))
-
-
-def unit_of_rate(step_s: float, unit: str | None, is_rate: Callable[[float], bool]) -> str:
-    """How a mend names the one unit, other than the time's `unit`, in which a step is one of a rig; else all units."""
-    if unit is not None:
-        now_s = conversion("time_s", unit)[0]
-        fitting = [each for each in CLOCK_UNITS if is_rate(step_s * conversion("time_s", each)[0] / now_s)]
-        if len(fitting) == 1:
-            return f"to '{fitting[0]}'"
-    return f"({', '.join(CLOCK_UNITS[:-1])} or {CLOCK_UNITS[-1]})"
