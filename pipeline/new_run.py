@@ -44,7 +44,11 @@ def arguments_to_content(arguments: argparse.Namespace) -> RunYaml:
         content["channels"] = parse_yaml(arguments.channels, Path("--channels"))
     if arguments.tolerance is not None:
         content["tolerance"] = parse_yaml(arguments.tolerance, Path("--tolerance"))
-    return with_given(as_in(arguments.like), content, arguments.like) if arguments.like else content
+    if not arguments.like:
+        return content
+    out = arguments.out or arguments.like.parent
+    files = {"recording": arguments.recording, "out": None if out == Path("raw") else out}
+    return with_given(as_in(arguments.like), content, arguments.like, files)
 
 
 def with_string_id(content: RunYaml, out: Path) -> RunYaml:

@@ -275,16 +275,28 @@ def test_a_run_like_one_that_adopted_effects_says_that_it_has_them_too(new, tmp_
 
 
 def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp_path, monkeypatch, capsys):
-    assert new("a-01", samples=GOOD)[0] == 0
+    channels = "{time_s: {column: t's, unit: s}, motor_turns: turns, displacement_mm: {column: mm, scale: -1}}"
+    names = {"time_s": "t's", "motor_turns": "turns", "displacement_mm": "mm"}
+    samples = GOOD.assign(displacement_mm=-GOOD["displacement_mm"]).rename(columns=names)
+    with_tolerance = ["--tolerance", "{radius: 0.02}"]
+    assert new("a-01", "--channels", channels, *with_tolerance, samples=samples)[0] == 0
     for option in (["--string-id", "spool 9"], ["--material", "nylon"]):
-        status, said, made = made_like(tmp_path, monkeypatch, capsys, *option)
+        recorded = ["--recording", str(tmp_path / "log.csv")]
+        status, said, made = made_like(tmp_path, monkeypatch, capsys, *option, *recorded)
         assert status == 2 and made is None and "is of the string a-01, of UHMWPE. Mend: for that string" in said
-        anew = shlex.split(said.rpartition("in place of --like: ")[2].strip().removesuffix("."))
-        monkeypatch.setattr(sys, "argv", ["new_run", f"a-{option[0][2:]}", *anew, "--out", str(tmp_path / "raw")])
+        anew = shlex.split(said.rpartition("for another one of its size: ")[2].strip().removesuffix("."))
+        assert anew[:3] == ["python", "-m", "pipeline.new_run"]
+        monkeypatch.setattr(sys, "argv", anew[2:])
         with pytest.raises(SystemExit) as end:
             main()
-        made = read_yaml(tmp_path / "raw" / f"a-{option[0][2:]}" / "run.yaml")["string"]
-        assert end.value.code == 0 and made["radius_mm"] == 0.4 and option[1] in made.values(), capsys.readouterr()
+        words = capsys.readouterr()
+        assert end.value.code == 0, words
+        folder = tmp_path / "raw" / anew[3]
+        made = read_yaml(folder / "run.yaml")
+        assert made["string"]["radius_mm"] == 0.4 and option[1] in made["string"].values()
+        assert made["channels"] == yaml.safe_load(channels) and made["tolerance"] == {"radius": 0.02}
+        assert len(read_samples(folder)[1]) == len(GOOD)
+        shutil.rmtree(folder)
     (tmp_path / "raw" / "a-01" / "run.yaml").unlink()
     assert made_like(tmp_path, monkeypatch, capsys)[0] == 2
     monkeypatch.setattr(sys, "argv", ["new_run", "a-03", "--material", "nylon"])

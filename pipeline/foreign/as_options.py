@@ -6,6 +6,7 @@ from typing import Any
 from ..ground.command import quoted
 from ..ground.errors import BadInput
 from ..ground.input.bare_columns import written_out
+from ..ground.input.header_units import header_unit
 from ..ground.input.strict_yaml import write_yaml
 from ..ground.units import unit_of
 from ..run.description import Channel, Run
@@ -24,7 +25,7 @@ def _channel(channel: str, role: Role | None) -> Any:
     if role.unit == "count":
         whole["counts_per_turn"] = GAP
     whole |= {"scale": int(role.scale)} if role.scale != 1.0 else {}
-    if whole["unit"] == unit_of(channel):
+    if whole["unit"] == unit_of(channel) and header_unit(str(role.column)) in (None, unit_of(channel)):
         del whole["unit"]
     return role.column if whole == written_out(channel, role.column) else whole
 

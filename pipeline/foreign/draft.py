@@ -22,7 +22,7 @@ from .roles import Role
 USUAL = "separator"  # the kind of rig where nobody tells it
 SHOWN_ROWS, SHOWN_COLUMNS = 5, 24
 UNITS = {"turns": "turns, rad, deg or count", "deg": "deg, rad, turns or count", "mm": "mm, um, cm, m or in"}
-UNITS |= {"s": "s, ms or us", "m": "m, cm, mm or in", "n": "N, kN, kgf or g", "nm": "Nm or Nmm", "c": "degC or K"}
+UNITS |= {"s": "s, ms or us", "m": "m, cm, mm or in", "n": "N, kN, kgf, g or lbf", "nm": "Nm or Nmm", "c": "degC or K"}
 NO_LOAD = (
     "the load in N that hung all the time, 0 for none; if a column has it, name it under channels and take this out"
 )

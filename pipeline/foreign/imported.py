@@ -27,6 +27,7 @@ from .axes import each_axis
 from .empty_fields import refuse_empty
 from .mended_clock import check_mended, mend_time
 from .origin import origin
+from .told_units import check_told_units
 
 TAKEN = "choose another --run, or remove that folder yourself if nobody needs it: runs are never overwritten"
 
@@ -70,6 +71,7 @@ def _checked(file: Path, mapping: Path, own: dict[str, object], name: str, out: 
         where = "--run" if error.field == "run" else str(mapping)
         raise BadInput(where, error.field, error.problem, error.mend) from None
     log = read_log(run, file, mapping, lambda: read_foreign(file, run.file, asked_columns(run)))
+    check_told_units(run, mapping, file, list(log.table.columns))
     check_finite(log.samples, file, log.where)
     time_s, mended = mend_time(log.samples["time_s"].to_numpy())
     check_mended(log.samples["time_s"].to_numpy(), time_s, file, log.where)

@@ -23,6 +23,7 @@ from ..run.table.file_lines import FileLines, Where
 from ..run.table.read_log import copy_log, read_log, recording_name, rows_left
 from ..run.table.recorded_table import read_recording
 from .as_options import by_look
+from .told_units import check_told_units
 
 
 def check_samples(run: Run, samples: pd.DataFrame, path: Path, sure: bool, where: Where) -> pd.DataFrame:
@@ -56,6 +57,7 @@ def make_run(
         checked(own_material, run.string.material, path, "string.material")
     taken = "choose another name, or remove that folder yourself if nobody needs it: runs are never overwritten"
     try:
+        check_told_units(run, path)
         _question(dimension_questions(run, path), sure)
     except BadInput as error:
         raise by_option(error, content) from None
@@ -65,6 +67,7 @@ def make_run(
         kept = recording_name(recording)
         try:
             log = read_log(run, recording, path, lambda: read_table(recording, run.file))
+            check_told_units(run, path, recording, list(log.table.columns))
             counting = check_samples(run, log.samples, recording, sure, log.where)
             reads = read_as(run, counting, recording, len(log.samples), list(log.table.columns))
         except WrongClock as error:

@@ -7,7 +7,16 @@ import math
 _TURN, _LENGTH, _FORCE, _TORQUE, _TIME, _CURRENT, _PRESSURE = (
     {"turns": 1.0, "rad": 1.0 / math.tau, "deg": 1.0 / 360.0},
     {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1e-3, "in": 25.4},
-    {"N": 1.0, "kN": 1e3, "mN": 1e-3, "kgf": 9.80665, "gf": 9.80665e-3, "g": 9.80665e-3},  # g: a force on a scale
+    {
+        "N": 1.0,
+        "kN": 1e3,
+        "mN": 1e-3,
+        "kgf": 9.80665,
+        "gf": 9.80665e-3,
+        "g": 9.80665e-3,  # g: a force on a scale
+        "lbf": 4.4482216152605,
+        "ozf": 0.27801385095378125,
+    },
     {"Nm": 1.0, "Nmm": 1e-3},
     {"s": 1.0, "ms": 1e-3, "us": 1e-6},
     {"A": 1.0, "mA": 1e-3},
@@ -18,6 +27,7 @@ SAID = {  # what people write for them
     "revolution": "turns", "rev": "turns", "round": "turns", "radian": "rad", "degree": "deg", "second": "s",
     "sec": "s", "millisecond": "ms", "msec": "ms", "microsecond": "us", "\u00b5s": "us", "millimeter": "mm",
     "millimetre": "mm", "gram": "g", "gramm": "g", "grams-force": "g", "kilogram": "kgf", "kp": "kgf", "newton": "N",
+    "lb": "lbf", "pound": "lbf", "pounds": "lbf", "pound-force": "lbf", "oz": "ozf", "ounce": "ozf", "ounces": "ozf",
     "kilonewton": "kN", "millinewton": "mN",
     "\u00b5m": "um", "\u03bcm": "um", "micrometer": "um", "micrometre": "um", "micron": "um",
     "inch": "in", "inches": "in",

@@ -1,10 +1,12 @@
 """A channel that `run.yaml` gives as a column's name alone: `time_s: t` is short for `time_s: {column: t}`."""
 
+import re
 from typing import Any
 
 from ..units import conversion, ending_of, is_load_in_kg, unit_of
 from .header_units import header_unit, unit_word
 
+APART = re.compile(r"[\])]\s*$|\bin\s+\S+\s*$|/\s*[^/\s]+\s*$")  # a unit that stands apart from the name
 UNSURE = ("V", "count")  # of these a channel says how many make its unit
 OTHER_THINGS = ("in", "u", "rot")  # names of an input, a voltage and an angle as likely as of a unit
 
@@ -22,9 +24,8 @@ def written_out(channel: str, as_written: Any) -> Any:
 
 
 def _unit(channel: str, name: str) -> str:
-    """The unit of a channel from its column's name: in brackets, after the last `_` or the whole name; else its own."""
-    in_brackets = name.rstrip()[-1:] in ("]", ")")
-    unit = header_unit(name) if in_brackets else _whole(name)
+    """The unit of a channel from its column's name: in brackets, after `in`, `/` or `_`, or all of it; else its own."""
+    unit = header_unit(name) if APART.search(name) else _whole(name)
     if unit is None or unit in UNSURE:
         return ending_of(name, channel) if "_" in name else unit_of(channel)
     try:
