@@ -1,5 +1,8 @@
 """What the main job says last: what comes next, and no more than that; what was left out only of what was asked for."""
 
+import os
+import re
+
 import pytest
 
 from pipeline.ground.words.left_out import LeftOut
@@ -59,10 +62,16 @@ def test_where_no_page_of_a_material_was_asked_for_each_file_and_command_is_name
     assert said.count("| model 23 |") == 4, "who asks for the tables reads them"
 
 
-def test_of_many_runs_the_first_verdicts_are_said_and_the_others_counted(tmp_path):
+def test_of_many_runs_the_newest_verdicts_are_said_and_the_older_ones_counted(tmp_path):
+    """The first ones by name were said, and the run that had just been made was among "2 more runs"."""
     names = [f"m{place}" for place in range(RUNS + 2)]
-    said = summary(*made(tmp_path, names))
-    assert said.count("explained by creep") == RUNS and "\n2 more runs, and of each what to do: " in said
+    asked_for = made(tmp_path, names)
+    *_, runs = asked_for
+    for place, run in enumerate(runs):
+        os.utime(tmp_path / "reports" / "diagnosis" / run / "verdict.txt", (1e9 + place, 1e9 + place))
+    said = summary(*asked_for)
+    shown = re.findall(r"^([\w-]+): .*explained by creep", said, re.M)
+    assert shown == runs[:1:-1] and "\n2 more runs, made earlier, and of each what to do: " in said
 
 
 @pytest.mark.parametrize(

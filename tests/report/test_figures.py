@@ -91,9 +91,24 @@ def test_figures_are_drawn_and_the_same_every_time(material, tmp_path):
     assert all(small[name] != first[name] for name in first)
 
 
+def beneath(figure) -> str:
+    """The words beneath the panels: above the entries of a legend, if the figure has one."""
+    return figure.legends[0].get_title().get_text() if figure.legends else figure.get_supxlabel()
+
+
+def test_no_legend_of_figure_4_lies_within_a_panel(dataset):
+    """Where curves fan out no corner of panel (c) is free, and its legend lay over them."""
+    with plt.rc_context(STYLE):
+        four = figure_4(with_nominal(dataset), "m")
+        four.canvas.draw()
+    assert all(axes.get_legend() is None for axes in four.axes) and len(four.legends) == 1
+    legend = four.legends[0].get_window_extent()
+    assert legend.y1 < min(axes.get_tightbbox().y0 for axes in four.axes)
+
+
 def test_figure_4_shows_strokes_against_the_traditional_model(dataset):
     four = figure_4(with_nominal(dataset), "synthetic")
-    labels = [text.get_text() for text in four.axes[0].get_legend().get_texts()]
+    labels = [text.get_text() for text in four.legends[0].get_texts()]
     assert labels == ["n=1", "n=3", "n=5", "n=7", "traditional model"]
     forward_error = four.axes[1].get_lines()[0].get_ydata()
     one = with_nominal(dataset).query("stroke == 1 and phase == 'winding'")
@@ -143,7 +158,7 @@ def test_the_words_beneath_a_figure_lie_on_it_and_touch_nothing(dataset, learned
         four, five = figure_4(few, "UHMWPE"), figure_5(few, some, "UHMWPE", "Spline model")
         for figure in (four, five):
             figure.canvas.draw()
-        shown = {four: four._supxlabel.get_window_extent(), five: five.legends[0].get_window_extent()}
+        shown = {figure: figure.legends[0].get_window_extent() for figure in (four, five)}
     for figure, words in shown.items():
         assert words.x0 >= 0 and words.x1 <= figure.bbox.x1 and words.y0 >= 0
         assert words.y1 < min(axes.get_tightbbox().y0 for axes in figure.axes)
@@ -158,14 +173,13 @@ def test_the_spike_of_the_inverse_error_is_explained_where_it_is(dataset):
     floor_turns = -below["separator_mm"].iloc[0] / below["radius_mm"].iloc[0] / (2.0 * np.pi)
     words = f"so the model answers {floor_turns:.2g} turns at every x < 0".replace("-", "−")
     for figure, text in ((figure_4(below, "m"), "(c), (d): below"), (figure_5(below, {}, "m"), "Inverse: below")):
-        told = figure.get_supxlabel() or figure.legends[0].get_title().get_text()
-        told = " ".join(told.split())
+        told = " ".join(beneath(figure).split())
         assert (
             words in told
             and text in told
             and re.search(r"at every x < 0, and errs there by up to [\d.]+ turns\.$", told)
         )
-    for told in (figure_4(above, "m").get_supxlabel(), figure_5(above, {}, "m").legends[0].get_title().get_text()):
+    for told in (beneath(figure_4(above, "m")), beneath(figure_5(above, {}, "m"))):
         assert "x < 0" not in told and told.startswith("n is the number of the stroke. Shown: ")
 
 
@@ -173,10 +187,10 @@ def test_a_figure_says_which_strokes_it_shows_and_which_the_tables_do(dataset):
     """Figures 4, 5 and the tables show different strokes, and none said so."""
     nine, few = with_nominal(dataset), with_nominal(dataset[dataset["stroke"] <= 4])
     said = [
-        (figure_4(nine, "synthetic").get_supxlabel(), "n=1, 3, 5, 7 of 1 to 9; the tables show n=1, 5, 9."),
-        (figure_4(nine, "m").get_supxlabel(), "n=1, 5, 9 of 1 to 9; as in the tables."),
+        (beneath(figure_4(nine, "synthetic")), "n=1, 3, 5, 7 of 1 to 9; the tables show n=1, 5, 9."),
+        (beneath(figure_4(nine, "m")), "n=1, 5, 9 of 1 to 9; as in the tables."),
         (figure_5(nine, {}, "m").legends[0].get_title().get_text(), "n=1, 5, 9 of 1 to 9; as in the tables."),
-        (figure_4(few, "m").get_supxlabel(), "n=1, 2, 3, 4, all that there are; the tables show n=1."),
+        (beneath(figure_4(few, "m")), "n=1, 2, 3, 4, all that there are; the tables show n=1."),
         (figure_5(few, {}, "m").legends[0].get_title().get_text(), "n=1, 3, 4 of 1 to 4; the tables show n=1."),
     ]
     for words, strokes in said:
@@ -298,7 +312,7 @@ def test_errors_of_many_samples_are_averaged_along_a_stroke_but_on_the_papers_fi
     assert len(every.get_ydata()) == len(many) and len(means.get_ydata()) == PARTS and every.get_alpha() < 0.5
     middle = means.get_ydata()[np.isfinite(means.get_ydata())]
     assert np.abs(middle - 0.2).max() < 0.2 and middle.mean() == pytest.approx(0.2, abs=0.05)
-    assert MEANS in " ".join(own.get_supxlabel().split()) and MEANS not in papers.get_supxlabel()
+    assert MEANS in " ".join(beneath(own).split()) and MEANS not in beneath(papers)
     assert len(papers.axes[1].get_lines()) == 2 and papers.axes[1].get_lines()[0].get_alpha() is None
 
 
@@ -310,7 +324,7 @@ def test_a_mean_is_of_a_hundredth_of_the_range_and_missing_where_no_point_lies()
 
 def test_figure_4_says_where_an_untwisted_string_stands(dataset):
     """The string stood at 0.2 mm, and the words spoke of its zero as if it were there."""
-    said = " ".join(figure_4(with_nominal(dataset), "m").get_supxlabel().split())
+    said = " ".join(beneath(figure_4(with_nominal(dataset), "m")).split())
     untwisted_mm = np.hypot(150.0, 8.0) - 150.0
     assert f"Without twist that is {untwisted_mm:.2f} mm, not 0, since the separator spreads the string." in said
     pair = dataset.assign(actuator="twisted_pair", separator_mm=np.nan, torsion_zone_mm=np.nan)

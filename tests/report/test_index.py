@@ -28,6 +28,7 @@ from pipeline.report.layout.made_by import MadeBy
 from pipeline.report.model_to_take.to_take import LATER, Models, materials_table
 from pipeline.report.model_to_take.usual_model import RULE, RULES, uses
 from pipeline.report.models import NOTES
+from pipeline.report.parts.diagnoses import tag
 from pipeline.report.parts.index_head import glance, next_run, runs_table, shortened
 from pipeline.report.parts.page_parts import of_materials, of_runs
 from pipeline.report.parts.recorded_strings import by_stroke, recorded_strings, rows, sentence
@@ -109,6 +110,17 @@ def test_no_name_reaches_a_page_unescaped(reports):
         assert HOSTILE not in text and not seen.handlers, path
         assert html.escape(HOSTILE) in text, path  # the mark of the configuration has it on each page
         assert seen.tags.count("script") == 1 and "x" not in seen.addresses, path
+
+
+def test_the_model_to_take_comes_first_and_an_ambiguous_verdict_looks_like_no_error(reports):
+    """A newcomer's first page began with "1 ambiguous, but worse on unseen strokes: do not adopt", in red."""
+    text = (reports / "index.html").read_text(encoding="utf-8")
+    assert text.index("At a glance") < text.index(">Materials<") < text.index("Verdicts: ") < text.index(">Runs<")
+    assert "Ambiguous is no fault: several explanations fit" in text
+    assert 'class="verdict ambiguous">' in text and 'class="verdict unknown">' not in text
+    for warned in ("ambiguous, but worse on unseen strokes: do not adopt", "explained, but not settled"):
+        assert tag(warned).startswith('<span class="verdict doubted">') and warned.partition(",")[2] in tag(warned)
+    assert ".verdict.ambiguous, .verdict.doubted { background: #fdeecb }" in text
 
 
 def test_the_page_of_a_material_shows_its_tables_and_figures_and_leads_nowhere_else(reports):

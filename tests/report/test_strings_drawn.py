@@ -43,7 +43,7 @@ def test_figure_4_draws_both_strings_and_says_which_is_which():
     assert [line.get_color() for line in of_second] == [lighter(colour, 1) for colour in COLOURS[:2]]
     assert len(forward_error.get_lines()) == 2 * (3 + 2) + 1, "every sample and its mean, and 0"
     assert len([line for line in forward.get_lines() if line.get_linestyle() == "--"]) == 2, "a model for each size"
-    legend = [text.get_text() for text in forward.get_legend().get_texts()]
+    legend = [text.get_text() for text in four.legends[0].get_texts()]
     assert legend[:2] == ["n=1 (20 and 40 N)", "n=5 (20 and 40 N)"] and legend[2:4] == [
         "n=9 (20 N)",
         "traditional model",
@@ -66,7 +66,7 @@ def test_a_figure_of_one_string_says_nothing_of_strings():
     for figure in (figure_4(with_nominal(NINE), "m"), figure_5(with_nominal(NINE), {}, "m")):
         assert "string counts" not in beneath(figure) and figure.get_suptitle().startswith("m: winding")
         assert " of " not in figure.get_suptitle()
-    assert len(figure_4(with_nominal(NINE), "m").axes[0].get_legend().get_texts()) == 4
+    assert len(figure_4(with_nominal(NINE), "m").legends[0].get_texts()) == 4
 
 
 def test_of_many_strings_two_are_drawn_and_the_others_counted():

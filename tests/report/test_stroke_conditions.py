@@ -78,7 +78,7 @@ def test_a_figure_names_a_stroke_by_its_load_where_loads_differ_and_by_a_smaller
     recorded = with_nominal(points)
     assert words in figure_5(recorded, {}, "m").axes[2].get_title(loc="left")
     few = recorded[recorded["stroke"].isin([1, 2, 9])]
-    assert words in [text.get_text() for text in figure_4(few, "m").axes[0].get_legend().get_texts()]
+    assert words in [text.get_text() for text in figure_4(few, "m").legends[0].get_texts()]
 
 
 @pytest.mark.parametrize("program", ["models", "comparison"])

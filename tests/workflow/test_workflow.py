@@ -50,7 +50,7 @@ def test_the_main_job_makes_everything_and_prints_the_tables(finished):
     assert "synthetic-01: " in printed and content["mechanisms"][0]["id"] in printed
     doubted = ", but worse on unseen strokes: do not adopt</span>" in index or ", but not settled</span>" in index
     assert doubted or not harms
-    assert f'<span class="verdict {"unknown" if doubted else verdict}">' in index
+    assert f'<span class="verdict {"doubted" if doubted else verdict}">' in index
     assert (
         "diagnosis/synthetic-01/diagnosis.png" in index and (reports / "diagnosis/synthetic-01/diagnosis.png").is_file()
     )

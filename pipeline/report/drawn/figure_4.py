@@ -21,6 +21,7 @@ STROKES = (1, 3, 5, 7)  # the paper's
 LEAST_POINTS = 5 * PARTS  # of a stroke, whose means are drawn
 MOST_STRINGS = 2  # strings that are drawn over each other
 NEUTRAL, NAME_LETTERS = "0.25", 20  # of the legend's entry of a string: its colour, and letters of the string's name
+LEGEND_COLUMNS = 4  # of the legend's entries beside each other
 FAINT: dict[str, Any] = {"lw": 0.5, "alpha": 0.3}
 MEANS = f"(b), (d): faint every sample, thick the mean over each of {PARTS} equal parts of the stroke."
 
@@ -72,10 +73,8 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
         model["label"] = "_" if place else "traditional model"
         forward.plot(by_turns["motor_turns"], by_turns["forward_mm"], **model)
         inverse.plot(by_x["displacement_mm"], by_x["inverse_turns"], **model)
-    for axes in (forward, inverse) if names else ():
-        for rank, (string, look) in enumerate(looks.items()):
-            axes.plot([], [], color=lighter(NEUTRAL, rank), lw=2.4, label=f"{look}: {_short(string)}")
-        axes.legend()
+    for rank, (string, look) in enumerate(looks.items()):
+        forward.plot([], [], color=lighter(NEUTRAL, rank), lw=2.4, label=f"{look}: {_short(string)}")
     for axes in (forward_error, inverse_error):
         axes.axhline(0, color="k", lw=0.6)
     name(forward, "(a) forward kinematics", TURNS, MILLIMETRES)
@@ -90,6 +89,15 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
         zero_of_x(points) if shown else "",
         clipped(windings.values(), "(c), (d)"),
     )
-    figure.supxlabel(reading, fontsize=READING_SIZE, multialignment="left")
+    if names:  # of all panels, beneath them: within one it lies over curves
+        figure.legend(
+            *forward.get_legend_handles_labels(),
+            loc="outside lower center",
+            ncols=LEGEND_COLUMNS,
+            title=reading,
+            title_fontsize=READING_SIZE,
+        )
+    else:
+        figure.supxlabel(reading, fontsize=READING_SIZE, multialignment="left")
     figure.suptitle(f"{material}: winding, every recorded sample{'' if shown else ' (no winding was recorded)'}")
     return figure

@@ -17,7 +17,7 @@ PAGES = {"models.html": "beside the floor", "comparison.html": "beside the paper
 TABLE_FORMS = ("csv", "md", "tex")
 FIGURES = ("figure_4.png", "figure_5.png")
 MARK = re.compile(r" \([^()]*\)$")  # in a table's title: that its fits are small, and no results
-RUNS = 8  # whose verdicts are said; the first page has all
+RUNS = 8  # whose verdicts are said, the newest of them; the first page has all
 JUMPED = "Beware: the zero jumps between runs, as said above: until that is mended, the model to take may be wrong."
 UNCOMPARED = "Beware: the zero was not compared there: if it was moved, the model to take may be wrong."
 WHOLE = {
@@ -72,6 +72,12 @@ def _mark(folder: Path, paths: set[Path]) -> str:
     return marked.group() if marked else ""
 
 
+def _made_at(folder: Path) -> float:
+    """When a diagnosis was made, in s since 1970; 0 where its verdict is missing."""
+    verdict = folder / "verdict.txt"
+    return verdict.stat().st_mtime if verdict.is_file() else 0.0
+
+
 def summary(made_paths: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:
     """The next steps: each material's page and model, a line on each run's diagnosis, and all pages.
 
@@ -86,10 +92,11 @@ def summary(made_paths: Iterable[str], reports: Path, materials: list[str], runs
             head = f"{material}{_mark(reports / material, paths)}"
             text += [f"\n== {head} " + "=" * max(0, 90 - len(head)), *lines]
     folders = [reports / "diagnosis" / run for run in runs if reports / "diagnosis" / run in paths]
+    folders = sorted(folders, key=_made_at, reverse=True) if len(folders) > RUNS else folders
     words = verdicts(folders[:RUNS])
     if words:
         text.append("\n== what the simulator leaves out " + "=" * 62)
-        more = f"{len(folders) - RUNS} more runs, and of each " if len(folders) > RUNS else "of each "
+        more = f"{len(folders) - RUNS} more runs, made earlier, and of each " if len(folders) > RUNS else "of each "
         text.append(f"{words}\n{more}what to do: {reports / 'diagnosis' / '<run>' / 'verdict.txt'}")
     whole = [f"{words}: {reports / page}" for page, words in WHOLE.items() if reports / page in paths]
     return "\n".join([*text, *([""] if whole else []), *whole, ""])

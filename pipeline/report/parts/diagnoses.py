@@ -75,7 +75,7 @@ def tag(badge: str) -> Markup:
     """A verdict in its colour, with the warning that its badge has."""
     verdict = badge.removesuffix(WORSE).removesuffix(NOT_SETTLED)
     of = verdict if verdict in VERDICTS else "none"
-    of = "unknown" if badge != verdict else of  # no colour of a success
+    of = "doubted" if badge != verdict else of  # no colour of a success, and none of an error
     return Markup('<span class="verdict {}">{}{}</span>').format(of, word(verdict), badge[len(verdict) :])
 
 

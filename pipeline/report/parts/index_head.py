@@ -1,4 +1,4 @@
-"""The index's first lines: how many runs ended how, each material's model to take, each run's verdict."""
+"""The index's first lines: each material's model to take, how many runs ended how, each run's verdict."""
 
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -37,6 +37,7 @@ WHAT = (
     "how large its error is. For each run: what the simulator leaves out, and which run to make next."
 )
 RULES_ASIDE = "by which rule the model to take is found, what later strokes are, which model errs less on what"
+AMBIGUOUS = " Ambiguous is no fault: several explanations fit what was recorded, and the next run decides."
 UNSEEN = 3  # of the sizes are errors on strokes that no fit has seen
 Name = Callable[[str], Text]  # the name of a material or a run as a link to its part
 
@@ -106,8 +107,6 @@ def glance(
     contents = {run: content_of(reports / "diagnosis" / run) for run in runs}
     parts: list[Text] = [paragraph(WHAT) if materials or runs else "", Markup('<h2 id="glance">At a glance</h2>')]
     below_runs: list[Text] = []
-    if runs:
-        parts.append(paragraph(Markup("Verdicts: {}.").format(counted(contents))))
     if materials:
         aside = f"{len(materials):,}: the model to take, and its error beside the least possible one (× floor)"
         named = {material: material_name(material) + jumps.hint(material, jumped) for material in materials}
@@ -117,6 +116,8 @@ def glance(
     if jumped:
         parts.append(jumps.section(jumped))
     if runs:
+        ambiguous = any(verdict_of(content) == "ambiguous" for content in contents.values())
+        parts.append(paragraph(Markup("Verdicts: {}.{}").format(counted(contents), AMBIGUOUS * ambiguous)))
         aside = f"{len(runs):,}: what the simulator leaves out, run by run; mismatch and noise are rms"
         parts.append(folded("runs", "Runs", aside, runs_table(reports, contents, of, run_name), level=3, is_open=True))
     parts += below_runs
