@@ -29,7 +29,7 @@ def tell_refused(error: BadInput, folder: Path, info: CaptureJson) -> bool:
     print(f"{about}{error} {UNTIL}")
     if "lines" not in info:
         return False
-    sentences = _seen_besides(folder, info) if error.field == "time_s" else []
+    sentences = _seen_besides(folder, info, " to '" not in error.mend) if error.field == "time_s" else []
     for sentence in sentences:
         print(f"warning: {sentence}")
     mends = [error.mend, *(sentence.rpartition("; ")[2] for sentence in sentences)]
@@ -44,12 +44,13 @@ def tell_refused(error: BadInput, folder: Path, info: CaptureJson) -> bool:
     return is_by_columns(commands[-1])
 
 
-def _seen_besides(folder: Path, info: CaptureJson) -> list[str]:
-    """What is said of the samples while they come, by all of them; the time plays no part in it."""
+def _seen_besides(folder: Path, info: CaptureJson, of_time: bool) -> list[str]:
+    """What is said of the samples while they come, by all of them; of the time only where `of_time`."""
     faults = LiveFaults(folder, info["columns"], not info["columns_given"])
     with open(folder / CSV, encoding="ascii") as file:
         next(file)
         sentences = [faults.look(row.strip().split(",")) for row in file]
+    sentences.insert(0, faults.clock() if of_time else "")
     return [sentence.partition(WHEN)[0] for sentence in (*sentences, faults.exchange(last=True)) if sentence]
 
 

@@ -124,3 +124,15 @@ def test_a_run_whose_sign_was_mended_is_said_to_be_usable_and_what_comes_next(fo
     done = recover(folder)
     words = f"{folder}: there is nothing to recover: the recording is finished, and run.yaml as it is now reads it"
     assert done.returncode == 0 and words in done.stdout and "Next:" in done.stdout and not done.stderr, done.stdout
+
+
+@pytest.mark.parametrize("step_ms", [20, 50, 100, 200])
+def test_a_clock_in_ms_that_is_read_in_s_is_mended_whatever_its_step(folder, step_ms):
+    """Of 50 ms and more, which could be µs as well for a faster rig, no line of run.yaml was given."""
+    printed = "".join(f"{step_ms * at},{row.partition(',')[2]}\n" for at, row in enumerate(ROWS.splitlines()))
+    described(folder, {**NAMED, "time_s": "t"}, printed, "t,turns,disp")
+    done = recover(folder)
+    line = re.search(r"Next: mend it, .* in the place of its channels: (channels: .*)", done.stdout)[1]
+    assert yaml.safe_load(line)["channels"]["time_s"] == {"column": "t", "unit": "ms"}, done.stdout
+    (folder / "run.yaml").write_text(yaml.safe_dump({**content("run-1"), **yaml.safe_load(line)}))
+    assert recover(folder).returncode == 0

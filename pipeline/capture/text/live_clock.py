@@ -9,6 +9,7 @@ from .holes import Steps
 from .read_channels import ReadChannels
 
 LEAST_SAMPLES = 6  # by whose steps the unit is judged
+FASTEST_S = 5e-4  # between two lines: no port prints faster, so 100 in a step are ms and not us
 
 
 class LiveClock:
@@ -40,7 +41,7 @@ class LiveClock:
         if self._at < 0 or self._samples < LEAST_SAMPLES:
             return None
         self._at, step_s = -1, self._steps.usual * self._s
-        told_unit = unit_of_rate(step_s, self._unit)
+        told_unit = unit_of_rate(step_s, self._unit, fastest_s=FASTEST_S)
         if not step_s or is_rate(step_s) or not told_unit.startswith("to "):
             return None
         return f"time_s is read in {self._unit}: {no_rate(step_s)}", f"set channels.time_s.unit {told_unit}"
