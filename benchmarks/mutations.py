@@ -17,6 +17,12 @@ SAMPLE, CPU_S, TIMEOUT_S = 45, 90, 1800  # a mutant without an end is killed by 
 WIRE = "tests/wire/test_wire_frames.py tests/wire/test_wire_recording.py tests/wire/test_wire_numbers.py"
 DECISION = "tests/diagnosis/choice/test_judged.py tests/diagnosis/choice/test_recalibration.py"
 VERDICT = "tests/diagnosis/choice/test_outcome.py tests/diagnosis/choice/test_compare.py"
+WEIGHING = " ".join(f"tests/diagnosis/choice/test_{of}.py" for of in ("weigh", "kept", "judged"))
+SEARCH = " ".join(
+    f"tests/diagnosis/choice/test_{of}.py" for of in ("search_made", "candidates", "search", "cross_validation")
+)
+CHANCE = " ".join(f"tests/diagnosis/choice/test_{of}.py" for of in ("chance", "excursions", "closest"))
+JUDGE = "tests/diagnosis/numerics/test_judge.py tests/diagnosis/numerics/test_recogniser.py"
 TARGETS = {
     "strokes": (
         {"run/strokes.py", "run/standstills.py", "run/turning.py", "run/clean_motion.py"},
@@ -33,6 +39,13 @@ TARGETS = {
     ),
     "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/recalibration.py"}, DECISION),
     "verdict": ({"diagnosis/choice/outcome.py", "diagnosis/choice/compare.py"}, VERDICT),
+    "weighing": ({"diagnosis/choice/weigh.py", "diagnosis/choice/kept.py"}, WEIGHING),
+    "search": (
+        {f"diagnosis/choice/{module}.py" for module in ("search", "candidates", "cross_validation")},
+        SEARCH,
+    ),
+    "chance": ({f"diagnosis/choice/{module}.py" for module in ("chance", "excursions", "closest")}, CHANCE),
+    "judge": ({"diagnosis/numerics/judge.py", "diagnosis/numerics/recogniser.py"}, JUDGE),
 }
 TYPES = "ReplaceBinaryOperator_BitOr_"  # `int | None` in a signature: no fault that a program could have
 
