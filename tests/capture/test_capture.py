@@ -18,6 +18,7 @@ from itertools import count
 from pathlib import Path
 
 import numpy as np
+import programs
 import pytest
 from ready import run
 from scripted_rig import synthetic_rig
@@ -25,6 +26,7 @@ from scripted_rig import synthetic_rig
 from pipeline.capture.commit import Read, account
 from pipeline.capture.ended_run import tell_frames
 from pipeline.capture.handshake import check_rate
+from pipeline.capture.port import Port
 from pipeline.capture.session import capture, plain
 from pipeline.capture.stream import Outcome
 from pipeline.ground.errors import BadInput
@@ -150,8 +152,9 @@ def test_a_recording_is_never_overwritten(there, tmp_path):
         ("/dev/null", "run-1", "cannot be opened"),
     ],
 )
-def test_bad_input_is_one_line_that_names_the_mend(port, name, said, tmp_path):
-    done = run("pipeline.capture", port, tmp_path / name)
+def test_bad_input_is_one_line_that_names_the_mend(port, name, said, tmp_path, monkeypatch):
+    monkeypatch.setattr(Port.__init__, "__defaults__", (0.3,))  # s, in which a port may still come
+    done = programs.run("pipeline.capture", port, tmp_path / name)
     assert done.returncode == 2
     assert said in done.stderr and "Mend:" in done.stderr and done.stderr.count("\n") == 1
     assert not (tmp_path / name).exists()
@@ -235,7 +238,7 @@ def test_a_folder_that_nobody_described_is_named_at_the_start_and_recorded_all_t
         (raw / name / "run.yaml").write_text("run: it\n")
         if has_recording:
             (raw / name / "recording.frames").touch()
-    done = run("pipeline.capture", rig(), raw)
+    done = run("pipeline.capture", rig("--pace", "10"), raw)
     first = done.stdout.splitlines()[0]
     meant = f"Did you mean {raw / 'example-2'}?"
     assert first == f"warning: {raw}: run.yaml: is missing. It can be recorded all the same. {meant}", done.stdout
