@@ -1,6 +1,7 @@
 """Fixtures that every test can use."""
 
 import os
+import sys
 from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,10 @@ settings.register_profile("the same", deadline=None, derandomize=True)
 settings.register_profile("explore", deadline=None)
 settings.load_profile("the same")
 
+# What is compiled is kept, whatever the shell says: else each process compiles all tests, and each program the package.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
 TESTS = Path(__file__).parent
 # Folders whose files take longest, dearest first: begun first, none of them leaves a worker without work at the end.
 # The first line is of those that take minutes; of most of them all tests are long.
@@ -26,6 +31,9 @@ FIRST = (
     *("cluster", "workflow", "real", "package", "rigs", "run", "settle", "proof"),
     *("diagnosis", "env", "house", "models", "notebook", "export", "pages", "faults", "watch", "capture", "rig"),
 )
+# Folders whose tests wait most of their time, for ports, processes and silences. Their files are spread among those
+# that compute, but for the last fifth: begun one after another, all processes would wait at once, or one at the end.
+WAITING = ("capture", "env", "faults", "watch")
 
 
 @pytest.hookimpl(wrapper=True)
@@ -44,10 +52,18 @@ def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, p
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put the files of those folders first; a file's tests stay together and in order, one for all processes."""
-    folders = [item.path.relative_to(TESTS).parts[0] for item in items]
-    places = {folder: (FIRST.index(folder) if folder in FIRST else len(FIRST), folder) for folder in folders}
-    items.sort(key=lambda item: places[item.path.relative_to(TESTS).parts[0]])
+    """Put the files of those folders first, and spread those that wait.
+
+    A file's tests stay together and in order, one for all processes.
+    """
+    folders = {item.path: item.path.relative_to(TESTS).parts[0] for item in items}
+    places = {folder: (FIRST.index(folder) if folder in FIRST else len(FIRST), folder) for folder in folders.values()}
+    ordered, shares = sorted(folders, key=lambda path: places[folders[path]]), {}
+    for waits in (False, True):
+        group = [path for path in ordered if (folders[path] in WAITING) == waits]
+        until = 0.8 if waits else 1.0
+        shares |= {path: (until * (number + 0.5) / len(group), path) for number, path in enumerate(group)}
+    items.sort(key=lambda item: shares[item.path])
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

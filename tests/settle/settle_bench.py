@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import once
+import pytest
 import yaml
 from ready import Program, start
 
@@ -70,6 +72,17 @@ def begun(place: Path) -> str:
         asked = ended(place, "settle", "raw/poor-1", "--port", port, "--out", "out")
     assert asked.returncode == 2, asked.stdout
     return asked.stdout
+
+
+def begun_once(factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """A loop whose first step is proposed, one for all tests, which leave it as it is; and what was said."""
+    shared = once.place(factory)
+
+    def make() -> tuple[Path, str]:
+        (shared / "begun").mkdir()
+        return shared / "begun", begun(shared / "begun")
+
+    return once.made_once(shared, "a loop that has begun", make)
 
 
 def copied(begun_at: Path, place: Path) -> Path:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from scripted_rig import CHANNELS, ScriptedRig
-from settle_bench import LIMITS, auto, begun, copied, ended, program, rig, settled, started, state, until
+from settle_bench import LIMITS, auto, begun_once, copied, ended, program, rig, settled, started, state, until
 
 from pipeline.diagnosis.proposal.legs import CANDIDATES
 from pipeline.wire import Hello, Kind, Reason, read_recording
@@ -17,8 +17,7 @@ from pipeline.wire import Hello, Kind, Reason, read_recording
 @pytest.fixture(scope="module")
 def waiting(tmp_path_factory):
     """A loop whose first step is proposed, and what was said."""
-    place = tmp_path_factory.mktemp("begun")
-    return place, begun(place)
+    return begun_once(tmp_path_factory)
 
 
 @pytest.fixture

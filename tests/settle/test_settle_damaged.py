@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from settle_bench import begun, copied, ended, rig, state
+from settle_bench import begun_once, copied, ended, rig, state
 
 STATE, VERDICT, RUNS, PROPOSED = "step-1/state.json", "step-0/diagnosis.json", "step-0/next_runs.json", "proposed.json"
 DEEP = "[" * 100_000
@@ -15,9 +15,7 @@ WORDS = ("settle", "raw/poor-1", "--port", "port", "--out", "out")
 @pytest.fixture(scope="module")
 def waiting(tmp_path_factory) -> Path:
     """A loop whose first step is proposed."""
-    place = tmp_path_factory.mktemp("begun")
-    begun(place)
-    return place
+    return begun_once(tmp_path_factory)[0]
 
 
 @pytest.fixture
