@@ -50,6 +50,7 @@ def visit(tmp_path_factory):
         return once.made_once(shared, "adopted against advice", make)
 
 
+@pytest.mark.long
 def test_a_run_keeps_what_the_verdict_advised_that_it_adopted_against_its_advice(visit) -> None:
     (adoption,) = yaml.safe_load((visit.folder / "run.yaml").read_text())["adopted"]
     assert adoption["verdict"] == "explained" and adoption["tied"] == []

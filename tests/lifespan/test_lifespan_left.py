@@ -130,5 +130,6 @@ def test_intervals_hold_as_often_as_they_say(lives):
     assert 0.35 <= coverage(lives, 0.5) <= 0.65
 
 
+@pytest.mark.long
 def test_half_as_wide_they_would_not(lives):
     assert coverage(lives, 0.9, 0.5) < 0.8 and coverage(lives, 0.5, 0.5) < 0.35

@@ -45,6 +45,7 @@ def case(request: pytest.FixtureRequest) -> tuple[Diagnosed, pd.DataFrame, pd.Da
     return model, train, test
 
 
+@pytest.mark.long
 def test_it_is_five_times_better_than_better_dimensions(case: tuple[Diagnosed, pd.DataFrame, pd.DataFrame]) -> None:
     model, train, test = case
     calibrated = make_model("calibrated")

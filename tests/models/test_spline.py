@@ -133,9 +133,10 @@ def test_two_strokes_ahead_it_nears_the_floor_under_each_law_of_growth(law: str)
     assert min(ratios) > 0.97, "better than the noise: the test sees what it should not"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "forward", "inverse"),
-    [("spline", 1.05, 1.10), pytest.param("cinn", 1.10, 1.15, marks=pytest.mark.long)],
+    [("spline", 1.05, 1.10), ("cinn", 1.10, 1.15)],
 )
 def test_with_the_direction_known_it_nears_the_floor_of_the_data(name: str, forward: float, inverse: float) -> None:
     ratios = []

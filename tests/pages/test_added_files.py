@@ -60,6 +60,7 @@ def test_ruff_finds_nothing_in_them(checkout: Path) -> None:
     tried(checkout, "ruff", "format", "--check", *FILES)
 
 
+@pytest.mark.long
 def test_lists_and_pages_agree_with_them(checkout: Path) -> None:
     tried(checkout, *PYTEST, *LISTS)
 

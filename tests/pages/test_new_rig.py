@@ -137,6 +137,7 @@ def test_a_mechanism_of_ones_own_alone_counts_as_unknown_but_is_told_with_its_si
     assert not {"load", "wind", "twist"} & set(re.findall(r"\w+", content["next_experiment"]))
 
 
+@pytest.mark.long
 def test_the_tests_that_the_page_names_accept_its_files(house):
     root, _ = house
     shutil.copytree(ROOT / "tests", root / "tests", ignore=shutil.ignore_patterns("__pycache__", "data"))

@@ -320,6 +320,7 @@ def test_a_zero_that_is_not_compared_is_said_in_the_log_of_the_dataset(tmp_path:
     assert text.count(f"Beware: zero not compared between a-1 and a-2: {why}. If the sensor or a clamp was moved") == 1
 
 
+@pytest.mark.long
 def test_a_zero_that_is_not_compared_is_said_of_runs_that_are_diagnosed_together(tmp_path: Path) -> None:
     made = of_other_loads(tmp_path / "raw")
     done = programs.run("pipeline.diagnose", *made, "--together", "--out", tmp_path / "out")

@@ -26,6 +26,7 @@ def line_of(program, planned):
     return next(line for line in planned[1] if program in line)
 
 
+@pytest.mark.long
 def test_a_diagnosis_is_marked_by_the_rig_of_its_configuration(planned):
     shell, small = line_of("pipeline.diagnose raw", planned), planned[0]
     assert ("--mark 'recorded by ci.yaml" in shell and "set-up small (5" in shell) if small else "--mark" not in shell

@@ -28,6 +28,7 @@ def unknown(conceal, remembered, tmp_path_factory):
     return folder, path, json.loads(path.read_text())
 
 
+@pytest.mark.long
 def test_it_is_simulated_named_nowhere_and_said_to_be_no_name(unknown):
     _, path, content = unknown
     held, ids = content["fit"]["heldout"], content["closest"]["ids"]

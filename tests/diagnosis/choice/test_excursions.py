@@ -31,6 +31,7 @@ def leaning() -> RecordedRun:
     return made("lattice", 813, ("x_leaning",), (7.0,))
 
 
+@pytest.mark.long
 def test_drops_that_come_back_are_unknown_and_said(leaning) -> None:
     content, study = diagnosed([leaning])
     assert content["verdict"] == "unknown" and content["mechanisms"] == []

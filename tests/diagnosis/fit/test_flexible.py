@@ -70,6 +70,7 @@ def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physi
     assert level in said and "it follows the direction of motion" in said
 
 
+@pytest.mark.long
 def test_a_recording_that_is_explained_to_its_noise_asks_no_regression(conceal, remembered, tmp_path):
     with remembered():
         diagnose([conceal("creep")[0]], tmp_path / "out")

@@ -38,10 +38,8 @@ def creep(conceal):
     return folder, *learnt(folder)
 
 
-LONG = [pytest.param(kind, marks=pytest.mark.long) for kind in ("friction_hysteresis", "backlash")]
-
-
-@pytest.mark.parametrize("kind", ["creep", *LONG])
+@pytest.mark.long
+@pytest.mark.parametrize("kind", ["creep", "friction_hysteresis", "backlash"])
 def test_nine_of_ten_readings_that_no_fit_has_seen_lie_in_the_band(conceal, creep, kind):
     folder = conceal(kind, kappa=3.0)[0]
     content, samples, seen = creep[1:] if kind == "creep" else learnt(folder)
@@ -312,6 +310,7 @@ def test_the_curve_of_a_rival_errs_on_its_own_recording_as_the_verdict_says(jam)
     assert left(study.search.linear.state_of(rival.fit, rival.keys)) > 3.0 * said, "straight lines miss it here"
 
 
+@pytest.mark.long
 def test_over_its_own_recording_a_fit_is_off_by_no_more_than_the_noise(jam):
     folder, content, study = jam
     width = band(study.problem, content, folder, content["run"])

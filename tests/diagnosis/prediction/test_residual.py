@@ -40,6 +40,7 @@ def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> tuple
     return pd.read_csv(out), " ".join(done.stdout.split())
 
 
+@pytest.mark.long
 def test_it_stands_beside_the_reading_and_says_what_it_was_worth_on_unseen_strokes(unexplained, tmp_path):
     folder, diagnosis = unexplained
     bare, _ = simulated(folder, diagnosis, tmp_path / "bare.csv")

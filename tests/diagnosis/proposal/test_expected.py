@@ -72,6 +72,7 @@ def test_creep_has_a_hold_and_a_rest_and_a_drift_beside_it_has_no_loop(conceal):
     assert abs(lasting["hold_mm"]) < 1e-3 and abs(lasting["rest_mm"]) < 1e-3, "it stands still in a pause"
 
 
+@pytest.mark.long
 def test_no_loop_of_a_slow_effect_is_foretold_under_a_load_that_was_not_recorded(conceal):
     best, *_ = foretold(conceal, "creep", rich=False)
     assert "loop_half_speed_mm" in best and "loop_half_load_mm" not in best

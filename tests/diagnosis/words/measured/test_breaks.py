@@ -59,6 +59,7 @@ def test_a_twist_that_changed_between_two_runs_is_no_slip_and_is_said(changed) -
     assert found["parameters"]["angle_turns_2"]["value"] == pytest.approx(-TURNS, abs=0.03)
 
 
+@pytest.mark.long
 def test_counts_that_are_lost_within_a_run_are_named_still_with_a_time_that_was_recorded() -> None:
     found, study, words = verdict_of(run_of("a-2", 2, TURNS, LOSES_AT_S))
     assert [entry["id"] for entry in found["mechanisms"]] == ["count_slip"]
