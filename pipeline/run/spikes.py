@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pandas as pd
-from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
@@ -20,8 +19,6 @@ RANGE_SHARE = 1e-3  # of a channel's range that counts as spread, where the filt
 NOTHING = 1e-6  # of that: a smaller distance is none
 HIDDEN = 0.6  # of the step between readings: noise that may hide in it, where the filter leaves nothing
 COMMON, SMALL = 0.01, 0.05  # of the samples, which a step moves; of the reading, which a step is
-BESIDE = 100  # samples before a lonely one, and as many after it, whose noise it must stand out from
-USUAL, TIMES = 93.0, 4.8  # a percentile of their distances from a median filter, and times as far as it: no noise goes
 BLOCK = 200_000  # samples that are looked at together
 HALF = MEDIAN_SAMPLES // 2
 
@@ -71,24 +68,7 @@ def spikes(rows: Rows, name: str) -> Places:
         usual = max(usual, _hidden(rows, name, off, NOTHING * at_least) - at_least)
     spread = usual + at_least
     places = [first + np.flatnonzero(_alone(rows, name, first, stop, SPIKE * spread)) for first, stop in rows.spans]
-    parts = (near[begin:end] for near in places for begin, end in blocks(0, len(near), BLOCK // BESIDE))
-    return np.concatenate([np.zeros(0, np.intp), *(_standing_out(len(rows), part, off) for part in parts)])
-
-
-def _standing_out(size: int, places: Places, off: Callable[[int, int], Array]) -> Places:
-    """The lonely samples, of `size`, that stand out from the noise on both sides of them; shape (places,).
-
-    `off` gives the distances of samples from the median about them. Noise may be larger while the motor turns than in
-    the whole recording, and have more large values than Gauss's.
-    """
-    first, stop = max(int(places[0]) - BESIDE, 0), min(int(places[-1]) + BESIDE + 1, size)
-    distances = np.pad(off(first, stop), BESIDE, constant_values=np.nan)
-    beside, at = sliding_window_view(distances, BESIDE), places - first
-    far = np.zeros(len(places))
-    for side in (beside[at], beside[at + BESIDE + 1]):
-        full = np.isfinite(side).any(axis=1)
-        far[full] = np.maximum(far[full], TIMES * np.nanpercentile(side[full], USUAL, axis=1))
-    return places[distances[at + BESIDE] > far]
+    return np.concatenate(places)
 
 
 def _hidden(rows: Rows, name: str, off: Callable[[int, int], Array], least: float) -> float:

@@ -64,27 +64,6 @@ def test_noise_alone_has_no_spikes_however_coarse_the_sensor_is(step):
     assert len(spikes.spikes(Held(pd.DataFrame({"signal": signal})), "signal")) == 11, "spikes are found all the same"
 
 
-def noise_that_changes(kind: str, samples: int) -> np.ndarray:
-    """Noise that is larger while a motor turns, now and then or in a tenth of the time, or that is no Gauss's."""
-    rng, time_s = np.random.default_rng(3), 0.01 * np.arange(samples)
-    white = rng.standard_normal(samples)
-    if kind == "laplace":
-        return 20.0 + 0.05 * rng.laplace(size=samples)
-    if kind == "correlated":
-        return 20.0 + 0.05 * np.convolve(white, 0.9 ** np.arange(50), "same")
-    larger = {"turns": time_s % 20.0 < 13.0, "seldom": time_s % 300.0 < 10.0, "slowly": np.sin(time_s / 50.0) > 0.6}
-    return 20.0 + 0.005 * np.where(larger[kind], 20.0, 1.0) * white
-
-
-@pytest.mark.parametrize("kind", ["turns", "seldom", "slowly", "laplace", "correlated"])
-def test_noise_that_changes_has_a_spike_in_100_000_samples_at_most(kind):
-    """A load cell trembles while the motor turns: 1,300 of 300,000 normal samples were called spikes."""
-    signal = noise_that_changes(kind, 300_000)
-    assert len(spikes.spikes(Held(pd.DataFrame({"signal": signal})), "signal")) <= 3
-    signal[1_000:100_000:9_000] += 30.0
-    assert len(spikes.spikes(Held(pd.DataFrame({"signal": signal})), "signal")) in range(11, 15), "found all the same"
-
-
 @pytest.mark.parametrize("reads", [0.0, 40.0])
 def test_a_lonely_sample_of_a_channel_without_noise_is_a_spike_and_no_step(reads):
     signal = np.full(5_000, 20.0)

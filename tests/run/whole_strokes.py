@@ -123,9 +123,6 @@ def despiked_whole(signal: Array) -> Array:
     around = np.vstack([padded[k : k + len(signal)] for k in (0, 1, 3, 4)])
     gap = np.abs(signal - np.median(around, axis=0))
     lonely = (gap > 8.0 * spread) & (np.ptp(around, axis=0) < 0.35 * gap)
-    for place in np.flatnonzero(lonely):
-        sides = off[max(place - 100, 0) : place], off[place + 1 : place + 101]
-        lonely[place] = off[place] > max(4.8 * float(np.percentile(side, 93)) for side in sides if len(side))
     return np.where(lonely, middle, signal)
 
 
