@@ -14,6 +14,7 @@ from .rivals import ALIKE, LITTLE, called
 HEADING = "Why it is none of the other effects"
 CLEAR, MORE = 3.0, 2.0  # standard errors that are no chance; times the best one's change: what is less is like it
 VISIBLE = 0.1  # noise floors: a change in a stand that is less is worth no word
+EXCLUDES = 1.0  # noise floors: what is wrong by less may be bent by an effect too small to be named
 WORTH = 0.01  # of a probability: what is less is not said
 ADDS = 0.2  # noise floors: what takes away less adds nothing
 CONSTANT = "nothing: a constant"  # what such an effect follows, by `Mechanism.driver`
@@ -118,13 +119,25 @@ def wrong_by(entry: NotKept, first: NotKept, floor: float, words: Vocabulary) ->
     }
 
 
-def _contradicts(phase: str, stands: dict[str, Change] | None, first: NotKept, floor: float) -> bool:
+def excludes(entry: NotKept, first: NotKept, floor: float) -> bool:
+    """Whether the stands of the motor exclude an effect: with it the residual changes there by more than the noise.
+
+    `first` is the entry of the best explanation, `floor` the noise in the reading's unit.
+    """
+    stands = entry["stands"] or {}
+    return any(_contradicts(phase, stands, first, floor, EXCLUDES) for phase in stands)
+
+
+def _contradicts(
+    phase: str, stands: dict[str, Change] | None, first: NotKept, floor: float, least_floors: float = VISIBLE
+) -> bool:
     """Whether an effect's residual changes while the motor stands, beyond chance and more than the best one's."""
     own_change, best = (stands or {}).get(phase), (first["stands"] or {}).get(phase)
     if own_change is None:
         return False
     change = abs(own_change["change"])
-    return bool(change > max(CLEAR * own_change["error"], VISIBLE * floor, MORE * abs(best["change"] if best else 0.0)))
+    own_best = abs(best["change"]) if best else 0.0
+    return bool(change > max(CLEAR * own_change["error"], least_floors * floor, MORE * own_best))
 
 
 def _wrong(entry: Stood, first: NotKept, content: Verdict, words: Vocabulary) -> bool:

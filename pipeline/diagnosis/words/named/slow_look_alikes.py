@@ -9,16 +9,18 @@ from ..language.vocabulary import Vocabulary
 from . import certainty
 
 EXCLUDED = (
-    "Measured: with one of these in the place of {named} what is left changes while the motor stands, beyond chance: "
-    f"{{out}}. Each was tried by the library's formula, where it leaves least ({other_effects.HEADING} says where). "
+    "Measured: with one of these in the place of {named} what is left changes while the motor stands, by more than the "
+    "noise: {out}. Each was tried by the library's formula, where it leaves least ({heading} says where). "
     "You may write that in a paper. Beside {named} each may still act, but too little to be named."
 )
 
 
 def excluded(content: Verdict, words: Vocabulary) -> list[str]:
-    """The look-alikes that this recording excludes: they contradict the stands of the motor, whatever their law.
+    """The look-alikes that this recording excludes: they contradict the stands of the motor by more than the noise.
 
-    Nothing where the motor never stood long enough, or where a file lacks `not_kept`.
+    One that is wrong there by less is open: an effect too small to be named, such as the stretch under a load that
+    swings by a hundredth, bends the fit of the right one as much. Nothing where the motor never stood long enough, or
+    where a file lacks `not_kept`.
     """
     if not content["evidence"].get("not_kept"):
         return []
@@ -26,7 +28,7 @@ def excluded(content: Verdict, words: Vocabulary) -> list[str]:
     alike, floor = _all(content, words), amount(content["evidence"], f"floor_{words.ending}")
     return [
         entry["id"] for entry in others
-        if entry["id"] in alike and other_effects.wrong_by(entry, first, floor, words)
+        if entry["id"] in alike and other_effects.excludes(entry, first, floor)
     ]  # fmt: skip
 
 
@@ -55,7 +57,8 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     named, out, may_be = listing(slow), excluded(content, words), still_open(content, words)
     head = f"Under one load slow effects look alike.{f' {_how_sure(content, slow)}' if may_be else ''}"
-    meant = f" {EXCLUDED.format(named=named, out=listing(_by_how_much(content, out, words)))}" if out else ""
+    by = listing(_by_how_much(content, out, words)) if out else ""
+    meant = f" {EXCLUDED.format(named=named, out=by, heading=other_effects.HEADING)}" if out else ""
     could = f" What {named} could be instead:" if may_be else ""
     return [f"{head}{meant}{could}", *(f"- {id_}{_why_open(content, id_, words)}" for id_ in may_be)]
 

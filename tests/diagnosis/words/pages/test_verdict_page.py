@@ -919,7 +919,7 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
 
     assert "Under one load what is called creep can be wear. What acts" in text
     assert "(creep as the library's name for a slow effect: one load cannot tell it from wear)" in more
-    by_standing = "in the place of creep what is left changes while the motor stands, beyond chance: "
+    by_standing = "in the place of creep what is left changes while the motor stands, by more than the noise: "
     by = "(by 0.068 mm in a hold)"
     assert f"{by_standing}plastic_elongation {by}, sensor_drift {by} and stiffening {by}." in more
     assert more.count("all of it 0.45 mm (15) 0.068 mm") == 3, "the same stands in the table"
