@@ -1,6 +1,7 @@
 """New runs: what ingest would refuse is refused at once, and a second run of one string is not taken for another's."""
 
 import json
+import math
 import os
 import pty
 import re
@@ -16,10 +17,12 @@ import pytest
 import yaml
 from made_recording import content, recording
 
+from pipeline.ground.errors import BadInput
 from pipeline.ground.input.strict_yaml import read_yaml
 from pipeline.new_run import main
 from pipeline.new_run import make_run as new_folder
 from pipeline.run.folder import read_run
+from pipeline.run.option_mend import by_option
 from pipeline.run.samples import read_samples
 
 GOOD = recording()
@@ -378,7 +381,7 @@ def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
     ("samples", "option"),
     [
         (GOOD.rename(columns={"motor_turns": "theta"}), "motor_turns: theta, "),
-        (spoiled("motor_turns", lambda v: v * 360), "--channels '{motor_turns: {unit: …}}'"),
+        (spoiled("motor_turns", lambda v: v * 360), "--channels '{motor_turns: {unit: deg}}'"),
     ],
 )
 def test_before_there_is_a_run_yaml_a_mend_names_the_option(new, samples, option):
@@ -406,10 +409,41 @@ def test_a_mend_for_the_command_line_keeps_what_was_given(new):
     samples["slide"] = samples.pop("displacement_mm")
     given = "{motor_turns: {column: theta}, displacement_mm: {column: slide}}"
     status, _, said = new("a-01", "--channels", given, samples=samples)
-    mended = "{motor_turns: {column: theta, unit: …}, displacement_mm: {column: slide}}"
+    mended = "{motor_turns: {column: theta, unit: deg}, displacement_mm: {column: slide}}"
     assert status == 2 and f"here by --channels '{mended}'" in said, said
-    status, _, said = new("a-01", "--channels", mended.replace("…", "deg"), samples=samples)
+    status, _, said = new("a-01", "--channels", mended, samples=samples)
     assert status == 0, said
+
+
+@pytest.mark.parametrize(
+    ("name", "factor", "unit", "ends"),
+    [
+        ("motor_turns", 360.0, "deg", r"\.\n"),
+        ("motor_turns", math.tau, "rad", r"\.\n"),
+        ("displacement_mm", 1e-3, "m", r"\.\n"),
+        ("load_n", 1000.0 / 9.80665, "gf", "; else check radius_mm"),
+    ],
+)
+def test_the_mend_of_a_unit_is_pasted_as_it_stands(new, tmp_path, name, factor, unit, ends):
+    """It had a gap behind `unit:` beside the unit's name, and left out how the log is written."""
+    samples = GOOD.assign(load_n=20.0).rename(columns={name: "seen"})
+    samples["seen"] *= factor
+    log = tmp_path / "rig.csv"
+    log.write_text("Rig 7\n" + samples.to_csv(index=False, sep=";"))
+    layout = ["--file", "{delimiter: ;, skip: 1}"]
+    status, _, said = new("a-01", "--recording", str(log), *layout, "--channels", f"{{{name}: seen}}")
+    option = re.search(f"here by (--channels .* --file .*'){ends}", said)
+    assert status == 2 and option and f"unit: {unit}}}" in option[1] and "…" not in said, said
+    status, _, said = new("a-01", "--recording", str(log), *shlex.split(option[1]))
+    read = read_samples(tmp_path / "raw" / "a-01")[1]
+    assert status == 0 and read[name].to_numpy() == pytest.approx(samples["seen"] / factor, abs=1e-6), said
+
+
+def test_of_units_of_which_one_alone_is_right_the_option_has_none():
+    """Written into one option, both were set."""
+    mend = "find out which: set channels.motor_turns.unit to deg, or set channels.displacement_mm.unit to cm"
+    mended = by_option(BadInput("log.csv", "motor_turns", "is odd", mend), {"run": "a-01"})
+    assert mended.mend.endswith("here by --channels '{motor_turns: {unit: …}, displacement_mm: {unit: …}}'")
 
 
 def test_every_option_of_new_run_says_what_it_is(monkeypatch, capsys):

@@ -11,23 +11,32 @@ from ..ground.command import command, quoted
 from ..ground.errors import BadInput
 from ..ground.input.bare_columns import written_out
 from ..ground.input.strict_yaml import write_yaml
+from ..ground.units import UNITS
 from .run_yaml import RunYaml
 
 KEY = re.compile(r"\b(channels|file|tolerance)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
 GAP = "…"  # where a mend names no value
-VALUE = re.compile(r""" to ('[^'\n]*'|"[^"\n]*"|-?\d+(?:\.\d+)?)""")  # behind it, where the mend knows the value
+UNIT = rf"(?:{'|'.join(map(re.escape, UNITS))})(?=[,.;]|$)"  # without quotation marks, and the last word on it
+VALUE = re.compile(
+    rf""" to (?:('[^'\n]*'|"[^"\n]*"|-?\d+(?:\.\d+)?)|({UNIT}))"""
+)  # behind a key, where the mend knows the value
+DOUBT = "find out which: "  # before units of which one alone is right
+READING = ("file", "channels")  # the options that say how a log is read, each of no use without the other
 
 
 def by_option(error: BadInput, content: RunYaml) -> BadInput:
     """The error with its mend as an option, where the mend names a key of a run.yaml that does not exist yet.
 
-    The option in it has all that `content` has for it too: what is typed as it stands replaces what was given.
+    The option in it has all that `content` has for it too: what is typed as it stands replaces what was given. Of
+    `--file` and `--channels` the other one stands beside it where it was given.
     """
     change = _section(error.mend, content)
     if change is None:
         return error
     section, whole, mend, rest = change
-    option = f"here by --{section} {quoted(write_yaml(whole, flow=True))}"
+    sections: dict[str, Any] = {**content, section: whole}
+    names = [section, *(name for name in READING if section in READING and name != section and content.get(name))]
+    option = "here by " + " ".join(f"--{name} {quoted(write_yaml(sections[name], flow=True))}" for name in names)
     return BadInput(error.file, error.field, error.problem, f"{mend.removesuffix(' in run.yaml')}: {option}{rest}")
 
 
@@ -70,7 +79,9 @@ def _section(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str
         key, *own = match[2].split(".")
         if match[1] == section:
             to = VALUE.match(mend, match.end())
-            value = ast.literal_eval(to[1]) if to else GAP
+            if to and to[2] and DOUBT in mend:
+                to = None
+            value = (to[2] or ast.literal_eval(to[1])) if to else GAP
             whole[key] = _with_value(own, value, whole.get(key) or {}, key)
     return section, whole, mend, rest
 
