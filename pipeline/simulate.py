@@ -34,7 +34,7 @@ from .ground.words.counts import counted
 from .ground.words.wrapped_lines import wrapped
 from .run.description import Run
 from .run.folder import has_recording, read_run
-from .run.planned_motion.planned import read_plan
+from .run.planned_motion.planned import load_taken, read_plan
 from .run.samples import read_strokes
 
 
@@ -62,12 +62,14 @@ def of_plan(options: SimulateOptions, motion: Path) -> Answer:
     recorded = RecordedRun(*read_strokes(options.run_dir), options.run_dir) if has_samples else None
     run = recorded.run if recorded else read_run(options.run_dir)
     simulator = Simulator.read(run, options.run_dir, options.simulation)
-    plan = simulated_plan(run, options.run_dir, recorded, simulator, read_plan(motion), motion, options.after_recording)
+    planned = read_plan(motion)
+    plan = simulated_plan(run, options.run_dir, recorded, simulator, planned, motion, options.after_recording)
     called, channel = Vocabulary.of(run.system), run.system.channel
     warn(of_another(simulator, run, options.run_dir))
     warn(planned_words.of_outside(plan, motion))
     plan_columns = planned_columns(plan, simulator)
-    words = [*planned_words.of_columns(plan, plan_columns, options), *of_simulator(simulator, run, plan.before)]
+    words = [*load_taken(run, planned, plan.samples, recorded and recorded.samples)]
+    words += [*planned_words.of_columns(plan, plan_columns, options), *of_simulator(simulator, run, plan.before)]
     columns = plan_columns.columns
     if options.residual:
         recordings = [each for each in (recorded, *plan.beside) if each]

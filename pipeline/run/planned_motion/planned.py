@@ -10,6 +10,7 @@ from ...ground.errors import BadInput
 from ...ground.input.cell_numbers import cell_numbers
 from ...ground.input.text_file import TextFile
 from ...ground.kinematics import Array
+from ...ground.units import unit_of
 from ...ground.words.counts import counted
 from ..checked_clock import check_clock
 from ..description import STRING_ACTUATORS, Run
@@ -113,6 +114,26 @@ def _load(run: Run, recorded: pd.DataFrame | None, path: Path) -> float:
         problem = f"there is no such column, and the load of {run.run} was not always the same"
         raise BadInput(path, name, problem, f"add it: {low:.4g} to {high:.4g} were recorded")
     return float(recorded[name].median())
+
+
+def load_taken(run: Run, plan_table: pd.DataFrame, samples: pd.DataFrame, recorded: pd.DataFrame | None) -> list[str]:
+    """The sentence on the load that the `samples` of a plan have and its table does not; none where it has one.
+
+    `recorded` are the samples of the run, if it has some.
+    """
+    name = run.system.load
+    if not name or {name, _own_column(run, name)} & {*plan_table.columns}:
+        return []
+    load = float(samples[name].iloc[0])
+    if not (load or run.system.needs_string):
+        return []
+    by_rig = run.rig.get(name) == load and (recorded is None or recorded[name].eq(load).all())
+    origin = f"the median of the recording of {run.run}"
+    if by_rig:
+        origin = f"rig.{name} of run.yaml"
+    elif recorded is None:
+        origin = f"as run.yaml has no rig.{name}"
+    return [f"The plan has no column {name}: its load is {load:.5g} {unit_of(name)} throughout, {origin}."]
 
 
 def _joined(samples: pd.DataFrame) -> pd.DataFrame:

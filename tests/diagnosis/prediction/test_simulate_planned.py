@@ -168,9 +168,11 @@ def test_a_load_that_hangs_still_need_not_be_planned(make_run, tmp_path):
         pd.DataFrame({"time_s": [0.0, 5.0, 10.0], "motor_turns": [0.0, 20.0, 0.0]} | more).to_csv(
             tmp_path / f"{name}.csv", index=False
         )
-        simulated(
+        done = simulated(
             folder, tmp_path / "diagnosis.json", tmp_path / f"{name}-answer.csv", "--motion", tmp_path / f"{name}.csv"
         )
+        words = "The plan has no column load_n: its load is 20.0"
+        assert (words in done.stdout) is (name == "without"), "it was taken without a word"
     without, given = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("without", "with"))
     assert np.allclose(without["load_n"], 20.0, atol=0.01)
     assert np.allclose(without.drop(columns="load_n"), given.drop(columns="load_n"), atol=1e-4)
@@ -197,11 +199,13 @@ def test_a_load_that_varied_must_be_planned_whatever_run_yaml_says_of_the_load(m
     simulated(noisy, tmp_path / "diagnosis.json", out, "--motion", plan)
     assert set(pd.read_csv(out)["load_n"].round(1)) == {20.0}
     other = make_run("still", recording(4).assign(load_n=20.0), rig=rig | {"load_n": 35})
-    simulated(other, tmp_path / "diagnosis.json", out, "--motion", plan)
+    done = simulated(other, tmp_path / "diagnosis.json", out, "--motion", plan)
+    assert "its load is 20 N throughout, the median of the recording of still." in " ".join(done.stdout.split())
     assert set(pd.read_csv(out)["load_n"]) == {20.0}
     only_there = make_run("hung", recording(4).drop(columns="load_n"), rig=rig | {"load_n": 35})
-    simulated(only_there, tmp_path / "diagnosis.json", out, "--motion", plan)
+    done = simulated(only_there, tmp_path / "diagnosis.json", out, "--motion", plan)
     assert set(pd.read_csv(out)["load_n"]) == {35.0}
+    assert "its load is 35 N throughout, rig.load_n of run.yaml." in " ".join(done.stdout.split())
 
 
 @pytest.mark.parametrize(
