@@ -199,8 +199,8 @@ def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_p
 ):
     """Nothing but the material's folder is made by that command. The one link out of it says which command makes it."""
     shutil.copytree(reports / MATERIAL, tmp_path / MATERIAL)
-    words = '<a href="../index.html">All reports</a>, a page that only the main job makes (snakemake --cores 2): '
-    words += "it may be older than this page</p>"
+    words = "Not there before the main job has run (snakemake --cores 2), and perhaps older than this page: "
+    words += '<a href="../index.html">all reports</a></p>'
     for path, text in pages_of(tmp_path).items():
         addresses = [each for each in Seen(text).addresses if not each.startswith("#") and each != "../index.html"]
         assert addresses or path.name != "index.html"
@@ -214,7 +214,8 @@ def test_a_page_is_the_same_whatever_lies_beside_it_and_says_which_job_makes_the
     before = web_page("# a\n", None)
     (tmp_path / "index.html").write_text("")
     assert web_page("# a\n", None) == before
-    assert '<a href="../index.html">All reports</a>, a page that only the main job makes' in before
+    before_link, _, _ = before.partition('<a href="../index.html">all reports</a>')
+    assert before_link.endswith(": ") and "Not there before the main job has run" in before_link, "it was read after"
 
 
 def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):
