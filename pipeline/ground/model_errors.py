@@ -22,6 +22,16 @@ def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
     return {(row["model"], row["split"]): float(row["median"]) for row in rows if row["model"] not in FLOORS}
 
 
+def floor_in(path: Path) -> float:
+    """The noise of held-out points in mm, the least floor in a models.csv; 0 where it is not known."""
+    if not path.is_file():
+        return 0.0
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if (row["column"], row["map"]) == ("all", "forward")]
+    floors_mm = [float(row["median"]) for row in rows if row["model"] in FLOORS and row["split"] == "within"]
+    return min(floors_mm, default=0.0)
+
+
 def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
     """The model to take among some; empty where there is none.
 

@@ -129,7 +129,10 @@ def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
         return []
     rules = [f"{number}. {rule}" for number, rule in enumerate(RULES, start=1)]
     at_inverse = inverse_beside.sentences(chosen, titles, errors_turns, errors_mm)
-    sentences = [f"Take the **{titles[chosen]}**.", weighed(titles, errors_mm), at_inverse]
+    floors = table_of["model"].isin(FLOORS) & (table_of["split"] == "within") & (table_of["map"] == "forward")
+    floors_mm = table_of.loc[floors & (table_of["column"] == "all"), "median"]
+    beside = weighed(titles, errors_mm, float(floors_mm.min()) if len(floors_mm) else 0.0)
+    sentences = [f"Take the **{titles[chosen]}**.", beside, at_inverse]
     return [" ".join(filter(None, sentences)), "", RULE, "", *rules, ""]
 
 

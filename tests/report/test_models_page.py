@@ -20,7 +20,8 @@ from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
 from pipeline.report.model_to_take.fitted import lines_at_end, lines_on_files, times_floor
 from pipeline.report.model_to_take.least_errors import sentences
-from pipeline.report.model_to_take.to_take import materials_table
+from pipeline.report.model_to_take.model_advice import advice_on
+from pipeline.report.model_to_take.to_take import Models, materials_table
 from pipeline.report.model_to_take.usual_model import RULE, RULES
 from pipeline.report.models import columns, main, numbers, on_simulator, page
 from pipeline.report.web.markdown import web_page
@@ -410,6 +411,39 @@ def test_the_main_job_says_why_the_model_to_take_is_not_the_best_of_the_tables(t
         "exported: 0.039 mm. Inside strokes, which the tables show, polynomial errs less: 0.038 mm against 0.049 mm. "
         "If your strokes stay as recorded, take polynomial."
     )
+
+
+@pytest.mark.parametrize(
+    ("polynomial_mm", "floor_mm", "is_recommended"),
+    [(0.030, 0.02, False), (0.027, 0.02, True), (0.027, 0.04, False), (0.027, None, True)],
+)
+def test_a_second_model_is_recommended_only_where_it_errs_less_by_a_fifth_and_by_what_a_rig_shows(
+    tmp_path, polynomial_mm, floor_mm, is_recommended
+):
+    """The page recommended it over 0.005 mm of 0.035 mm, with a noise of 0.02 mm."""
+    rows = ["model,title,split,map,column,median,ratio", "spline,Spline,later,forward,all,0.03,2"]
+    rows += ["polynomial,Polynomial,later,forward,all,0.04,2"]
+    ratio = (lambda error: f"{error / floor_mm:.6g}") if floor_mm else (lambda _: "")
+    errors = {"spline": 0.035, "polynomial": polynomial_mm}
+    rows += [f"{name},{name.title()},within,forward,all,{error},{ratio(error)}" for name, error in errors.items()]
+    rows += [f"floor,floor,within,forward,all,{floor_mm},1"] if floor_mm else []
+    (tmp_path / "nylon").mkdir()
+    (tmp_path / "nylon" / "models.csv").write_text("\n".join(rows) + "\n")
+    models_csv = tmp_path / "nylon" / "models.csv"
+    reason = advice_on(["spline", "polynomial"], models_csv).reason
+    assert f"polynomial errs less: {polynomial_mm:.3f} mm against 0.035 mm." in reason
+    assert ("If your strokes stay as recorded, take polynomial." in reason) is is_recommended
+    assert ("Take the Polynomial if only strokes" in Models.read(models_csv).weighed()) is is_recommended
+
+
+def test_the_models_page_weighs_a_second_model_by_the_floor_too():
+    titles = {"mlp": "MLP model", "spline": "Spline model"}
+    for spline_mm, is_recommended in ((0.058, False), (0.085, True)):
+        metrics = made_metrics(FORWARD | {"spline": [spline_mm]})
+        metrics.loc[(metrics["model"] == "mlp") & (metrics["split"] == "later"), "value"] *= 2.0
+        begins = page(numbers(metrics, titles, ["mlp"]), "made").split("RMSE on held-out")[0]
+        assert "On strokes like the recorded ones the MLP model errs less forward" in begins
+        assert ("Take the MLP model if only strokes" in begins) is is_recommended, begins
 
 
 @pytest.mark.parametrize(

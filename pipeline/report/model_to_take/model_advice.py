@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ...ground.model_errors import chosen_of, errors_in
+from ...ground.model_errors import chosen_of, errors_in, floor_in
 from . import inverse_beside
 from .usual_model import why
 
@@ -31,4 +31,4 @@ def advice_on(models: Sequence[str], models_csv: Path) -> Advice:
         "a position controller": inverse_beside.better(chosen, list(models), errors_turns),
     }
     controllers = {where: model for where, model in wanted.items() if model}
-    return Advice(chosen, why(chosen, models, errors_mm), at_inverse, controllers)
+    return Advice(chosen, why(chosen, models, errors_mm, floor_in(models_csv)), at_inverse, controllers)

@@ -84,7 +84,10 @@ class Models(NamedTuple):
 
     def weighed(self) -> str:
         """The other model that errs less than the one to take; empty if there is none."""
-        return weighed(self.titles, self.forward_mm())
+        inside_mm = {model: rmse for (model, split), rmse in self.forward_mm().items() if split == "within"}
+        ratios = {model: self.ratios.get((model, "within", "forward"), 0.0) for model in inside_mm}
+        floors_mm = [rmse / ratios[model] for model, rmse in inside_mm.items() if ratios[model]]
+        return weighed(self.titles, self.forward_mm(), min(floors_mm, default=0.0))
 
     def at_inverse(self) -> str:
         """The other model that is clearly better at the inverse, and by how much; empty if there is none."""

@@ -11,6 +11,8 @@ from ...ground.model_errors import LESS, Errors, chosen_of
 from ...ground.model_names import WHOLE_MOTION
 
 WHERE = {"later": "on later strokes", "within": "on held-out points inside strokes"}  # errors of a split
+WORTH_SHARE = 0.2  # of the error of the model to take: so much less another one must err to be recommended beside it
+WORTH_NOISE = 0.25  # of the noise of the points: a difference below is none that a rig shows
 RULE = "The model to take is found so:"
 RULES = (
     "Only models that can be exported are compared.",
@@ -29,8 +31,16 @@ def errors_of(metrics: pd.DataFrame) -> dict[tuple[str, str], float]:
     return {(str(model), str(split)): float(value) for (model, split), value in middle.items()}
 
 
-def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
-    """The excluded model that errs less than the chosen one on held-out points; empty if there is none."""
+def is_worth(less_mm: float, own_mm: float, floor_mm: float) -> bool:
+    """Whether an error of `less_mm` in place of `own_mm` is worth a second model, where the noise is `floor_mm`."""
+    return own_mm - less_mm >= max(WORTH_SHARE * own_mm, WORTH_NOISE * floor_mm)
+
+
+def weighed(titles: Mapping[str, str], errors_mm: Errors, floor_mm: float) -> str:
+    """The excluded model that errs less than the chosen one on held-out points; empty if there is none.
+
+    `floor_mm`: the noise of these points. It is recommended only where the difference is worth it.
+    """
     chosen, split = chosen_of(titles, errors_mm), "within"
     others = [model for model in titles if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_mm]
     best = min(others, key=lambda model: errors_mm[model, split], default="")
@@ -41,13 +51,15 @@ def weighed(titles: Mapping[str, str], errors_mm: Errors) -> str:
     if {(best, "later"), (chosen, "later")} <= set(errors_mm):
         later = f"{errors_mm[best, 'later']:.3f} mm against {errors_mm[chosen, 'later']:.3f} mm"
         sentence += f" On later strokes it errs by {later}."
+    if not is_worth(errors_mm[best, split], errors_mm[chosen, split], floor_mm):
+        return sentence
     return f"{sentence} Take the {titles[best]} if only strokes like the recorded ones will come."
 
 
-def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
+def why(chosen: str, models: Iterable[str], errors_mm: Errors, floor_mm: float) -> str:
     """Why a model is the one to take, in a line for a terminal; empty where no errors are known.
 
-    Where another model errs less on the points that the tables show, the line says so.
+    Where another model errs less on the points that the tables show, the line says so; `floor_mm` is their noise.
     """
     exportable = sorted(set(models) - {WHOLE_MOTION})
     split = next((split for split in ("later", "within") if (chosen, split) in errors_mm), "")
@@ -66,7 +78,7 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
         return line
     less = f"{errors_mm[best, 'within']:.3f} mm against {errors_mm[chosen, 'within']:.3f} mm"
     take = f"If your strokes stay as recorded, take {best}."
-    clearly = errors_mm[best, "within"] * LESS <= errors_mm[chosen, "within"]
+    clearly = is_worth(errors_mm[best, "within"], errors_mm[chosen, "within"], floor_mm)
     return f"{line} Inside strokes, which the tables show, {best} errs less: {less}.{f' {take}' if clearly else ''}"
 
 
