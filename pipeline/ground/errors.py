@@ -33,13 +33,12 @@ class BadInput(Exception):
     """Input that cannot be used: its text says all four of what follows in one line.
 
     `file`: the file, or the option, that holds it. `field`: the key, column or row in it. `problem`: what is wrong.
-    `mend`: what to do.
+    `mend`: what to do; a command below it is a line of its own, without a full stop.
     """
 
     def __init__(self, file: Path | str, field: str, problem: str, mend: str) -> None:
-        super().__init__(
-            bounded(f"{file}: {field}: {problem}. Mend: {mend}{'' if mend[-1:] in '.?' else '.'}", sys.argv[1:])
-        )
+        stop = "" if mend[-1:] in ".?" or "\n" in mend else "."
+        super().__init__(bounded(f"{file}: {field}: {problem}. Mend: {mend}{stop}", sys.argv[1:]))
         self.file, self.field, self.problem, self.mend = str(file), field, problem, mend
 
 

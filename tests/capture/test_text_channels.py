@@ -48,9 +48,11 @@ def test_lines_without_a_header_get_the_names_of_the_runs_own_description_in_its
     warning = next(line for line in words.splitlines() if line.startswith("warning: no line is read yet"))
     check = "the order is that of run.yaml, and the rig's may be another; check each name by the last line"
     values = r"t_ms = \d+, turns = [\d.]+, load = 20\.0, disp = [\d.]+; where a value is another column's"
-    exchange = f"{re.escape(f'{command}; {check}')}: {values}, exchange the names"
-    assert status == 2 and re.search(f"{exchange}$", warning), words
-    assert re.search(rf"{exchange}\.$", words.rstrip()), "no full stop stands behind a name"
+    exchange = f"{re.escape(f'by the command below; {check}')}: {values}, exchange the names"
+    assert status == 2 and re.search(f"{exchange}$", warning) and command not in warning, words
+    below = rf"{exchange}\n  python -m pipeline\.capture {re.escape(command)}"
+    assert re.search(rf"{below}\n", words), "it stood in the middle of 450 characters"
+    assert re.search(rf"error: .*{below}$", words.rstrip()), "no full stop stands behind a name"
     done = ready.run("pipeline.capture", *command.split())
     assert done.returncode == 0 and "nothing can use" not in done.stdout, done.stdout
 

@@ -46,7 +46,7 @@ def test_the_order_of_unnamed_columns_goes_by_their_numbers_where_these_tell_it(
     last = dict(zip(order.split(","), (folder / "recording.lines").read_text().split("\n")[-2].split(","), strict=True))
     values = ", ".join(f"{name} = {value}" for name, value in last.items())
     told = "in this order alone the numbers move as this string does; check it by the last line"
-    assert f"; {told}: {values}." in done.stderr, done.stderr
+    assert f", by the command below; {told}: {values}\n  python -m pipeline.capture {command}\n" in done.stderr
     right = ready.run("pipeline.capture", *shlex.split(command))
     assert right.returncode == 0 and "warning" not in right.stdout and "Next:" in right.stdout, right.stdout
 
@@ -57,7 +57,8 @@ def test_an_order_that_the_numbers_do_not_tell_is_asked_about_with_a_value_besid
     last = ROWS.splitlines()[39].split(",")
     values = f"t_ms = {last[0]}, turns = {last[1]}, disp = {last[2]}"
     unsure = "the order is that of run.yaml, and the rig's may be another; check each name by the last line"
-    assert f"--columns t_ms,turns,disp; {unsure}: {values}; where a value is another column's" in done.stderr
+    assert f"by the command below; {unsure}: {values}; where a value is another column's" in done.stderr
+    assert done.stderr.endswith(f"exchange the names\n  python -m pipeline.capture {commands(done.stderr)[0]}\n")
 
 
 def test_of_orders_that_are_alike_none_is_told(folder):

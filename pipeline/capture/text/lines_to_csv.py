@@ -17,7 +17,7 @@ from . import holes
 from .clock_words import clock_in
 from .fields import clock_at, names
 from .lines import Lines, Splitter
-from .naming import naming_in
+from .naming import command_below, naming_in
 
 CSV = "recording.csv"
 
@@ -94,7 +94,7 @@ def commit_lines(
                     (ended - began).total_seconds(), recover_command(folder), naming_in(folder)
                 )
                 propose(folder, mend.partition(" --columns ")[2].partition(";")[0])
-                raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", mend)
+                raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", command_below(mend))
             check_own(folder, LINES, printed.sha256)
             times = _times(temporary, lines.time_at) if lines.time_at >= 0 else iter(())
             hole_count, hole_list = holes.find(times, printed.steps.usual)

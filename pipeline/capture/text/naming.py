@@ -1,9 +1,11 @@
 """Names for columns that nothing names: those of run.yaml, else gaps; the order is never guessed."""
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from ...ground.command import START
 from ...ground.errors import BadInput
 from ...run.description import Run
 from ...run.folder import read_run
@@ -13,6 +15,7 @@ USUAL: tuple[str, ...] = ("time_s", *LIKELY)  # of a run that nobody described y
 NEEDED = 3  # of a system's columns, which a recording must have
 ORDER_UNKNOWN = "the order is that of run.yaml, and the rig's may be another; check each name by the last line"
 GAP = "..."  # no name: what is left as it stands is refused
+WHOLE = re.compile(rf": ({re.escape(START)}.* --columns [^\s;]+)(?=; |$)")  # a command inside a mend
 
 
 class Naming(NamedTuple):
@@ -52,6 +55,14 @@ class Naming(NamedTuple):
         time = [] if clock else ["time_s or time_ms"]
         wanted = [each for name in self.wanted for each in (time if name == "time_s" else [name])]
         return f"{in_order}, with a name for each {GAP} ({', '.join(wanted)}, or one of your own): {named}"
+
+
+def command_below(mend: str) -> str:
+    """The mend with its command on a line of its own, where it is one whole command; else the mend as it stands."""
+    command = WHOLE.search(mend)
+    if command is None or GAP in command[1] or mend.count(START) > 1:
+        return mend
+    return f"{mend[: command.start()]}, by the command below{mend[command.end() :]}\n  {command[1]}"
 
 
 def naming_of(run: Run, folder: Path) -> Naming:

@@ -8,7 +8,7 @@ from ...ground.words.counts import counted
 from ..screen import Screen, clock
 from .lines import Lines
 from .live_faults import LiveFaults
-from .naming import naming_in
+from .naming import command_below, naming_in
 from .read_channels import ReadChannels
 
 GREETING_S = 5.0  # so long nothing but text is no reason to warn
@@ -50,10 +50,11 @@ class Telling:
                 problem, mend = lines.problem(now_s - self._began_s, self.recover, self.naming)
                 kept = f"warning: no line is read yet, but all are kept: {problem}"
                 now = "let the rig print its header again, or when the run has ended " if lines.unnamed.size > 1 else ""
-                self._say("nothing", f"{kept}. Mend: {now}{mend}")
+                self._say("nothing", f"{kept}. Mend: {now}{command_below(mend)}")
             elif read - self._read < not_read - self._not_read and lines.bad:
                 problem, mend = lines.problem(0.0, self.recover, self.naming)
-                self._say("most", f"warning: most lines are not read now; {lines.counts()}; {problem}. Mend: {mend}")
+                told = f"warning: most lines are not read now; {lines.counts()}; {problem}"
+                self._say("most", f"{told}. Mend: {command_below(mend)}")
             self._read, self._not_read = read, not_read
             if self._faults:
                 self._warn(self._faults.clock())
