@@ -53,8 +53,8 @@ class Telling:
                 self._say("nothing", f"{kept}. Mend: {now}{command_below(mend)}")
             elif read - self._read < not_read - self._not_read and lines.bad:
                 problem, mend = lines.problem(0.0, self.recover, self.naming)
-                told = f"warning: most lines are not read now; {lines.counts()}; {problem}"
-                self._say("most", f"{told}. Mend: {command_below(mend)}")
+                most_lost = f"warning: most lines are not read now; {lines.counts()}; {problem}"
+                self._say("most", f"{most_lost}. Mend: {command_below(mend)}")
             self._read, self._not_read = read, not_read
             if self._faults:
                 self._warn(self._faults.clock())
