@@ -4,7 +4,8 @@ The model is fitted to the points of the material's dataset, held out or not, an
 (`models/parts/questions/prediction_intervals.py`). A question outside the range of what was recorded, at a twist or in
 a stroke that was not recorded around its load, or further ahead than errors could be learnt, is answered, flagged
 (`inside` false, its reason in `why`) and has no bounds: their cells are empty. Between recorded loads the interval is
-wider: by the errors at recorded loads that were left out whole, or, of two loads, over the answers at both. A row that
+wider: by the errors at recorded loads that were left out whole, or, of two loads, over the answers at both. In a stroke
+that errs more than others it is wider by that stroke's own errors. A row that
 is no question has no answer, and its reason in `why`; the others are answered, and the exit status is 2. With `--saved`
 a model that was fitted before answers, as its export does and without intervals; the same questions are flagged. Where
 no size sets strings apart they have one answer, and the column `answer_of` names them; with `--each-string` the model
@@ -111,7 +112,7 @@ def main() -> None:
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum()) - len(questions.bad)
     noted = int((table["inside"] & (table["why"] != "")).sum())
-    counts = [f"{outside} of them {less}"] * (outside > 0) + [f"{noted} between what was recorded"] * (noted > 0)
+    counts = [f"{outside} of them {less}"] * (outside > 0) + [f"{noted} with a wider interval"] * (noted > 0)
     counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
     print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
     refused = {entry.row for entry in questions.bad}  # said once, at the end

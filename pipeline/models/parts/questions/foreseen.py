@@ -25,7 +25,7 @@ def foreseen(make: Callable[[], Model], training: pd.DataFrame, rest: pd.DataFra
             "motor_turns": turns - rest["motor_turns"],
             "motor_turns_at": turns,
             **{f"{wanted}_fitted": float(np.mean(error**2)) for wanted, error in fitted.items()},
-            "direction": rest["direction"],
+            **{name: rest[name] for name in ("string", "stroke", "direction")},
             "ahead": np.maximum(rest["stroke"] - last_seen(rest, last_strokes(training)), 0).fillna(0).astype(int),
         }
     )

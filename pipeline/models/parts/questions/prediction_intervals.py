@@ -5,7 +5,8 @@ and each time asked about those that follow (rolling origin). Errors are counted
 depends on twist and direction, and the quantiles of these scores are the intervals' half widths. Strokes that were seen
 get the scores of blocks held out inside strokes, strokes ahead those of as many strokes ahead. The model that is asked
 knows more than those that were tried: what their errors have above the noise is taken to fall with the points, and
-ahead with the square of the strokes. Between recorded loads an interval is wider (`between.py`). A point outside the
+ahead with the square of the strokes. Between recorded loads an interval is wider (`between.py`), and so is
+one in a recorded stroke that errs more than others (`stroke_errors.py`). A point outside the
 model's box, at a twist that was not recorded around its load (`recorded_pairs.py`), or farther ahead than could be
 tried, gets no interval: low and high are infinite and it is flagged. So does one whose stroke was not recorded around
 its load as far as its twist (`recorded_strokes.py`), and a contraction that lies beyond all recorded ones with its
@@ -32,6 +33,7 @@ from .between import Between
 from .foreseen import GIVEN, foreseen
 from .reached_contraction import brought
 from .scatter import Scatter, quantile
+from .stroke_errors import StrokeErrors, after_break, by_stroke, errs_more, fitted_scores, groups
 
 
 class TooFew(ValueError):
@@ -64,6 +66,8 @@ class Intervals:
         count = int(points.groupby("string")["stroke"].nunique().max())
         self.scatter: dict[str, Scatter] = {}
         self.scores: dict[str, dict[int, Array]] = {}
+        self.stroke_errors: dict[str, StrokeErrors] = {}
+        self.after_break = after_break(points)
         for wanted in GIVEN:
             seen = errors[errors["ahead"] == 0]
             columns = (seen[f"{wanted}_at"].to_numpy(), seen["direction"].to_numpy(), seen[wanted].to_numpy())
@@ -78,7 +82,11 @@ class Intervals:
                 above = max(square - noise, 0.0)
                 less = (1.0 - 1.0 / FOLDS) if ahead == 0 else (1.0 - float(ahead) / count) ** 2
                 shrunk = np.sqrt((square - above * (1.0 - less)) / square)
-                self.scores[wanted][int(ahead)] = np.sort(np.abs(rows[wanted].to_numpy()) / size * shrunk)
+                scores = np.abs(rows[wanted].to_numpy()) / size * shrunk
+                self.scores[wanted][int(ahead)] = np.sort(scores)
+                if ahead == 0:
+                    asked = by_stroke(points, fitted_scores(self.model, self.scatter[wanted], points, wanted))
+                    self.stroke_errors[wanted] = StrokeErrors(by_stroke(rows, scores), asked)
 
         self.measures = measures(points, self.ahead("displacement_mm"))
         self.measure = self.measures[""]
@@ -114,6 +122,14 @@ class Intervals:
         if ahead > numbers[-1]:
             return float("inf")
         return float(np.interp(ahead, numbers, np.maximum.accumulate([width_by_ahead[n] for n in numbers])))
+
+    def why_wider(self, points: pd.DataFrame, wanted: str, level: float) -> list[str]:
+        """That a question's stroke errs more than others, and how much wider its interval is; empty where it is not."""
+        factors = self._factors(points, wanted, level).tolist()
+        return [
+            errs_more(group, factor, group[:2] in self.after_break)
+            for group, factor in zip(groups(points), factors, strict=True)
+        ]
 
     def outside(self, points: pd.DataFrame, wanted: str, turns: Array) -> dict[str, Mask]:
         """Which questions lie outside the recorded range, by the column at fault: masks of shape (points,).
@@ -171,4 +187,9 @@ class Intervals:
         last = self.last_recorded(points)
         ahead, place = np.unique(np.maximum(points["stroke"] - last, 0).fillna(0).to_numpy(int), return_inverse=True)
         size = self.scatter[wanted].at(turns, points["direction"].to_numpy())
+        size = size * self._factors(points, wanted, level)
         return np.asarray(size * np.array([self.quantile(wanted, int(n), level) for n in ahead])[place])
+
+    def _factors(self, points: pd.DataFrame, wanted: str, level: float) -> Array:
+        """How many times as wide an interval is for its stroke; of shape (points,), without unit."""
+        return self.stroke_errors[wanted].factors(points, self.quantile(wanted, 0, level), level)

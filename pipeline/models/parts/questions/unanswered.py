@@ -2,8 +2,8 @@
 
 A question lies outside the box of the recordings, at a twist or in a stroke that was not recorded around its load, or
 too many strokes ahead of the last recorded one of its string, or asks for a contraction that no recorded twist gives,
-or its answer lies beyond all recorded contractions. One that lies
-between what was recorded is answered with an interval, and that is said too.
+or its answer lies beyond all recorded contractions. One that lies between what was recorded, or in a recorded stroke
+that errs more than others, is answered with a wider interval, and that is said too.
 """
 
 import difflib
@@ -24,7 +24,7 @@ from .reached_contraction import reached_mm
 def reasons(
     intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDArray[np.bool_], level: float
 ) -> list[str]:
-    """Why each question is not `inside`, a sentence each, or that it lies between recorded values; else empty.
+    """Why each question is not `inside`, a sentence each, or why its interval is wider than usual; else empty.
 
     `points` are the questions, of which `wanted` is asked, with intervals of the `level`; `inside` has the shape
     (points,), without unit.
@@ -33,6 +33,8 @@ def reasons(
     rows = np.flatnonzero(~inside)
     if len(rows):
         sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
+    rows = np.flatnonzero(inside)
+    sentences[rows] = intervals.why_wider(points.iloc[rows], wanted, level)
     gaps_by_name = intervals.measure.gaps(points)
     for paired in intervals.pairs:
         gaps, rests_on = gaps_by_name[paired.name], intervals.between.said(paired)
