@@ -32,6 +32,7 @@ from .ground.words.jump_notes import NAME, in_one_line, read_jumps
 from .models.parts.questions.bad_rows import first_of, refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
+from .models.parts.questions.stroke_errors import AS_WIDE
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
 from .stages.train import seed
@@ -111,8 +112,12 @@ def main() -> None:
             print(beware, file=sys.stderr)
     write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum()) - len(questions.bad)
-    noted = int((table["inside"] & (table["why"] != "")).sum())
-    counts = [f"{outside} of them {less}"] * (outside > 0) + [f"{noted} with a wider interval"] * (noted > 0)
+    noted = table["inside"] & (table["why"] != "")
+    errs_more = int((noted & table["why"].str.endswith(AS_WIDE)).sum())
+    between = int((noted & ~table["why"].str.fullmatch(f"stroke .* {AS_WIDE}")).sum())
+    counts = [f"{outside} of them {less}"] * (outside > 0)
+    counts += [f"{between} between what was recorded"] * (between > 0)
+    counts += [f"{errs_more} in a stroke that errs more than others"] * (errs_more > 0)
     counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
     print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
     refused = {entry.row for entry in questions.bad}  # said once, at the end

@@ -33,13 +33,13 @@ def reasons(
     rows = np.flatnonzero(~inside)
     if len(rows):
         sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
-    rows = np.flatnonzero(inside)
-    sentences[rows] = intervals.why_wider(points.iloc[rows], wanted, level)
     gaps_by_name = intervals.measure.gaps(points)
     for paired in intervals.pairs:
         gaps, rests_on = gaps_by_name[paired.name], intervals.between.said(paired)
         gaps = [also(gap, rests_on) if gap and within else gap for gap, within in zip(gaps, inside, strict=True)]
         sentences[:] = [also(*both) for both in zip(sentences, gaps, strict=True)]
+    for row, wider in zip(np.flatnonzero(inside), intervals.why_wider(points[inside], wanted, level), strict=True):
+        sentences[row] = also(sentences[row], wider)
     return list(sentences)
 
 
