@@ -85,8 +85,8 @@ class Intervals:
                 scores = np.abs(rows[wanted].to_numpy()) / size * shrunk
                 self.scores[wanted][int(ahead)] = np.sort(scores)
                 if ahead == 0:
-                    asked = by_stroke(points, fitted_scores(self.model, self.scatter[wanted], points, wanted))
-                    self.stroke_errors[wanted] = StrokeErrors(by_stroke(rows, scores), asked)
+                    fitted = by_stroke(points, fitted_scores(self.model, self.scatter[wanted], points, wanted))
+                    self.stroke_errors[wanted] = StrokeErrors(by_stroke(rows, scores), fitted)
 
         self.measures = measures(points, self.ahead("displacement_mm"))
         self.measure = self.measures[""]

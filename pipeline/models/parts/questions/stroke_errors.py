@@ -36,8 +36,8 @@ class StrokeErrors:
     `unseen` are those on left-out points, `asked` those of the model that is asked, on the points of its fit.
     """
 
-    unseen: Mapping[Group, Array]
-    asked: Mapping[Group, Array]
+    unseen: Mapping[Group, Array]  # each (points,), without unit
+    asked: Mapping[Group, Array]  # each (points,), without unit
 
     def factors(self, points: pd.DataFrame, width: float, level: float) -> Array:
         """How many times as wide the interval of each question is; of shape (points,), without unit, 1 where usual.
