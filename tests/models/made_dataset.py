@@ -1,10 +1,13 @@
 """A made dataset for model tests: one string with separator and simple effects that the models do not know."""
 
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 
 from pipeline.ground.kinematics import Array, Geometry
 from pipeline.ground.stored.schemas import DATASET
+from pipeline.models.interface import make_model
 
 TOP_TURNS = 27.2
 PLAY_TURNS = 0.1  # half width of the loop: the string's twist follows the motor's this much behind
@@ -69,3 +72,15 @@ def pair_dataset(per_phase: int = 120, seed: int = 0) -> pd.DataFrame:
     string = Geometry("twisted_pair", 0.4, 300.0, 15.0)
     noise_mm = np.random.default_rng(seed).normal(0.0, 0.03, len(points))
     return points.assign(displacement_mm=string.contraction_mm(points["motor_turns"], LOAD_N) + noise_mm)
+
+
+def words_that_ask(dataset: Path, *, is_saved: bool) -> tuple[str, ...]:
+    """Options of `predict` for a model that is fitted anew, or for one that was fitted to all points and saved."""
+    if not is_saved:
+        return "--model", "polynomial"
+    file = dataset.parent / "spline" / "within-0.model"
+    file.parent.mkdir(exist_ok=True)
+    model = make_model("spline")
+    model.fit(pd.read_parquet(dataset), 0)
+    model.save(file)
+    return "--saved", str(file)

@@ -7,10 +7,9 @@ import numpy as np
 import pandas as pd
 import programs
 import pytest
-from made_dataset import TOP_TURNS, made_dataset
+from made_dataset import TOP_TURNS, made_dataset, words_that_ask
 
 from pipeline.ground.stored import schemas
-from pipeline.models.interface import make_model
 from pipeline.models.parts.inside.measure import measures
 
 LEANS = "string C was recorded at 15 N only; at 30 N the answer leans on strings A and B of the material"
@@ -50,14 +49,7 @@ def ask(dataset: Path, rows: list[str], *words: str) -> tuple[pd.DataFrame, prog
 
 @pytest.fixture(scope="module", params=["anew", "saved"])
 def words(request: pytest.FixtureRequest, dataset: Path) -> tuple[str, ...]:
-    if request.param == "anew":
-        return "--model", "polynomial"
-    file = dataset.parent / "spline" / "within-0.model"
-    file.parent.mkdir(exist_ok=True)
-    model = make_model("spline")
-    model.fit(pd.read_parquet(dataset), 0)
-    model.save(file)
-    return "--saved", str(file)
+    return words_that_ask(dataset, is_saved=request.param == "saved")
 
 
 def test_a_load_that_only_other_strings_were_under_is_outside_and_said(dataset: Path, words: tuple[str, ...]) -> None:

@@ -5,11 +5,10 @@ from pathlib import Path
 import pandas as pd
 import programs
 import pytest
-from made_dataset import made_dataset
+from made_dataset import made_dataset, words_that_ask
 
 from pipeline.ground.kinematics import usual_stiffness
 from pipeline.ground.stored import schemas
-from pipeline.models.interface import make_model
 
 ASSUMED = "its stiffness is assumed, {:.4g} N/mm, the usual one of its radius and length"
 
@@ -95,14 +94,7 @@ def test_all_sizes_that_a_new_string_lacks_are_named_at_once(tmp_path: Path) -> 
 @pytest.mark.parametrize("is_saved", [False, True], ids=["anew", "saved"])
 def test_an_empty_stiffness_is_assumed_as_a_missing_column_is_and_said_once(dataset: Path, is_saved: bool) -> None:
     """It was refused, where a file without that column was answered; the stiffness had a remark beside the radius."""
-    words: tuple[str, ...] = ("--model", "polynomial")
-    if is_saved:
-        file = dataset.parent / "spline" / "within-0.model"
-        file.parent.mkdir(exist_ok=True)
-        model = make_model("spline")
-        model.fit(pd.read_parquet(dataset), 0)
-        model.save(file)
-        words = ("--saved", str(file))
+    words = words_that_ask(dataset, is_saved=is_saved)
     tables = []
     for columns, end in (("string,radius_mm", ""), ("string,radius_mm,stiffness_n_per_mm", ",")):
         done = ask(dataset, columns, f"new,0.5{end}", f"new,4{end}", f"A,{end}", words=words)

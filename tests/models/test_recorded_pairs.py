@@ -7,10 +7,9 @@ import numpy as np
 import pandas as pd
 import programs
 import pytest
-from made_dataset import made_dataset
+from made_dataset import made_dataset, words_that_ask
 
 from pipeline.ground.stored import schemas
-from pipeline.models.interface import make_model
 from pipeline.models.parts.inside.recorded_pairs import Paired, pairs_of
 from pipeline.models.parts.questions.prediction_intervals import Intervals
 
@@ -39,14 +38,7 @@ def ask(dataset: Path, rows: list[str], *words: str, given: str = "motor_turns")
 
 @pytest.fixture(scope="module", params=["anew", "saved"])
 def words(request: pytest.FixtureRequest, dataset: Path) -> tuple[str, ...]:
-    if request.param == "anew":
-        return "--model", "polynomial"
-    file = dataset.parent / "spline" / "within-0.model"
-    file.parent.mkdir(exist_ok=True)
-    model = make_model("spline")
-    model.fit(pd.read_parquet(dataset), 0)
-    model.save(file)
-    return "--saved", str(file)
+    return words_that_ask(dataset, is_saved=request.param == "saved")
 
 
 def test_a_twist_that_no_run_under_its_load_came_near_is_outside(dataset: Path, words: tuple[str, ...]) -> None:

@@ -6,10 +6,9 @@ import numpy as np
 import pandas as pd
 import programs
 import pytest
-from made_dataset import made_dataset
+from made_dataset import made_dataset, words_that_ask
 
 from pipeline.ground.stored import schemas
-from pipeline.models.interface import make_model
 from pipeline.models.parts.inside.recorded_strokes import Under
 
 
@@ -39,14 +38,7 @@ def ask(dataset: Path, rows: list[str], *words: str) -> pd.DataFrame:
 @pytest.mark.parametrize("saved", [False, True])
 def test_a_stroke_that_no_run_under_its_load_came_near_is_not_inside(dataset: Path, saved: bool) -> None:
     """It was answered as inside with a narrow interval and no word, far beyond all that was recorded."""
-    words = ("--model", "polynomial")
-    if saved:
-        file = dataset.parent / "spline" / "within-0.model"
-        file.parent.mkdir(exist_ok=True)
-        model = make_model("spline")
-        model.fit(pd.read_parquet(dataset), 0)
-        model.save(file)
-        words = ("--saved", str(file))
+    words = words_that_ask(dataset, is_saved=saved)
     rows = ["9,1,30,10,", "9,-1,30,,3", "3,1,20,10,", "3,1,30,10,", "9,1,20,10,", "7,1,30,10,", "13,1,20,10,"]
     table = ask(dataset, rows, *words)
     assert table["inside"].tolist() == [False] * 3 + [True] * 4
