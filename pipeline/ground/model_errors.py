@@ -6,6 +6,7 @@ Errors are RMSEs on all points of a split, `within` or `later`, by model and spl
 import csv
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 from .model_names import FLOORS, USUAL, WHOLE_MOTION
 
@@ -27,9 +28,13 @@ def floor_in(path: Path) -> float:
     if not path.is_file():
         return 0.0
     with open(path, encoding="utf-8", newline="") as file:
-        rows = [row for row in csv.DictReader(file) if (row["column"], row["map"]) == ("all", "forward")]
-    floors_mm = [float(row["median"]) for row in rows if row["model"] in FLOORS and row["split"] == "within"]
-    return min(floors_mm, default=0.0)
+        return floor_of(csv.DictReader(file))
+
+
+def floor_of(rows: Iterable[Mapping[str, Any]]) -> float:
+    """The noise of held-out points in mm, the least floor in the rows of a models.csv; 0 where none is there."""
+    held_out = [row for row in rows if (row["column"], row["split"], row["map"]) == ("all", "within", "forward")]
+    return min((float(row["median"]) for row in held_out if row["model"] in FLOORS), default=0.0)
 
 
 def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:

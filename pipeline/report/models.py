@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.errors import program
-from ..ground.model_errors import chosen_of
+from ..ground.model_errors import chosen_of, floor_of
 from ..ground.model_names import FLOORS
 from ..ground.stored import schemas
 from ..ground.stored.files import write_text
@@ -129,9 +129,7 @@ def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
         return []
     rules = [f"{number}. {rule}" for number, rule in enumerate(RULES, start=1)]
     at_inverse = inverse_beside.sentences(chosen, titles, errors_turns, errors_mm)
-    floors = table_of["model"].isin(FLOORS) & (table_of["split"] == "within") & (table_of["map"] == "forward")
-    floors_mm = table_of.loc[floors & (table_of["column"] == "all"), "median"]
-    beside = weighed(titles, errors_mm, float(floors_mm.min()) if len(floors_mm) else 0.0)
+    beside = weighed(titles, errors_mm, floor_of(row for _, row in table_of.iterrows()))
     sentences = [f"Take the **{titles[chosen]}**.", beside, at_inverse]
     return [" ".join(filter(None, sentences)), "", RULE, "", *rules, ""]
 

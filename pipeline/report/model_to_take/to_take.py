@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from ...ground.model_errors import chosen_of
+from ...ground.model_errors import chosen_of, floor_in
 from ...ground.model_names import FLOORS, WHOLE_MOTION
 from ..shown.stroke_conditions import APART
 from ..web.page import Text, paragraph, together
@@ -36,11 +36,12 @@ class Models(NamedTuple):
     titles: dict[str, str]
     errors: Errors
     ratios: dict[tuple[str, str, str], float]  # by the same key → the error in floors
+    floor_mm: float  # the noise of held-out points, 0 where it is not known
 
     @classmethod
     def read(cls, path: Path) -> "Models":
         """Those of a models.csv; none where the file is not there."""
-        models = cls({}, {}, {})
+        models = cls({}, {}, {}, floor_in(path))
         if not path.is_file():
             return models
         with open(path, encoding="utf-8", newline="") as file:
@@ -84,10 +85,7 @@ class Models(NamedTuple):
 
     def weighed(self) -> str:
         """The other model that errs less than the one to take; empty if there is none."""
-        inside_mm = {model: rmse for (model, split), rmse in self.forward_mm().items() if split == "within"}
-        ratios = {model: self.ratios.get((model, "within", "forward"), 0.0) for model in inside_mm}
-        floors_mm = [rmse / ratios[model] for model, rmse in inside_mm.items() if ratios[model]]
-        return weighed(self.titles, self.forward_mm(), min(floors_mm, default=0.0))
+        return weighed(self.titles, self.forward_mm(), self.floor_mm)
 
     def at_inverse(self) -> str:
         """The other model that is clearly better at the inverse, and by how much; empty if there is none."""

@@ -52,9 +52,9 @@ def as_exchanged(run: Run, samples: Readings, pair: Pair) -> Exchanged:
 def exchanged(run: Run, samples: Readings, base: Geometry) -> Pair | None:
     """The two channels of a string run whose columns are exchanged; None where none are."""
     as_it_stands = Curve(samples, base)
-    misfit = as_it_stands.misfit()
     if follows(as_it_stands):
         return None
+    misfit = as_it_stands.misfit()
     for pair in PAIRS:
         curve = Curve(as_exchanged(run, samples, pair), base)
         is_stroke = curve.high - curve.low >= LEAST_TURNS

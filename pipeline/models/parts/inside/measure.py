@@ -82,7 +82,7 @@ class Measure:
         of_all = next((pair for pair in self.whole.pairs if pair.name == paired.name), None) if self.whole else None
         if of_all is None:
             return gaps
-        without = [gap.replace(self.whose, "", 1) for gap in gaps]
+        without = replace(paired, whose="").gaps(points)
         return [
             any_ if any_ == bare else gap for gap, bare, any_ in zip(gaps, without, of_all.gaps(points), strict=True)
         ]
