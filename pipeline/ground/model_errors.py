@@ -6,7 +6,6 @@ Errors are RMSEs on all points of a split, `within` or `later`, by model and spl
 import csv
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
 from .model_names import FLOORS, USUAL, WHOLE_MOTION
 
@@ -31,7 +30,7 @@ def floor_in(path: Path) -> float:
         return floor_of(csv.DictReader(file))
 
 
-def floor_of(rows: Iterable[Mapping[str, Any]]) -> float:
+def floor_of(rows: Iterable[Mapping[str, str | float]]) -> float:
     """The noise of held-out points in mm, the least floor in the rows of a models.csv; 0 where none is there."""
     held_out = [row for row in rows if (row["column"], row["split"], row["map"]) == ("all", "within", "forward")]
     return min((float(row["median"]) for row in held_out if row["model"] in FLOORS), default=0.0)

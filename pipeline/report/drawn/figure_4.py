@@ -21,7 +21,7 @@ STROKES = (1, 3, 5, 7)  # the paper's
 LEAST_POINTS = 5 * PARTS  # of a stroke, whose means are drawn
 MOST_STRINGS = 2  # strings that are drawn over each other
 NEUTRAL, NAME_LETTERS = "0.25", 20  # of the legend's entry of a string: its colour, and letters of the string's name
-LEGEND_COLUMNS = 4  # of the legend's entries beside each other
+LEGEND_COLUMNS = 5  # of the legend: four strokes and the model beside each other
 FAINT: dict[str, Any] = {"lw": 0.5, "alpha": 0.3}
 MEANS = f"(b), (d): faint every sample, thick the mean over each of {PARTS} equal parts of the stroke."
 
