@@ -30,7 +30,7 @@ def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
             off = (
                 "so it is set to the model's value"
                 if change is None
-                else f"and that is taken off{but_for(recovered_mm(before, after))}"
+                else f"and that is taken off{but_for(recovered_mm(before, after), name, after.turns[0])}"
             )
             notes.append((name, f"run.yaml of {name} says `tare: run`: {reads}, {off}."))
         else:

@@ -25,7 +25,7 @@ class Jump:
     """A run's rest that differs from the one before it: by `jump_mm`, with a noise floor of `floor_mm`.
 
     `unrecorded` strokes were done in between by what run.yaml says: the change may be theirs. `recovered_mm` of it the
-    string took back in the break: the zero was moved by the rest.
+    string took back in the break: the zero was moved by the rest. `rest_turns` is the twist of the run's first rest.
     """
 
     before: str
@@ -35,6 +35,7 @@ class Jump:
     unrecorded: int = 0
     taken_off: bool = False  # by `tare: run` in the run's run.yaml
     recovered_mm: float = 0.0
+    rest_turns: float = 0.0
 
     @property
     def entry(self) -> dict[str, str | float]:
@@ -69,7 +70,8 @@ class Jump:
         if self.taken_off:
             return (
                 f"{self.sentence} run.yaml of {self.run} says `tare: run`: so this jump is taken off the displacement "
-                f"before the tables and models are made{but_for(self.recovered_mm)}."
+                f"before the tables and models are made"
+                f"{but_for(self.recovered_mm, self.run, self.rest_turns)}."
             )
         return (
             f"{self.sentence} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
@@ -122,7 +124,8 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
     if abs(change) <= max(FLOORS * floor_mm, STROKES * _usual_mm(before, after)):
         return None
     taken_off, recovered = after.run.tare == "run", recovered_mm(before, after)
-    return Jump(before.run.run, after.run.run, change, floor_mm, unrecorded, taken_off, recovered)
+    names = before.run.run, after.run.run
+    return Jump(*names, change, floor_mm, unrecorded, taken_off, recovered, after.turns[0])
 
 
 def change_mm(before: Rests, after: Rests) -> float | None:

@@ -9,6 +9,7 @@ import numpy as np
 from ...ground.command import command, program_name
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from ...ground.words.counts import are
+from ...string.recovered import measured_as
 from ...string.zero import Jump
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
@@ -133,7 +134,7 @@ def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> l
 def zero(jump: Jump) -> str:
     """The remark on a jump of the zero: a mend if one is possible, and how the jump is treated here."""
     if jump.taken_off:
-        took_back = f" The {jump.recovered_mm:.2f} mm that the string took back in the break stay in."
+        took_back = f" {jump.recovered_mm:.2f} mm stay in: {measured_as(jump.run, jump.rest_turns)}."
         moved = f"the {abs(jump.moved_mm):.2f} mm by which its zero was moved are taken off"
         return f"{jump.run} has `tare: run`: {moved}.{took_back if jump.recovered_mm else ''}"
     done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
