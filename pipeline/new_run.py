@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from .foreign.as_options import OtherForm
 from .foreign.made_run import make_run
 from .ground.command import command
 from .ground.errors import program
@@ -108,7 +109,10 @@ def main() -> None:
         parser.error(wanting)
     out = folder_to_write(arguments.out or (arguments.like.parent if arguments.like else Path("raw")))
     content = with_string_id(arguments_to_content(arguments), out)
-    folder = make_run(content, arguments.recording, out, arguments.sure, material_known=arguments.like is not None)
+    try:
+        folder = make_run(content, arguments.recording, out, arguments.sure, material_known=arguments.like is not None)
+    except OtherForm as error:
+        raise error.by_command(parser.typed_without(error.values)) from None
     recorded = has_recording(folder)
     run = parse_run(content, folder / "run.yaml")
     others = others_recorded(folder, run, arguments.like)

@@ -47,6 +47,18 @@ def new(tmp_path, monkeypatch, capsys):
     return run
 
 
+def pasted(said):
+    """The words of the command that a refusal ends with, on a line of its own, without the program."""
+    words = shlex.split(said.splitlines()[-1])
+    assert words[:3] == ["python", "-m", "pipeline.new_run"], said
+    return words[3:]
+
+
+def new_by(words):
+    """What the program ends with on such words."""
+    return programs.run("pipeline.new_run", *words).returncode
+
+
 def spoiled(column, change):
     samples = GOOD.copy()
     samples[column] = change(samples[column].to_numpy(copy=True))
@@ -344,11 +356,9 @@ def test_a_name_that_ends_in_a_unit_in_brackets_is_read_in_it(new, tmp_path, nam
     assert read["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy())
     assert read["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"].to_numpy()), "lap is no unit"
     status, _, said = new("a-02", "--channels", given.replace("lap", "rev."), samples=samples)
-    (option,) = re.findall(r"check it: (--channels .*?)\.?\n", said)
-    assert option.startswith(f"--channels {chr(34) if '[' in name else chr(39)}{{time_s: ") and "'\"'" not in option, (
-        option
-    )
-    assert new("a-02", *shlex.split(option), samples=samples)[0] == 0
+    option = f"--channels {chr(34) if '[' in name else chr(39)}{{time_s: "
+    assert option in said and "'\"'" not in said, said
+    assert new_by(pasted(said)) == 0
 
 
 def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
@@ -370,9 +380,11 @@ def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
     status, _, said = new("a-03", samples=samples.rename(columns={"slide_cm": "displacement_mm"}))
     assert status == 2 and "time_s, motor_turns: there are no columns 'time_s' and 'motor_turns', only t, turns" in said
     likely = "{time_s: t, motor_turns: turns, displacement_mm: displacement_mm, load_n: load_n}"
-    assert f"Mend: add what the file looks like, and check it: --channels '{likely}'." in said
+    assert "Mend: say what the file looks like by the command below, and check it\n  python" in said
+    assert said.endswith(f" --channels '{likely}'\n"), "a command on a line of its own"
     status, _, said = new("a-03", samples=samples.rename(columns={"turns": "a", "slide_cm": "displacement_mm"}))
-    assert "and fill in each … and check it: --channels '{time_s: t, motor_turns: …, displ" in said
+    assert "below, and fill in each … and check it\n" in said
+    assert "--channels '{time_s: t, motor_turns: …, displ" in said
     status, _, said = new("a-03", "--channels", "{motor_turns: [turns]}", samples=samples)
     assert status == 2 and "channels.motor_turns: is ['turns']" in said and "or the column's name alone" in said
 
@@ -399,9 +411,31 @@ def test_an_option_is_whole_where_the_program_knows_the_answer(new, tmp_path, te
     file = tmp_path / "log.csv"
     file.write_text(text(GOOD.to_csv(index=False)))
     status, _, said = new("a-01", "--recording", str(file))
-    assert status == 2 and f"check it: {option}." in said and "…" not in said, said
-    status, _, said = new("a-01", "--recording", str(file), *shlex.split(option))
-    assert status == 0, said
+    assert status == 2 and said.endswith(f" {option}\n") and "…" not in said, said
+    assert new_by(pasted(said)) == 0
+
+
+@pytest.mark.parametrize("given", ["--file={decimal: .}", "--fil"])
+def test_the_mend_for_another_layout_is_the_whole_command_as_it_was_typed(new, tmp_path, given):
+    """It was options at the end of one very long line, to be put into the command by hand."""
+    log = tmp_path / "it's a log.csv"
+    log.write_text(GOOD.to_csv(index=False, sep=";"))
+    words = [given] if "=" in given else [given, "{decimal: .}"]
+    typed = ["--recording", str(log), "--string-id", "spool 3", *words]
+    status, _, said = new("a-01", *typed)
+    sentence, line = said.splitlines()
+    assert status == 2 and sentence.endswith("check it") and len(sentence) < 300, said
+    assert "decimal" not in line and shlex.split(line)[-2:] == ["--file", "{delimiter: ;}"], line
+    assert new_by(pasted(said)) == 0
+    assert read_run(tmp_path / "raw" / "a-01").string.id == "spool 3"
+
+
+def test_the_whole_command_has_its_options_before_two_dashes(tmp_path):
+    (tmp_path / "log.csv").write_text(GOOD.to_csv(index=False, sep=";"))
+    words = ["--material", "UHMWPE", *SIZES, "--recording", "log.csv", "--", "a-01"]
+    done = programs.run("pipeline.new_run", *words, cwd=tmp_path)
+    assert done.returncode == 2 and done.stderr.endswith(" --file '{delimiter: ;}' -- a-01\n"), done.stderr
+    assert programs.run("pipeline.new_run", *pasted(done.stderr), cwd=tmp_path).returncode == 0
 
 
 def test_a_mend_for_the_command_line_keeps_what_was_given(new):

@@ -4,7 +4,7 @@ import argparse
 import difflib
 import itertools
 import sys
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any, NoReturn
 
 from ..errors import bounded
@@ -29,6 +29,21 @@ class Parser(argparse.ArgumentParser):
         """As argparse does; the words are kept for a complaint."""
         self._words = sys.argv[1:] if args is None else list(args)
         return super().parse_known_args(args, namespace)
+
+    def typed_without(self, options: Collection[str]) -> list[str]:
+        """The words that were typed, without these options; each of them takes a value, and may be cut short."""
+        kept: list[str] = []
+        words = iter(self._words)
+        for word in words:
+            name, equals, _ = word.partition("=")
+            if word == "--":
+                return [*kept, word, *words]
+            if len(name) > 2 and name.startswith("--") and any(option.startswith(name) for option in options):
+                if not equals:
+                    next(words)
+            else:
+                kept.append(word)
+        return kept
 
     def error(self, message: str) -> NoReturn:
         """End with exit status 2: usage, the fault, and the nearest option for each unknown one.
