@@ -11,6 +11,7 @@ from ..ground.command import command, recover_command
 from ..ground.errors import BadInput
 from ..ground.stored.files import write_text
 from ..run.capture_json import CaptureJson
+from ..run.ended_words import ABORTED
 from ..run.folder import capture_info
 from ..wire import Account, Hello, Reason, read_account
 from . import uncommitted_note
@@ -41,7 +42,7 @@ def told(frames: Account) -> Outcome:
         return Outcome("recovered")
     if frames.end.reason == Reason.FAULT:
         return Outcome("fault", "the device reported a fault")
-    return Outcome("complete" if frames.end.reason == Reason.COMPLETE else "aborted")
+    return Outcome("complete" if frames.end.reason == Reason.COMPLETE else ABORTED)
 
 
 def opening(size: int, sha256: str, began: datetime, ended: datetime, outcome: Outcome) -> CaptureJson:

@@ -7,6 +7,7 @@ from ..ground.errors import BadInput
 from ..ground.names import SYNTHETIC_DEVICE
 from ..ground.words.counts import counted
 from ..run.capture_json import CaptureJson
+from ..run.ended_words import ABORTED, cause, ending
 from ..run.folder import capture_info, read_run
 from .refused_run import reader_of, refusal, tell_refused
 from .text.clock_words import tell_clock
@@ -36,11 +37,12 @@ def tell(info: CaptureJson, folder: Path) -> bool:
         tell_lines(info, folder, usable, all_named)
     else:
         tell_frames(info, folder)
-    ended = f"ended by {info['ended_by']}" if info["ended_by"] else None
+    early = info["exit_status"] == ABORTED  # then the first line has said what ended it
+    ended = f"ended by {cause(info)}" if cause(info) and not early else None
     if ended or info["fault"]:
         print(f"{folder}: {'; '.join(filter(None, (ended, info['fault'])))}; what had come is kept")
-    if info["exit_status"] == "aborted":
-        print(f"{folder}: aborted means ended before the rig was done; what was recorded is used like any run's")
+    if early:
+        print(f"{folder}: the rig was not done; what had come is kept, and is used like any run's")
     described = False
     try:
         run = read_run(folder)
@@ -106,7 +108,7 @@ def tell_frames(info: CaptureJson, folder: Path) -> None:
     """Say how many frames came, and where others were lost."""
     frames, samples = info["frames"], info["samples"]
     print(
-        f"{folder}: {info['exit_status']}, {counted(samples['received'], 'sample')}; frames: {frames['sent']} sent = "
+        f"{folder}: {ending(info)}, {counted(samples['received'], 'sample')}; frames: {frames['sent']} sent = "
         f"{frames['received']} received + {frames['lost']} lost, {frames['bad']} bad"
     )
     for gap in info["gaps"][:GAPS_TOLD]:

@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ..run.ended_words import ABORTED, PERSON
 from ..wire import Decoder, Frame, Hello, Kind, Reason, encode
 from ..wire.frames import END
 from .log import Log
@@ -15,7 +16,6 @@ SILENCE_S = 3.0
 STOP_S = 5.0  # so long may a device go on that was told to stop
 IDLE_S = 60.0  # so long may bytes come and no new frame
 BEAT_S = 0.25  # the host is heard so often by a device that follows a program
-PERSON = "person"  # who asked for the end, by Ctrl-C
 WRONG_ENDS = 3  # an END that cannot be true is a fault when it comes again and again
 
 
@@ -66,7 +66,7 @@ class Listener:
             return Outcome("fault", "the device reported a fault")
         if reason == Reason.SILENCE:
             return Outcome("fault", "the device stopped: it did not hear this program any more")
-        return Outcome("complete" if reason == Reason.COMPLETE else "aborted")
+        return Outcome("complete" if reason == Reason.COMPLETE else ABORTED)
 
 
 def record(
@@ -108,21 +108,21 @@ def record(
                 if listener.end_seq is not None:
                     port.write(encode(Kind.ACK, listener.end_seq, protocol=hello.protocol))
             elif stops() > 1:
-                outcome, over = Outcome("aborted"), PERSON
+                outcome, over = Outcome(ABORTED), PERSON
             elif math.isinf(stopped_s) and (stops() or now_s - began_s > longest_s):
                 over = PERSON if stops() else f"--longest after {longest_s:g} s"
                 stopped_s = now_s
                 port.write(encode(Kind.STOP, 1, protocol=hello.protocol))
             elif now_s - heard_s > silence_s:
                 fault = f"the device said nothing for {silence_s:g} s"
-                outcome = Outcome("fault" if math.isinf(stopped_s) else "aborted", fault)
+                outcome = Outcome("fault" if math.isinf(stopped_s) else ABORTED, fault)
             elif now_s - stopped_s > STOP_S:
                 outcome = Outcome("fault", "the device went on though it was told to stop")
             elif now_s - new_s > idle_s:
                 outcome = Outcome("fault", f"bytes came, but no new frame for {idle_s:g} s")
     except Unplugged as error:
         # a device that goes away as soon as it has read the ACK takes nothing from the outcome
-        gone = Outcome("fault" if math.isinf(stopped_s) else "aborted", f"the port went away ({error})")
+        gone = Outcome("fault" if math.isinf(stopped_s) else ABORTED, f"the port went away ({error})")
         outcome = outcome or gone
     log.sync()
     progress.show(last=True, cut=outcome.status != "complete")
@@ -131,7 +131,7 @@ def record(
 
 def _told(outcome: Outcome, stopped: bool, over: str | None) -> Outcome:
     """The outcome of a recording that may have been stopped, with the cause of the stop."""
-    status = "aborted" if stopped and outcome.status == "complete" else outcome.status
+    status = ABORTED if stopped and outcome.status == "complete" else outcome.status
     return Outcome(status, outcome.fault, over)
 
 

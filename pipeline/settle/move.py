@@ -7,11 +7,11 @@ from pathlib import Path
 
 from ..capture.commit import recover
 from ..capture.log import NAME, in_use
-from ..capture.stream import PERSON
 from ..foreign.made_run import make_run
 from ..ground.errors import BadInput
 from ..ground.input.strict_yaml import read_yaml
 from ..run.copied_run import as_in, with_given
+from ..run.ended_words import PERSON
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
 from ..run.run_yaml import RunYaml
 from .step import Step

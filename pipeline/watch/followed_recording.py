@@ -13,6 +13,7 @@ from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.numbers.unwound import Unwound
 from ..run.description import Run
+from ..run.ended_words import ending
 from ..run.folder import CAPTURED, capture_info, read_run
 from .appended import Counts, Frames, Printed, Source
 from .arrival_rate import Coming
@@ -175,7 +176,7 @@ class Followed:
         status = info.get("exit_status")
         age_s = None if self._new_s is None else max(0.0, time.time() - self._new_s)
         return {
-            "state": str(status) if status else self._waiting(age_s),
+            "state": ending(info) if status else self._waiting(age_s),
             "ended": bool(status),
             "ended_utc": str(info.get("ended_utc", "")),
             "empty": self._empty(),

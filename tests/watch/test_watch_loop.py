@@ -149,7 +149,7 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         seen.press("stop")
         said = one.communicate(timeout=120)[0]
         assert one.returncode == 130, said
-        seen.until("document.getElementById('state').textContent == 'aborted'")
+        seen.until("document.getElementById('state').textContent == 'ended by Ctrl-C or kill'")
         recording = read_recording((run / FRAMES).read_bytes())
         assert recording.account.end.reason == Reason.STOPPED and state(place, 0)["approved_by"].endswith("on the page")
         seen.until(f"document.getElementById('samples').textContent == '{len(recording.time_s):,}'")

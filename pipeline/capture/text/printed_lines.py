@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...ground.errors import BadInput
+from ...run.ended_words import PERSON
 from ..log import Log
 from ..port import Port, Unplugged
 from ..screen import Screen
-from ..stream import PERSON, Outcome
+from ..stream import Outcome
 from .clock_words import clock_in
 from .fields import MAX_LINE, is_known
 from .lines import Lines, Splitter
