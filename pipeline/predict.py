@@ -51,7 +51,7 @@ BRIEFLY = (
 
 @program
 def main() -> None:
-    """Write the answers to a csv of questions."""
+    """Write the answers to a file of questions as a csv."""
     parser = Parser(prog=command("predict"), description=BRIEFLY)
     parser.ending = listed(exported())
     usual_file = "processed/<material>/dataset.parquet"
@@ -60,8 +60,8 @@ def main() -> None:
     parser.add_argument(
         "questions",
         type=Path,
-        help="csv: motor_turns or displacement_mm, each row one of them; stroke; direction, 1 winding or -1 unwinding; "
-        "and what differs among the recordings, such as load_n",
+        help="csv (parted by commas, semicolons or tabs) or .xlsx: motor_turns or displacement_mm, each row one of "
+        "them; stroke; direction, 1 winding or -1 unwinding; and what differs among the recordings, such as load_n",
     )
     parser.add_argument(
         "--model",

@@ -1,4 +1,4 @@
-"""Rows of a csv of questions under its header: one with more or fewer fields is no question, the others are."""
+"""Rows of a file of questions under its header: one with more or fewer fields is no question, the others are."""
 
 import csv
 import io
@@ -8,17 +8,10 @@ from typing import NamedTuple
 
 import pandas as pd
 
-from ....formats.text import first_names
-from ....formats.text_layout import LOOK, cells
-from ....formats.text_lines import table_lines
 from ....ground.errors import BadInput
-from ....ground.input.text_file import TextFile
 from ....ground.words.counts import counted
 from .bad_rows import BadRow
-
-COMMA = ","
-OTHERS = {";": "';'", "\t": "tabulators", "|": "'|'"}  # that part columns elsewhere
-LAYOUT = TextFile.model_validate({})
+from .question_cells import COMMA, question_cells
 
 
 class EvenRows(NamedTuple):
@@ -33,22 +26,16 @@ class EvenRows(NamedTuple):
 
 
 def even_rows(path: Path, columns: Collection[str], words: Collection[str]) -> EvenRows:
-    """The rows of a csv; columns of `words` are text. Raises BadInput for a file that is no table."""
-    lines = [line for _, line in table_lines(path, LAYOUT)]
-    header = cells(lines[0], COMMA) if lines else []
-    if len(header) == 1 and (other := next((mark for mark in OTHERS if mark in header[0]), None)):
-        mend = "part the columns by commas, and write numbers with a point: 3.5"
-        raise BadInput(path, "columns", f"are parted by {OTHERS[other]}", mend)
-    if not lines or not set(header) <= set(columns):  # else it is a table of questions, whatever its rows are
-        first_names(path, LAYOUT, list(enumerate(lines[:LOOK])), len(lines))
-    if len(lines) < 2:
+    """The rows of a file; columns of `words` are text. Raises BadInput for a file that is no table."""
+    (header, *lines), mark = question_cells(path, columns, words)
+    if not lines:
         raise BadInput(path, "rows", "there are none", "write a header, and one question a line")
+    with_point = "write numbers with a point (3.5), and " * (mark == COMMA)
     rows, longer, shorter = [], list[BadRow](), list[BadRow]()
-    for number, line in enumerate(lines[1:], start=1):
-        fields = cells(line, COMMA)
+    for number, fields in enumerate(lines, start=1):
         has, instead = f"has {counted(len(fields), 'field')}", f", and the header has {len(header)}"
         if any(fields[len(header) :]):
-            mend = "write numbers with a point (3.5), and take out the fields that are too many"
+            mend = f"{with_point}take out the fields that are too many"
             longer.append(BadRow(number, "", has, instead, mend))
             fields = []
         elif len(fields) < len(header):

@@ -43,7 +43,7 @@ class Questions:
 
 
 def read_questions(path: Path, dataset: pd.DataFrame, each_string: bool = False) -> Questions:
-    """Questions of a csv about a dataset. What does not vary in it need not be told, nor what the
+    """Questions of a csv or a workbook about a dataset. What does not vary in it need not be told, nor what the
     recordings of the string say of its sizes.
 
     With `each_string` a row about a string that was not recorded is no question. Raises BadInput naming all columns

@@ -1,4 +1,4 @@
-"""A csv of questions, read strictly: every cell under its header, every column known, nothing guessed."""
+"""A file of questions, read strictly: every cell under its header, every column known, nothing guessed."""
 
 import difflib
 from collections.abc import Collection
@@ -33,7 +33,7 @@ WORDS = {"direction": "write 1 for winding, -1 for unwinding"}  # the mend of a 
 
 
 def question_table(path: Path, columns: Collection[str], words: Collection[str]) -> EvenRows:
-    """Rows of a csv with a header whose columns are among the known, those of `words` as text.
+    """Rows of a csv or a workbook with a header whose columns are among the known, those of `words` as text.
 
     Raises BadInput naming the column.
     """
