@@ -29,15 +29,19 @@ from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, in_one_line, read_jumps
+from .models.parts.inside.why import Kind
 from .models.parts.questions.bad_rows import first_of, refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
-from .models.parts.questions.stroke_errors import AS_WIDE
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
 from .stages.train import seed
 
 ALONE = "--each-string, or --model calibrated"  # the options that answer for one string alone
+NOTED = {  # of answers with an interval, how many are said to be so
+    Kind.BETWEEN: "between what was recorded",
+    Kind.ERRS_MORE: "in a stroke that errs more than others",
+}
 ZERO = (
     "Contractions have the model's zero, not the sensor's: the rest before a string's first stroke is set to what the "
     "paper's equation gives there."
@@ -110,18 +114,16 @@ def main() -> None:
         alike = {string: words for string, words in strings_alike(dataset).items() if string in strings}
         if beware := one_answer(arguments.model, alike, ALONE):
             print(beware, file=sys.stderr)
-    write_text(arguments.out, table.to_csv(index=False, float_format="%.6g"))
+    why = table["why"].map(str)
+    write_text(arguments.out, table.assign(why=why).to_csv(index=False, float_format="%.6g"))
     outside = int((~table["inside"]).sum()) - len(questions.bad)
-    noted = table["inside"] & (table["why"] != "")
-    errs_more = int((noted & table["why"].str.endswith(AS_WIDE)).sum())
-    between = int((noted & ~table["why"].str.fullmatch(f"stroke .* {AS_WIDE}")).sum())
+    noted = {kind: sum(each.tells(kind) for each in table["why"][table["inside"]]) for kind in NOTED}
     counts = [f"{outside} of them {less}"] * (outside > 0)
-    counts += [f"{between} between what was recorded"] * (between > 0)
-    counts += [f"{errs_more} in a stroke that errs more than others"] * (errs_more > 0)
+    counts += [f"{noted[kind]} {words}" for kind, words in NOTED.items() if noted[kind]]
     counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
     print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
     refused = {entry.row for entry in questions.bad}  # said once, at the end
-    whys = ["" if row in refused else why for row, why in enumerate(table["why"], start=1)]
+    whys = ["" if row in refused else each for row, each in enumerate(why, start=1)]
     sentences = first_of(whys, ", each with its reason in the column `why`")
     end = "; row 1 is the first question:" if sentences else "."
     print(f". The column `why` says why{end}" if counts else "")

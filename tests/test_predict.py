@@ -82,7 +82,6 @@ def test_a_stroke_too_far_ahead_has_no_interval_and_a_higher_level_a_wider_one(d
         ("stroke,direction,motor_turns,time_s\n1,1,3,600\n", "time_s"),
         ('stroke,direction,motor_turns\n1,1,"3,5"\n', "motor_turns"),
         ("stroke,direction,motor_turns\n1,winding,3\n", "direction"),
-        ("stroke;direction;motor_turns\n1;1;3\n", "columns"),
         ("stroke,direction,motor_turns\n", "rows"),
         ("stroke,motor_turns\n1,3\n", "direction"),
         ("direction,motor_turns\n1,3\n", "stroke"),

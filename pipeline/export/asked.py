@@ -18,6 +18,7 @@ from ..models.parts.box import MARGIN
 from ..models.parts.inside.assumed_stiffness import said_once
 from ..models.parts.inside.beyond_range import also, beyond, held, with_unit
 from ..models.parts.inside.measure import Measure
+from ..models.parts.inside.why import Kind, Why
 from ..models.parts.questions.foreseen import MAPS
 from ..models.parts.questions.reached_contraction import reached_mm, unreached
 from ..models.parts.rolling_origin import too_far
@@ -38,7 +39,7 @@ def answers(
     measure: Measure,
     strokes: Mapping[str, int],
 ) -> pd.DataFrame:
-    """The value of each question, in the answer's unit, whether it is `inside`, and `why` not.
+    """The value of each question, in the answer's unit, whether it is `inside`, and `why` not, a `Why` each.
 
     Inside is what the export would answer and what was recorded: an export checks each number alone, the `measure`
     knows the recorded pairs and what the questions' string was recorded under, `strokes` the last one of each string,
@@ -87,10 +88,10 @@ def answers(
             why[row] = also(why[row], f"{reason}; {NAMELESS}" if reason else "")
     for row, reason in _too_far(source, points, strokes):
         why[row] = why[row] if refused[row] else also(why[row], f"{reason}; {FURTHER}")
-    inside = why == ""
+    whys = [Why().also(Kind.OUTSIDE, sentence) for sentence in why]
     for sentences in measure.gaps(points).values():
-        why[:] = [also(*both) for both in zip(why, sentences, strict=True)]
-    return pd.DataFrame({ANSWER[from_column]: value, "inside": inside, "why": why})
+        whys = [each.also(Kind.BETWEEN, gap) for each, gap in zip(whys, sentences, strict=True)]
+    return pd.DataFrame({ANSWER[from_column]: value, "inside": why == "", "why": whys})
 
 
 def _too_far(source: Source, points: pd.DataFrame, strokes: Mapping[str, int]) -> Iterator[tuple[int, str]]:

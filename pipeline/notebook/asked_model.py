@@ -44,7 +44,8 @@ def answers(
     with as_arguments():
         refuse(name, settings, level)
         fitted = Fitted(points, name, settings, seed, level, each_string, Path("points"))
-        return fitted.answered(questions_of(questions, points, fitted.apart))
+        table = fitted.answered(questions_of(questions, points, fitted.apart))
+    return table.assign(why=table["why"].map(str))
 
 
 def refuse(name: str, settings: str, level: float) -> None:
@@ -79,7 +80,7 @@ class Fitted:
         return self.each_string or about(self.name).each_string_apart
 
     def answered(self, questions: Questions) -> pd.DataFrame:
-        """Questions beside their answers; raises BadInput where too few points tell how the model errs."""
+        """Questions beside their answers, with a `Why` each; raises BadInput where too few points tell how it errs."""
         if self.apart:
             return beside_questions(questions, by_string(lambda string: self._answer(self._fitted_to(string))))
         intervals = self._fitted_to()

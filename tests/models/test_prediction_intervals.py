@@ -168,5 +168,5 @@ def test_where_no_error_could_be_learnt_there_is_no_interval() -> None:
     intervals.scatter["displacement_mm"].size[:] = np.nan
     answered = intervals.forward(points[:5], 0.9)
     assert not answered["inside"].any() and np.isinf(answered["high"]).all()
-    (sentence,) = reasons(intervals, points[:1], "displacement_mm", np.zeros(1, bool), 0.9)
-    assert sentence == "how large an error is here could not be learnt"
+    (why,) = reasons(intervals, points[:1], "displacement_mm", np.zeros(1, bool), 0.9)
+    assert str(why) == "how large an error is here could not be learnt"

@@ -11,6 +11,7 @@ from made_dataset import made_dataset, words_that_ask
 
 from pipeline.ground.stored import schemas
 from pipeline.models.parts.inside.recorded_pairs import Paired, pairs_of
+from pipeline.models.parts.questions.between import Between
 from pipeline.models.parts.questions.prediction_intervals import Intervals
 
 TOP_AT_30_N = 16.0
@@ -63,6 +64,16 @@ def test_between_recorded_loads_is_inside_as_far_as_its_neighbours_and_said(
     assert (between != table["why"][0]) == (words[0] != "--saved"), "a saved model gives no interval"
     assert table["why"][2].endswith(between) and table["why"][4] == "" and "2 between what was recorded" in out
     assert "no load" not in table["why"][3], "29.5 N is as near to 30 N as the range has room"
+
+
+def test_answers_are_counted_by_the_kind_of_their_reason_whatever_its_words(
+    dataset: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They were counted by the words at the ends of their reasons."""
+    monkeypatch.setattr(Between, "said", lambda *_: "the interval is 2 times as wide")
+    table, out = ask(dataset, ["3,1,15,25", "3,1,15,20.2"], "--model", "polynomial")
+    assert table["why"][0].endswith("there; the interval is 2 times as wide") and table["why"][1] == ""
+    assert "; 1 between what was recorded. The column" in out and "errs more" not in out, out
 
 
 def test_a_contraction_that_only_more_twist_than_was_recorded_gives_is_outside(

@@ -40,6 +40,7 @@ def test_the_first_stroke_after_a_break_is_held_by_a_wider_interval_that_says_so
 ) -> None:
     points = two_runs()
     found = with_intervals(recovered, points.assign(**{wanted: np.nan}), GIVEN[wanted], LEVEL)
+    found["why"] = found["why"].map(str)
     low, high = found[f"{wanted}_low"], found[f"{wanted}_high"]
     held = points[wanted].between(low, high)[found["inside"]]
     first = points["stroke"] == FIRST

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pandas as pd
 
 from ..inside.assumed_stiffness import STIFFNESS
-from ..inside.beyond_range import also
+from ..inside.why import Kind, Why
 from .bad_rows import reason
 from .foreseen import GIVEN, MAPS
 from .prediction_intervals import Intervals
@@ -17,7 +17,7 @@ ASSUMED = "its stiffness is assumed, {:.4g} N/mm, the usual one of its radius an
 
 
 def with_intervals(intervals: Intervals, points: pd.DataFrame, from_column: str, level: float) -> pd.DataFrame:
-    """Value, low and high in the answer's unit, whether the question lies inside, and the reason if not.
+    """Value, low and high in the answer's unit, whether the question lies inside, and why not, as `Why` of each.
 
     Where there is no interval low and high are no numbers.
     """
@@ -33,7 +33,7 @@ def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str],
     """The questions beside their answers; other columns, such as the load, only if the questions give them.
 
     Where some rows ask for the twist and others for the contraction, the column `asked_for` says which. A row that is
-    no question stays in its place, without an answer: its reason is in `why`.
+    no question stays in its place, without an answer: its reason is in `why`, of which each is a `Why`.
     """
     points = questions.points
     others = [name for name in points if name not in (*EITHER, *ASKED) and name in questions.columns]
@@ -41,7 +41,9 @@ def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str],
     for from_column, rows, part in by_known(points):
         answers = answer(part, from_column)
         whys = zip(answers["why"], part[STIFFNESS], questions.is_assumed[rows], strict=True)
-        answers["why"] = [also(why, ASSUMED.format(stiffness) * bool(assumed)) for why, stiffness, assumed in whys]
+        answers["why"] = [
+            why.also(Kind.ASSUMED, ASSUMED.format(stiffness) * bool(assumed)) for why, stiffness, assumed in whys
+        ]
         tables[from_column] = pd.concat([part[[from_column, *ASKED, *others]], answers], axis=1)
         tables[from_column].index = rows
     if len(tables) == 1:
@@ -58,7 +60,7 @@ def _with_bad(table: pd.DataFrame, questions: Questions) -> pd.DataFrame:
     """The answers in the order of the file's rows, and the reasons in the rows that are bad."""
     if not questions.bad:
         return table
-    why = [reason(entry) for entry in questions.bad]
+    why = [Why().also(Kind.NO_QUESTION, reason(entry)) for entry in questions.bad]
     bad_cells = questions.cells[[name for name in questions.cells if name in table]]
     both = pd.concat([table.set_axis(questions.rows[table.index], axis=0), bad_cells.assign(inside=False, why=why)])
     return both[list(table.columns)].sort_index().astype({"inside": bool})

@@ -25,7 +25,6 @@ from .scatter import Scatter, quantile
 
 Group = tuple[str, float, float]  # string, stroke, direction
 CHANCE = 0.01  # that any stroke of strokes that err alike is taken to err more
-AS_WIDE = "times as wide"  # how the sentence on a stroke ends
 CLEAR = 1.1  # the least factor that is worth a word
 
 
@@ -104,4 +103,4 @@ def errs_more(group: Group, factor: float, is_after_break: bool) -> str:
     _, stroke, direction = group
     first = ", the first after a break," if is_after_break else ""
     more = f"stroke {stroke:.0f}{first} errs more {WAYS[direction]} than others"
-    return f"{more}: its interval is {factor:.2g} {AS_WIDE}"
+    return f"{more}: its interval is {factor:.2g} times as wide"

@@ -16,6 +16,7 @@ from ..box import MARGIN
 from ..inside.assumed_stiffness import said_once
 from ..inside.beyond_range import also, beyond, held
 from ..inside.recorded_pairs import around
+from ..inside.why import Kind, Why
 from ..rolling_origin import too_far
 from .prediction_intervals import Intervals
 from .reached_contraction import reached_mm
@@ -23,24 +24,24 @@ from .reached_contraction import reached_mm
 
 def reasons(
     intervals: Intervals, points: pd.DataFrame, wanted: str, inside: NDArray[np.bool_], level: float
-) -> list[str]:
-    """Why each question is not `inside`, a sentence each, or why its interval is wider than usual; else empty.
+) -> list[Why]:
+    """Why each question is not `inside`, or why its interval is wider than usual; else without a reason.
 
     `points` are the questions, of which `wanted` is asked, with intervals of the `level`; `inside` has the shape
     (points,), without unit.
     """
-    sentences = np.full(len(points), "", object)
-    rows = np.flatnonzero(~inside)
+    whys, rows = [Why()] * len(points), np.flatnonzero(~inside)
     if len(rows):
-        sentences[rows] = _outside(intervals, points.iloc[rows], wanted, level)
+        for row, sentence in zip(rows, _outside(intervals, points.iloc[rows], wanted, level), strict=True):
+            whys[row] = Why().also(Kind.OUTSIDE, sentence)
     gaps_by_name = intervals.measure.gaps(points)
     for paired in intervals.pairs:
         gaps, rests_on = gaps_by_name[paired.name], intervals.between.said(paired)
         gaps = [also(gap, rests_on) if gap and within else gap for gap, within in zip(gaps, inside, strict=True)]
-        sentences[:] = [also(*both) for both in zip(sentences, gaps, strict=True)]
+        whys = [why.also(Kind.BETWEEN, gap) for why, gap in zip(whys, gaps, strict=True)]
     for row, wider in zip(np.flatnonzero(inside), intervals.why_wider(points[inside], wanted, level), strict=True):
-        sentences[row] = also(sentences[row], wider)
-    return list(sentences)
+        whys[row] = whys[row].also(Kind.ERRS_MORE, wider)
+    return whys
 
 
 def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: float) -> NDArray[np.object_]:
