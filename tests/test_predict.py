@@ -290,7 +290,8 @@ def test_a_stroke_too_far_ahead_of_a_saved_model_is_flagged_as_it_is_of_one_that
         last = known["stroke"].max()
         reason = (
             f"stroke 9 is {9 - last} after {last}, the last that the model was fitted to; errors were measured up to 2 "
-            "strokes ahead (strokes recorded - 4, at most 3); the export answers, by the model's law of n"
+            "strokes ahead (strokes recorded - 4, at most 3); the export answers, by the model's law of n (in C "
+            "tsa_recorded says so)"
         )
         assert table["why"][2] == reason and f"  row 3: {reason}\n" in done.stdout
         assert "TSA_BAD_STROKE" in table["why"][4] and "law of n" not in table["why"][4]

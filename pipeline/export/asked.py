@@ -28,7 +28,7 @@ from .interface import Source
 NEAR = 1e-6  # of the range: a twist that was brought to its end
 UNCHECKED = "the export answers, as it checks each number alone (in C tsa_recorded says of which pairs)"
 NAMELESS = "the export answers, as it reads no name"
-FURTHER = "the export answers, by the model's law of n"
+FURTHER = "the export answers, by the model's law of n (in C tsa_recorded says so)"
 
 
 def answers(

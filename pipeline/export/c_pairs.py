@@ -16,7 +16,8 @@ USAGE = (
     f"{CALL} returns TSA_UNRECORDED where nothing was recorded around that twist",
     "together with the state's other numbers; 0 where there was, and TSA_BAD_... as above. The two functions above",
     "answer all the same: give it the twist that you asked with, or that you got. tsa_stroke_recorded(&state) asks",
-    "whether the stroke was recorded under the load at all, at whatever twist.",
+    "whether the stroke was recorded under the load at all, at whatever twist. Both return TSA_UNRECORDED too where",
+    "the stroke is further ahead than errors were measured.",
 )
 
 
@@ -33,6 +34,7 @@ def checked_pairs(source: Source) -> str:
         "    return TSA_BAD_MOTOR_TURNS;",
         "}",
     ]
+    lines += ["if (tsa_stroke_recorded(at) != TSA_OK) {", "    return TSA_UNRECORDED;", "}"]
     for paired in source.pairs:
         if paired.name in source.inputs.names:
             lines += _refused_beyond(paired, paired.corners, "motor_turns")
@@ -40,13 +42,21 @@ def checked_pairs(source: Source) -> str:
         last = real(source.under.last)
         stroke = f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"
         under = [stroke, *_refused_beyond(source.under, source.under.hulls[0], "stroke")]
-        lines += ["if (tsa_stroke_recorded(at) != TSA_OK) {", "    return TSA_UNRECORDED;", "}"]
         lines = [stroke, *lines, *_refused_as_far(source.under)]
     else:
-        under = ["(void)at;"]
+        under = []
+    under += _refused_too_far(source) or ["(void)at;"]
     has = "#define TSA_HAS_RECORDED 1 /* tsa_recorded and tsa_stroke_recorded are there */\n\n"
     has += function("int", "tsa_stroke_recorded(const tsa_state *at)", *under, "return TSA_OK;")
     return has + function("int", "tsa_recorded(const tsa_state *at, tsa_real motor_turns)", *lines, "return TSA_OK;")
+
+
+def _refused_too_far(source: Source) -> list[str]:
+    """Lines that refuse a stroke further ahead than errors were measured; none where that is unknown."""
+    if source.foreseen is None:
+        return []
+    farthest = source.inputs.last_stroke + source.foreseen[1]
+    return [f"if (at->stroke > {farthest}) {{", "    return TSA_UNRECORDED;", "}"]
 
 
 def _refused_as_far(under: Under) -> list[str]:

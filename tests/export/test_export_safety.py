@@ -5,19 +5,25 @@ import itertools
 import re
 import subprocess
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
+import programs
 import pytest
 from compiled import C99, ROOT, UNTOUCHED, WARNINGS, built, compiled, need
+from made_models import saved
 
 from pipeline.export.c_header import CODES, header
 from pipeline.export.inputs import Inputs
 from pipeline.export.onnx_model import GIVEN
+from pipeline.export.source import Beside, opened
 
 EXACT = [("spline", "one"), ("spline", "campaign"), ("spline", "pair"), ("calibrated", "one"), ("cinn", "one")]
 CINN, INN = [("cinn", "campaign", "float"), ("cinn", "pair", "float")], ("inn", "one", "float")
 HELD, UNRECORDED = -1.0, -2.0
+FORESEEN = {"one": 2, "short": 2, "switched": 1}  # strokes ahead: those recorded - 4
 ROUND_TRIP_TURNS = 1e-3
 FLAT_MM_PER_TURN = 0.01  # below it the last digit of a contraction in single precision is 1e-4 turns
 
@@ -139,6 +145,27 @@ def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_
     assert (answered == 0.0).all(), "the functions beside it answer as before"
     wrong = np.array([[np.nan, *queries[0, 1:]], [queries[0, 0], 99, *queries[0, 2:]]])
     assert program("spline", kind, real).recorded(wrong).tolist() == [1.0, 3.0]
+
+
+@pytest.mark.parametrize("kind", ["one", "short", "switched"])
+def test_the_header_and_predict_say_the_same_of_every_stroke(tmp_path: Path, kind: str) -> None:
+    """The header called strokes recorded up to twice those that were, where predict called them outside."""
+    file = saved("spline", kind, tmp_path)
+    known = opened(file, None, Beside())
+    names, last = known.inputs.names, known.inputs.last_stroke
+    strokes = [(stroke, turns) for stroke in range(1, 2 * last + 1) for turns in (4.0, 14.0, 19.0)]
+    table = pd.DataFrame(strokes, columns=["stroke", "motor_turns"]).assign(direction=1)
+    if "load_n" in names:
+        loads = pd.DataFrame({"load_n": [20.0, 30.0]})
+        table = table.merge(loads, how="cross")
+    table.to_csv(tmp_path / "questions.csv", index=False)
+    words = "--saved", file, "--out", tmp_path / "answers.csv"
+    done = programs.run("pipeline.predict", tmp_path / "dataset.parquet", tmp_path / "questions.csv", *words)
+    assert done.returncode == 0, done.stderr
+    inside = pd.read_csv(tmp_path / "answers.csv")["inside"].to_numpy()
+    codes = compiled(known, tmp_path / "c", "double").recorded(table[["motor_turns", *names]].to_numpy(float))
+    assert ((codes == 0.0) == inside).all() and inside.any()
+    assert not inside[table["stroke"] > last + FORESEEN[kind]].any() and (codes[-1], len(set(codes))) == (UNRECORDED, 2)
 
 
 def test_a_stroke_whose_last_rest_alone_was_under_a_load_is_not_recorded_under_it(source: Any, program: Any) -> None:
