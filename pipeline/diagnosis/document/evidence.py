@@ -55,7 +55,8 @@ class Evidence(TypedDict, total=False):
     """All of it; made keys, in the reading's unit: `floor_…`, `nominal_…`, `calibrated_…`, `adopted_…`, …
 
     `resolution_…`, `single_floor_…`, `between_…` (outside of excursions), and by effect `spans_…`, `trends_…`,
-    `tops_…` and `beyond_dimensions_…`. The channel that moves is one too: its lowest and highest value.
+    `tops_…` and `beyond_dimensions_…`; `sums_…` by two effects that nearly cancel. The channel that moves is one too:
+    its lowest and highest value.
     """
 
     explanations: list[ExplanationEntry]

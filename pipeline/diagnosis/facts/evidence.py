@@ -83,6 +83,8 @@ def evidence(study: Study) -> Evidence:
         "loaded": drivers.loaded,
         "covered": covered(study.problem.record),
     }
+    if nearly := extents.sums(effects):
+        sizes[f"sums_{ending}"] = nearly
     whole = with_made(weighed, {f"floor_{ending}": told_floor(study), **alone}, "explanations")
     motion = {system.driver: [float(drivers.motion.min()), float(drivers.motion.max())]}
     return with_made(with_made(whole, sizes, "loops"), motion, "strokes")

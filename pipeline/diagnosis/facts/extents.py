@@ -3,6 +3,8 @@
 Effects are given by their ids, each of shape (samples,), in the reading's unit.
 """
 
+from itertools import combinations
+
 import numpy as np
 
 from ...ground.kinematics import Array
@@ -10,6 +12,8 @@ from ..mechanisms.library import mechanisms
 from ..recording.working_samples import Record
 
 LIKE = 0.05  # of a load: loads that differ by less count as the same
+CANCEL = 0.5  # of the larger effect's span: two effects whose sum spans less nearly cancel
+BOTH = " + "  # between two ids
 TOP = 0.02  # of the motion's range: places nearer to the highest one count as the top
 
 
@@ -19,6 +23,21 @@ def spans(effects: dict[str, Array]) -> dict[str, float]:
     Each effect has the shape (samples,), in the reading's unit.
     """
     return {id_: float(np.subtract(*np.percentile(effect, [99.9, 0.1]))) for id_, effect in effects.items()}
+
+
+def sums(effects: dict[str, Array]) -> dict[str, float]:
+    """The span of the sum of each two slow effects that nearly cancel, by their ids with a plus between.
+
+    Such a sum spans less than half of what the larger one does, which it cannot where both move the same way. Each
+    effect has the shape (samples,), in the reading's unit, and so have the spans.
+    """
+    slow, alone = [id_ for id_ in effects if mechanisms()[id_].slow], spans(effects)
+    nearly: dict[str, float] = {}
+    for first, second in combinations(slow, 2):
+        both = f"{first}{BOTH}{second}"
+        together = spans({both: effects[first] + effects[second]})
+        nearly |= together if together[both] < CANCEL * max(alone[first], alone[second]) else {}
+    return nearly
 
 
 def trends(effects: dict[str, Array]) -> dict[str, float]:

@@ -1033,6 +1033,26 @@ def test_effects_whose_loops_are_far_wider_than_the_recorded_one_are_said_to_can
     assert "partly cancel" not in page(made), "one wide loop is no two"
 
 
+@pytest.mark.parametrize("loaded", [False, True])
+def test_slow_effects_that_nearly_cancel_are_said_to_and_which_run_tells(loaded):
+    """A large drift and a creep against it stood in a verdict on two runs without a word."""
+    made = confident(0.93, 0.46)
+    assert "nearly cancel" not in page(copy.deepcopy(made))
+    made["mechanisms"][0]["id"] = "sensor_drift"
+    assert [entry["id"] for entry in made["mechanisms"]][:2] == ["sensor_drift", "creep"]
+    spans = {"spans_mm": {"sensor_drift": 1.2, "creep": 0.9}, "sums_mm": {"sensor_drift + creep": 0.3}}
+    made["evidence"] |= {"loaded": loaded, "floor_mm": 0.02, **spans}
+    other = "" if loaded else "under another load or "
+    said = (
+        "sensor_drift (1.2 mm) and creep (0.90 mm) nearly cancel: the recording shows their sum, which moves the "
+        f"reading by 0.30 mm, and cannot tell them apart. What can: a run {other}with a long rest."
+    )
+    for text in (page(copy.deepcopy(made)), full(copy.deepcopy(made))):
+        assert said in " ".join(text.split())
+    made["evidence"]["floor_mm"] = 1.0
+    assert "nearly cancel" not in page(made), "what is within the noise is no effect to tell"
+
+
 def test_a_proposed_run_says_which_question_it_answers_and_for_which_probable_name_it_is_not():
     question, make = "If you need to know which is at work, creep or thermal", "make the run that can decide."
     said = full_steps(confident(0.72, 0.46))
