@@ -83,7 +83,7 @@ def evidence(study: Study) -> Evidence:
         "loaded": drivers.loaded,
         "covered": covered(study.problem.record),
     }
-    if nearly := extents.sums(effects):
+    if nearly := extents.sums(effects, study.problem.record):
         sizes[f"sums_{ending}"] = nearly
     whole = with_made(weighed, {f"floor_{ending}": told_floor(study), **alone}, "explanations")
     motion = {system.driver: [float(drivers.motion.min()), float(drivers.motion.max())]}

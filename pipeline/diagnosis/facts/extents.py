@@ -25,19 +25,27 @@ def spans(effects: dict[str, Array]) -> dict[str, float]:
     return {id_: float(np.subtract(*np.percentile(effect, [99.9, 0.1]))) for id_, effect in effects.items()}
 
 
-def sums(effects: dict[str, Array]) -> dict[str, float]:
+def sums(effects: dict[str, Array], record: Record) -> dict[str, float]:
     """The span of the sum of each two slow effects that nearly cancel, by their ids with a plus between.
 
-    Such a sum spans less than half of what the larger one does, which it cannot where both move the same way. Each
-    effect has the shape (samples,), in the reading's unit, and so have the spans.
+    Such a sum spans less than half of what the larger one does, which it cannot where both move the same way. What
+    changes from run to run alone does not count: each run has a zero of its own. Each effect has the shape (samples,),
+    in the reading's unit, and so have the spans.
     """
-    slow, alone = [id_ for id_ in effects if mechanisms()[id_].slow], spans(effects)
+    effects = {id_: _within_runs(effect, record) for id_, effect in effects.items() if mechanisms()[id_].slow}
+    slow, alone = list(effects), spans(effects)
     nearly: dict[str, float] = {}
     for first, second in combinations(slow, 2):
         both = f"{first}{BOTH}{second}"
         together = spans({both: effects[first] + effects[second]})
         nearly |= together if together[both] < CANCEL * max(alone[first], alone[second]) else {}
     return nearly
+
+
+def _within_runs(effect: Array, record: Record) -> Array:
+    """An effect less its mean in each run; both of shape (samples,), in the reading's unit."""
+    runs = record.run_index
+    return np.asarray(effect - (np.bincount(runs, effect) / np.maximum(np.bincount(runs), 1))[runs])
 
 
 def trends(effects: dict[str, Array]) -> dict[str, float]:

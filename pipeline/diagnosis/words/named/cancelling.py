@@ -10,8 +10,8 @@ from ..measured.dimensions import far_moved
 
 ADD_UP = 0.05  # of what is missing: sizes whose sum is so near to it need no word
 NEARLY = (
-    "{} nearly cancel: the recording shows their sum, which moves the reading by {}, and cannot tell them apart. What "
-    "can: {}."
+    "{} nearly cancel: the recording shows their sum, which moves the reading by {} in a run, and cannot tell them "
+    "apart. What can: {}."
 )
 FAR = 2.0  # times the recorded loop: effects that open wider ones must take most of each other back
 
@@ -59,8 +59,7 @@ def _slow_cancel(content: Verdict, entries: list[MechanismEntry], words: Vocabul
         pair = both.split(BOTH)
         if not named.issuperset(pair) or min(alone[id_] for id_ in pair) <= amount(evidence, f"floor_{words.ending}"):
             continue
-        sizes = listing([f"{id_} ({size(alone[id_], words.unit)})" for id_ in pair])
-        sentences.append(NEARLY.format(sizes, size(together, words.unit), _run_that_tells(content, words)))
+        sentences.append(NEARLY.format(listing(pair), size(together, words.unit), _run_that_tells(content, words)))
     return sentences
 
 

@@ -1044,8 +1044,8 @@ def test_slow_effects_that_nearly_cancel_are_said_to_and_which_run_tells(loaded)
     made["evidence"] |= {"loaded": loaded, "floor_mm": 0.02, **spans}
     other = "" if loaded else "under another load or "
     said = (
-        "sensor_drift (1.2 mm) and creep (0.90 mm) nearly cancel: the recording shows their sum, which moves the "
-        f"reading by 0.30 mm, and cannot tell them apart. What can: a run {other}with a long rest."
+        "sensor_drift and creep nearly cancel: the recording shows their sum, which moves the reading by 0.30 mm in a "
+        f"run, and cannot tell them apart. What can: a run {other}with a long rest."
     )
     for text in (page(copy.deepcopy(made)), full(copy.deepcopy(made))):
         assert said in " ".join(text.split())
