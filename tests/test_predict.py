@@ -684,6 +684,7 @@ def test_a_string_of_several_has_the_range_of_its_own_recording(of_two: Path) ->
         assert not answered(of_two)["inside"][0] and answered(of_two)["motor_turns_low"][0] == ""
 
 
+@pytest.mark.long
 def test_the_model_that_the_page_takes_is_named_where_another_answers(of_two: Path) -> None:
     models_csv = of_two.parents[2] / "reports" / "two" / "models.csv"
     models_csv.parent.mkdir(parents=True)

@@ -60,6 +60,7 @@ def test_a_run_keeps_what_the_verdict_advised_that_it_adopted_against_its_advice
     assert json.loads(visit.texts["diagnosis.json"])["adopted"] == [adoption]
 
 
+@pytest.mark.long
 def test_the_next_verdict_says_so_and_claims_no_more(visit) -> None:
     page, details = visit.texts["verdict.txt"], visit.texts["details.txt"]
     for text in map(flat, (page, details)):
@@ -77,6 +78,7 @@ def test_the_next_verdict_says_so_and_claims_no_more(visit) -> None:
     assert len(page.splitlines()) <= 66
 
 
+@pytest.mark.long
 def test_its_figure_says_so_in_title_and_mark(visit) -> None:
     content, words = json.loads(visit.texts["diagnosis.json"]), Vocabulary.of(systems()["separator"])
     title = figures.title(content, still_holds(content, words)).replace("\N{NO-BREAK SPACE}", " ")
@@ -84,6 +86,7 @@ def test_its_figure_says_so_in_title_and_mark(visit) -> None:
     assert flat(figures.warning(content, words)).endswith(f"against the advice of their verdict. It says: {ADVICE}")
 
 
+@pytest.mark.long
 def test_simulating_says_so(visit, tmp_path: Path) -> None:
     plan = tmp_path / "plan.csv"
     plan.write_text("time_s,motor_turns,load_n\n0,0,20\n5,20,20\n5.3,20,20\n10.3,0,20\n")
@@ -93,6 +96,7 @@ def test_simulating_says_so(visit, tmp_path: Path) -> None:
         assert f"adopted this against the advice of its verdict, which says: {ADVICE}" in flat(done.stdout)
 
 
+@pytest.mark.long
 def test_a_plan_s_error_says_whose_it_is_and_the_loop_has_the_sign_that_lifespan_has(visit, tmp_path: Path) -> None:
     """The error of what is named without the last strokes stood there as that of what is simulated."""
     plan = tmp_path / "plan.csv"
@@ -105,6 +109,7 @@ def test_a_plan_s_error_says_whose_it_is_and_the_loop_has_the_sign_that_lifespan
         assert "+0.2 mm" in done.stdout and " 0.0 mm" in done.stdout and "-0.0" not in done.stdout
 
 
+@pytest.mark.long
 def test_rows_add_up_but_for_what_hardly_differs_and_a_formula_has_the_symbols_of_its_elements(visit) -> None:
     """The rows of creep added up to -0.670 mm under a head of -0.677 mm; F stood beside the root of the load."""
     creep, friction = flat(visit.explained.stdout).split(" Its formula: ")[:2]
@@ -115,12 +120,14 @@ def test_rows_add_up_but_for_what_hardly_differs_and_a_formula_has_the_symbols_o
     assert "dx = -sum k_i f_i g_i s_i" in flat(visit.explained.stdout) and "F/K" not in friction
 
 
+@pytest.mark.long
 def test_what_adopting_prints_stands_in_groups(visit) -> None:
     heads = [line for line in visit.adopted.stdout.splitlines() if line[:1].strip()]
     assert heads[-3:] == ["What changed", "What it means", "What comes next"]
     assert "run.yaml keeps that advice" in visit.adopted.stdout
 
 
+@pytest.mark.long
 def test_a_run_yaml_of_an_earlier_program_is_read_and_says_nothing_of_advice(visit, tmp_path: Path) -> None:
     content = yaml.safe_load((visit.folder / "run.yaml").read_text())
     del content["adopted"][0]["against_advice"]
@@ -138,6 +145,7 @@ def test_a_run_yaml_of_an_earlier_program_is_read_and_says_nothing_of_advice(vis
     assert f"{asks}to 30 N), at 4 turns/s, then as many at 2 turns/s, with the same holds and rests." in page
 
 
+@pytest.mark.long
 def test_simulating_with_a_verdict_that_advises_against_it_says_so(visit, tmp_path) -> None:
     words = ("--simulation", visit.source, "--out", tmp_path / "out.csv")
     printed = flat(programs.run("pipeline.simulate", visit.folder, *words).stdout)

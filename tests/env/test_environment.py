@@ -237,6 +237,7 @@ def test_where_nothing_may_be_written_it_works_or_says_so(checkout, bare, made):
         assert done.returncode == 1 and "Permission denied" in done.stderr and "writable" in done.stderr
 
 
+@pytest.mark.long
 def test_a_full_disk_is_a_sentence_and_leaves_nothing(bare):
     write_wheel(bare.wheels, "huge", "1.0", files=3000)
     bare.lock("huge==1.0")

@@ -123,6 +123,7 @@ def test_a_command_that_is_not_there_or_does_not_run_is_a_sentence(checkout, tmp
     assert done.returncode == 1 and "cannot be run" in done.stderr and "Traceback" not in done.stderr
 
 
+@pytest.mark.long
 def test_it_makes_runs_and_keeps_where_the_system_has_no_locks_and_no_proc(bare, tmp_path):
     """Where it cannot be known whether an old environment is used, it stays, and how to remove it is said."""
     site = Path(bare.quick["PYTHONPATH"]) / "sitecustomize.py"

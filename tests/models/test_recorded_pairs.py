@@ -104,6 +104,7 @@ def fitted_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Intervals, "fit", fit_once)
 
 
+@pytest.mark.long
 def test_held_is_said_as_soon_as_the_answer_gives_another_contraction(dataset: Path, fitted_once: None) -> None:
     """All contractions up to 0.4 mm beyond the end of the curve were answered by that end, as inside."""
     top, _ = ask(dataset, ["3,1,27.1,20"], "--model", "spline")

@@ -34,6 +34,7 @@ def recovered() -> Intervals:
     return fitted(two_runs())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("wanted", GIVEN)
 def test_the_first_stroke_after_a_break_is_held_by_a_wider_interval_that_says_so(
     recovered: Intervals, wanted: str
@@ -56,6 +57,7 @@ def test_the_first_stroke_after_a_break_is_held_by_a_wider_interval_that_says_so
     assert times == pytest.approx(float(factor.split()[0]), rel=0.06)
 
 
+@pytest.mark.long
 def test_strokes_that_the_model_fits_have_the_usual_interval() -> None:
     for number in range(3):  # left out in part, the first stroke is missed; seen whole, it is fitted
         points = made_string(number)
@@ -64,6 +66,7 @@ def test_strokes_that_the_model_fits_have_the_usual_interval() -> None:
             assert set(intervals.why_wider(points, wanted, LEVEL)) == {""}
 
 
+@pytest.mark.long
 def test_of_too_few_points_nothing_is_said(recovered: Intervals) -> None:
     points = two_runs()
     assert set(recovered.why_wider(points, "displacement_mm", 0.999)) == {""}  # no quantile of 40 points
@@ -71,6 +74,7 @@ def test_of_too_few_points_nothing_is_said(recovered: Intervals) -> None:
     assert set(thin.why_wider(points, "displacement_mm", LEVEL)) == {""}
 
 
+@pytest.mark.long
 def test_a_break_lies_before_each_later_run_of_a_string() -> None:
     points = pd.concat([two_runs(), made_string(1)], ignore_index=True)
     assert after_break(points) == {("made-000", float(FIRST))}

@@ -96,6 +96,7 @@ def test_what_cannot_be_right_is_refused_with_its_field(change, column, said) ->
         tb.Recording.of(samples.drop(columns=column) if column else samples, {**DESCRIPTION, **change})
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("anew", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, found, tmp_path: Path, monkeypatch, anew) -> None:
     """The program diagnoses anew, or is given what the diagnosis in memory was made from."""
@@ -233,6 +234,7 @@ def test_a_plan_may_go_on_after_the_recording(nylon: tb.Recording, diagnosis: tb
     assert not np.allclose(fresh["displacement_mm"], after["displacement_mm"], atol=1e-3)
 
 
+@pytest.mark.long
 def test_the_example_of_the_reference_runs(
     nylon: tb.Recording, diagnosis: tb.Diagnosis, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

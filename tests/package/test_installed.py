@@ -90,6 +90,7 @@ def good(done: subprocess.CompletedProcess[str]) -> str:
     return done.stdout
 
 
+@pytest.mark.long
 def test_the_environment_has_twistbench_and_no_module_called_pipeline(place: Path, folder: Path) -> None:
     code = "import importlib.util as u, twistbench; print(twistbench.__version__, u.find_spec('pipeline'))"
     done = ended(place / "bin" / "python", "-c", code, cwd=folder)
@@ -99,6 +100,7 @@ def test_the_environment_has_twistbench_and_no_module_called_pipeline(place: Pat
     assert homes and all(home.startswith("twistbench.") for home in homes)
 
 
+@pytest.mark.long
 def test_the_command_lists_its_programs_and_each_fits_a_screen(place: Path, folder: Path, twistbench: Command) -> None:
     said = good(twistbench("--help"))
     assert all(re.search(rf"^  {name} +\w", said, re.M) for name in PROGRAMS) and len(said.splitlines()) <= SCREEN
@@ -138,11 +140,13 @@ def test_the_tutorial_runs_on_the_wheel(place: Path, tmp_path: Path) -> None:
     assert not unlike(cells, good(done))
 
 
+@pytest.mark.long
 def test_what_is_wrong_is_said_with_the_installed_name(twistbench: Command) -> None:
     done = twistbench("diagnose", "raw/nothing", "--out", "out")
     assert done.returncode == 2 and "twistbench new-run" in done.stderr and "pipeline" not in done.stderr
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("lacks", "extra", "file", "words"),
     [

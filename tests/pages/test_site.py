@@ -58,6 +58,7 @@ def pages(site):
     }
 
 
+@pytest.mark.long
 def test_every_link_within_the_site_leads_to_a_page_and_a_place_in_it(site, pages):
     followed = 0
     for path, page in pages.items():
@@ -73,6 +74,7 @@ def test_every_link_within_the_site_leads_to_a_page_and_a_place_in_it(site, page
     assert followed > 500
 
 
+@pytest.mark.long
 def test_no_page_loads_anything_from_another_host(site, pages):
     loaded = [(path, address) for path, page in pages.items() for address in page.loaded]
     assert len(loaded) > 100
@@ -90,6 +92,7 @@ def test_no_page_loads_anything_from_another_host(site, pages):
         assert script.name == "searchindex.js" or set(named) <= {NAMESPACE}, script
 
 
+@pytest.mark.long
 def test_every_page_of_docs_is_on_the_site_and_in_its_navigation(site, pages):
     aside = site / "search.html"  # which links to nothing but what stands beside every page
     led = {site / urlsplit(link).path for link in pages[aside].links}
@@ -100,6 +103,7 @@ def test_every_page_of_docs_is_on_the_site_and_in_its_navigation(site, pages):
     assert captions == ["Begin", "How to", "Look up", "Understand"]
 
 
+@pytest.mark.long
 def test_the_reference_has_every_public_name(site, pages):
     places = pages[site / "api.html"].places
     assert {f"twistbench.{name}" for name in pipeline.__all__} <= places
@@ -107,12 +111,14 @@ def test_the_reference_has_every_public_name(site, pages):
     assert "twistbench.FittedModel.forward" in places
 
 
+@pytest.mark.long
 def test_the_search_finds_a_mechanism(site):
     index = (site / "searchindex.js").read_text(encoding="utf-8")
     found = json.loads(index[index.index("{") : index.rindex("}") + 1])
     assert "creep" in found["terms"] and "protocol" in found["docnames"]
 
 
+@pytest.mark.long
 def test_the_tutorial_shows_what_its_cells_gave(site):
     book = json.loads((DOCS / "tutorial" / "tutorial.ipynb").read_text(encoding="utf-8"))
     text = (site / "tutorial" / "tutorial.html").read_text(encoding="utf-8")
@@ -120,6 +126,7 @@ def test_the_tutorial_shows_what_its_cells_gave(site):
     assert pictures and text.count('alt="what the cell shows"') == pictures
 
 
+@pytest.mark.long
 def test_a_dead_link_fails_the_build(tmp_path):
     docs = tmp_path / "docs"
     docs.mkdir()

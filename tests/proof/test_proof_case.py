@@ -269,6 +269,7 @@ def test_the_generator_and_the_score_know_nothing_of_what_must_explain_it():
             assert not name.startswith(compare), (path, name)
 
 
+@pytest.mark.long
 def test_friction_and_backlash_look_alike_under_one_load_and_not_under_three():
     for protocol, low, high in (("poor", 0.0, 0.15), ("rich", 0.2, 1.0)):
         case = case_of("backlash", protocol)

@@ -16,6 +16,7 @@ def dry_run(tmp_path, *words):
     return done.returncode, done.stdout + done.stderr
 
 
+@pytest.mark.long
 def test_every_file_gets_its_jobs_and_every_group_its_own(tmp_path):
     folder = tmp_path / "my downloads"
     folder.mkdir()

@@ -193,6 +193,7 @@ def test_nine_of_ten_averages_of_a_mass_lie_in_the_band_of_the_recorded_motion(r
     assert np.mean((means["measured_n"] - means["force_n"]).abs() <= 0.5 * (means["high_n"] - means["low_n"])) > 0.85
 
 
+@pytest.mark.long
 def test_a_tie_without_percentages_lists_its_explanations(tmp_path):
     folder = diagnosed_case(tmp_path, TIES)
     place = tmp_path / "dia" / folder.name

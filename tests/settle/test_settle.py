@@ -25,6 +25,7 @@ def place(waiting, tmp_path) -> Path:
     return copied(waiting[0], tmp_path / "lab")
 
 
+@pytest.mark.long
 def test_nothing_moves_before_somebody_approves_and_the_run_is_drawn_before(waiting):
     place, said = waiting
     assert "no terminal in which to ask; nothing was moved" in said
@@ -131,6 +132,7 @@ def test_ctrl_c_stops_the_motor_first(place):
     assert state(place)["ended"] == "ended by person"
 
 
+@pytest.mark.long
 def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_for(place):
     with rig(place, "--pace", "inf") as port:  # somebody else moves it, as the sheet says
         legs = place / "program.json"

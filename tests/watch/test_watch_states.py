@@ -49,6 +49,7 @@ def shown(page: Browser, place: Path, words: str) -> None:
     page.picture(place / f"{words.replace(' ', '-')}.png")
 
 
+@pytest.mark.long
 @CHROMIUM
 def test_in_each_state_of_a_loop_the_page_shows_all_its_parts_and_no_error(place):
     """From the first recording on, the page said "link is not a function", and all below the loop stayed empty.
@@ -94,6 +95,7 @@ def test_in_each_state_of_a_loop_the_page_shows_all_its_parts_and_no_error(place
                 (place / "out" / QUESTION).unlink(missing_ok=True)
 
 
+@pytest.mark.long
 @CHROMIUM
 def test_a_part_that_cannot_be_shown_is_named_and_leaves_the_others(place):
     """A fault in the part of the loop looked like a server that does not answer, and emptied all parts below it."""

@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 
+import pytest
 from made_recording import recording
 
 from pipeline.ground.stored import schemas
@@ -27,6 +28,7 @@ def as_if_made(project, make_run, name):
     return f"reports/diagnosis/{name}"
 
 
+@pytest.mark.long
 def test_the_diagnosis_of_its_run_is_planned_again_and_that_of_no_other(bare_project, make_run, tmp_path):
     project = type(bare_project)(tmp_path / "project")
     shutil.copytree(bare_project.folder, project.folder, symlinks=True)

@@ -32,6 +32,7 @@ def test_a_diagnosis_is_marked_by_the_rig_of_its_configuration(planned):
     assert ("--mark 'recorded by ci.yaml" in shell and "set-up small (5" in shell) if small else "--mark" not in shell
 
 
+@pytest.mark.long
 def test_the_pages_of_a_material_and_of_a_run_are_told_apart_what_made_them(planned):
     words = shlex.split(line_of("pipeline.report.index", planned))
     rig = json.loads(words[words.index("--rig-mark") + 1])

@@ -41,6 +41,7 @@ def test_it_is_simulated_named_nowhere_and_said_to_be_no_name(unknown):
     assert f"pipeline.simulate uses {' + '.join(ids)}" in page and "as a curve" in page and "no name" in page
 
 
+@pytest.mark.long
 def test_simulate_keeps_what_the_diagnosis_claims(unknown, tmp_path):
     folder, path, content = unknown
     done = programs.run("pipeline.simulate", folder, "--simulation", path, "--out", tmp_path / "out.csv")
@@ -50,6 +51,7 @@ def test_simulate_keeps_what_the_diagnosis_claims(unknown, tmp_path):
     assert float(np.sqrt(np.mean(np.square(left)))) == pytest.approx(content["fit"]["heldout"]["explained_mm"], rel=0.1)
 
 
+@pytest.mark.long
 def test_without_a_name_nothing_is_adopted(unknown, tmp_path):
     folder, path, _ = unknown
     copy = shutil.copytree(folder, tmp_path / folder.name)

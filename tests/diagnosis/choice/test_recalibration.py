@@ -66,6 +66,7 @@ def test_a_true_compaction_that_dimensions_take_back_but_for_a_400th_keeps_its_n
     assert recalibration.only_calibration(radius + size * own, dimensions) == is_calibration
 
 
+@pytest.mark.long
 def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch):
     run, samples = read_samples(conceal("creep")[0])
     refine = calibrate.refine

@@ -19,6 +19,7 @@ def drawn(drivers, measured, simulations):
     return part.axes, [[text.get_text() for text in axes.get_legend().get_texts()] for axes in part.axes[:2]]
 
 
+@pytest.mark.long
 def test_a_simulator_that_would_lie_on_the_recording_is_named_and_not_drawn(studied) -> None:
     problem = studied("creep")[0].problem
     measured = problem.measured

@@ -53,6 +53,7 @@ def test_noise_from_sample_to_sample_counts_no_slower_structure(rig):
     assert quick(made, state, unseen) == pytest.approx(0.01, rel=0.15)
 
 
+@pytest.mark.long
 def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physics_has_to_reach(
     conceal, remembered, tmp_path
 ):

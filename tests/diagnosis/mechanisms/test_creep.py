@@ -87,6 +87,7 @@ def test_one_run_has_no_beginning_to_choose() -> None:
         assert not [nonlinear for nonlinear in mechanisms()[id_].candidates(drivers) if "later_runs" in nonlinear]
 
 
+@pytest.mark.long
 def test_a_refinement_keeps_the_kind_that_needs_fewer_numbers() -> None:
     """Of two beginnings that fit alike, one bends the load's power to do what the other does without."""
     problem = of_runs(*LOADS_N)

@@ -37,6 +37,7 @@ def without(diagnosis: Path, out: Path, *fields: str) -> Path:
     return out
 
 
+@pytest.mark.long
 def test_all_of_a_diagnosis_that_holds_is_taken_and_nothing_is_said(runs, tmp_path):  # noqa: F811
     _, later, diagnosis = runs
     _, printed = simulated(later, diagnosis, tmp_path / "homed.csv", "--home")
@@ -66,6 +67,7 @@ def test_what_fails_on_the_first_stroke_is_left_out_and_that_is_said(runs, tmp_p
     assert error == pytest.approx(alone, rel=0.02)
 
 
+@pytest.mark.long
 def test_effects_alone_are_taken_where_the_dimensions_fail(runs, tmp_path):  # noqa: F811
     _, later, diagnosis = runs
     wrong = changed(diagnosis, tmp_path / "wrong.json", effects=False, dimensions=True)

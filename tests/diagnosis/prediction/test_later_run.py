@@ -47,6 +47,7 @@ def simulate(folder, diagnosis, out, *words):
     return pd.read_csv(out)["displacement_mm"].to_numpy(), " ".join(done.stdout.split())
 
 
+@pytest.mark.long
 def test_it_is_what_the_joint_simulator_gives_with_the_zero_that_was_fitted(joint, tmp_path):
     first, later, diagnosis = joint
     problem = at_own_rate([RecordedRun(*read_strokes(folder)) for folder in (first, later)], thin=False)
@@ -60,6 +61,7 @@ def test_it_is_what_the_joint_simulator_gives_with_the_zero_that_was_fitted(join
     assert float(np.std(given - alone)) > 0.01, "the same motion again creeps less"
 
 
+@pytest.mark.long
 def test_in_memory_it_is_simulated_after_the_run_before_too(joint, tmp_path):
     _, later, diagnosis = joint
     given, _ = simulate(later, diagnosis, tmp_path / "later.csv")
@@ -67,6 +69,7 @@ def test_in_memory_it_is_simulated_after_the_run_before_too(joint, tmp_path):
     assert in_memory["displacement_mm"].to_numpy() == pytest.approx(given, abs=1e-6)
 
 
+@pytest.mark.long
 def test_a_plan_after_its_recording_goes_after_the_run_before_too(joint, tmp_path):
     _, later, diagnosis = joint
     plan = tmp_path / "plan.csv"
@@ -79,6 +82,7 @@ def test_a_plan_after_its_recording_goes_after_the_run_before_too(joint, tmp_pat
 PLANS = "0,0,20\n8,8,20\n16,0,20\n", "0,0,20\n3,0,20\n11,8,20\n19,0,20\n"  # at once; after a rest
 
 
+@pytest.mark.long
 def test_a_plan_that_moves_at_once_has_the_zero_of_the_recording_of_its_run(joint, tmp_path):
     first, later, diagnosis = joint
     for folder, state in ((first, "as it was before its first stroke"), (later, "as one-1 left it, before its first")):
@@ -93,6 +97,7 @@ def test_a_plan_that_moves_at_once_has_the_zero_of_the_recording_of_its_run(join
         assert float(np.abs(at_once - rested).max()) < 0.08, "creep in a rest moves it by 0.07 mm"
 
 
+@pytest.mark.long
 def test_the_zero_of_a_run_of_several_is_adopted_with_it_and_its_plan_has_it(joint, tmp_path):
     first, later, diagnosis = joint
     (tmp_path / "plan.csv").write_text(f"time_s,motor_turns,load_n\n{PLANS[0]}")
@@ -109,6 +114,7 @@ def test_the_zero_of_a_run_of_several_is_adopted_with_it_and_its_plan_has_it(joi
         assert adopted == pytest.approx(given, abs=1e-3)
 
 
+@pytest.mark.long
 def test_a_zero_that_nothing_tells_is_where_the_plan_begins_and_the_band_holds_it(joint, tmp_path):
     first, _, diagnosis = joint
     (tmp_path / "plan.csv").write_text("time_s,motor_turns,load_n\n0,2,20\n8,8,20\n16,2,20\n")
@@ -127,6 +133,7 @@ def test_a_zero_that_nothing_tells_is_where_the_plan_begins_and_the_band_holds_i
     assert "its zero is that of the recording of other-1, as its first second gives it" in said, done.stderr
 
 
+@pytest.mark.long
 def test_where_the_run_before_does_not_lie_beside_it_that_is_said(joint, tmp_path):
     _, later, diagnosis = joint
     alone = tmp_path / "raw" / later.name
@@ -136,6 +143,7 @@ def test_where_the_run_before_does_not_lie_beside_it_that_is_said(joint, tmp_pat
     assert "set in the first second" in said
 
 
+@pytest.mark.long
 def test_adopting_it_says_that_alone_it_begins_anew(joint):
     first, later, diagnosis = joint
     later = Path(shutil.copytree(later, later.parents[1] / "adopting" / later.name))

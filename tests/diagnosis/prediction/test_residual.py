@@ -59,6 +59,7 @@ def test_it_stands_beside_the_reading_and_says_what_it_was_worth_on_unseen_strok
     assert "no physics" in said and f"of the strokes of {folder.name}" in said
 
 
+@pytest.mark.long
 def test_what_it_adds_is_in_no_diagnosis(unexplained):
     content = json.loads(unexplained[1].read_text())
     assert not [key for key in content if "residual" in key] and content["mechanisms"] == []
@@ -73,6 +74,7 @@ def test_where_physics_explains_all_it_says_that_it_does_not_help(conceal, tmp_p
     assert "it does not help: leave it out" in said and "it helps" not in said
 
 
+@pytest.mark.long
 def test_it_adds_nothing_to_what_was_not_recorded_and_says_so(unexplained, tmp_path):
     folder, diagnosis = unexplained
     recorded = read_samples(folder)[1]
@@ -91,6 +93,7 @@ def test_it_adds_nothing_to_what_was_not_recorded_and_says_so(unexplained, tmp_p
     assert f"{rows} of {len(table)} rows lie beyond the drivers that it was fitted to: residual_mm is 0 there" in said
 
 
+@pytest.mark.long
 def test_of_the_strokes_that_it_is_scored_on_it_has_learnt_nothing(unexplained, tmp_path):
     folder, diagnosis = unexplained
     seen_s = json.loads(diagnosis.read_text())["without_last_strokes"]["seen_s"][0]
@@ -150,6 +153,7 @@ def test_of_runs_together_it_learns_from_all_and_names_the_one_that_is_not_there
     assert not (tmp_path / "less.csv").exists()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("held", "field"),
     [
@@ -168,6 +172,7 @@ def test_a_diagnosis_that_cannot_say_what_it_is_worth_is_refused_with_the_mend(u
     assert "Mend: diagnose again, python -m pipeline.diagnose" in done.stderr and not (tmp_path / "out.csv").exists()
 
 
+@pytest.mark.long
 def test_without_a_diagnosis_it_is_refused_with_the_mend(unexplained, tmp_path):
     done = programs.run("pipeline.simulate", unexplained[0], "--residual", "--out", tmp_path / "out.csv")
     assert done.returncode == 2 and "--residual: needs the diagnosis.json that was adopted" in done.stderr

@@ -37,10 +37,12 @@ def test_no_false_alarm(nuisance: str, conceal) -> None:
     assert verdict(conceal(nuisance=nuisance, seed=21)[0])[0] in ("consistent", "parameters")
 
 
+@pytest.mark.long
 def test_what_no_mechanism_makes_is_unknown(conceal) -> None:
     assert verdict(conceal("u_bump", kappa=3.0, seed=5)[0])[0] == "unknown"
 
 
+@pytest.mark.long
 def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_load, monkeypatch) -> None:
     problem, run = one_load
     found = study(problem)

@@ -92,6 +92,7 @@ def test_models_learn_on_the_strings_to_learn_on_and_on_so_many_points(campaign,
     assert seen[0]["string"].nunique() == 12 and set(seen[0]["direction"]) == {-1, 1}
 
 
+@pytest.mark.long
 def test_an_analytic_model_that_learns_nothing_errs_the_same_whatever_it_is_shown(tables):
     for how, same in (("alone", True), ("transfer", False)):
         some = tables["traditional"][tables["traditional"]["how"] == how]
@@ -184,6 +185,7 @@ def test_settings_that_are_none_are_refused_in_words(settings, monkeypatch, caps
         assert status.value.code == 2 and "--settings" in capsys.readouterr().err
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("name", "least"), [("traditional", 0), ("calibrated", 0), ("spline", 1), ("inn", None)])
 def test_what_learns_alone_says_from_how_many_strokes(tables, campaign, name, least):
     """The spline cannot answer unfitted; the equations can, and so their row of no strokes is there."""

@@ -51,6 +51,7 @@ def changed():
     return verdict_of(run_of("a-2", 2, TURNS, zero_mm=4.0))
 
 
+@pytest.mark.long
 def test_a_twist_that_changed_between_two_runs_is_no_slip_and_is_said(changed) -> None:
     found, _, words = changed
     assert found["verdict"] == "parameters" and not found["mechanisms"]
