@@ -19,22 +19,22 @@ from pipeline.formats import matlab, matlab_child
 def _run(command: list[str], **_: object) -> subprocess.CompletedProcess[bytes]:
     """What `subprocess.run` of the reader gives."""
     assert command[1:3] == ["-m", matlab_child.__name__]
-    with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complained, warnings.catch_warnings():
+    with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as complained, warnings.catch_warnings():
         warnings.simplefilter("ignore", DeprecationWarning)  # of a fork beside threads, which the child has no use for
         child = os.fork()
         if child == 0:
-            _read(command[2:], said.fileno(), complained.fileno())
+            _read(command[2:], output.fileno(), complained.fileno())
         status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-        said.seek(0), complained.seek(0)
-        return subprocess.CompletedProcess(command, status, said.read(), complained.read())
+        output.seek(0), complained.seek(0)
+        return subprocess.CompletedProcess(command, status, output.read(), complained.read())
 
 
-def _read(words: list[str], said: int, complained: int) -> None:
+def _read(words: list[str], output_fd: int, complained: int) -> None:
     """Be the reader, and end."""
     status = 1
     try:
         faulthandler.disable()
-        os.dup2(said, 1), os.dup2(complained, 2)
+        os.dup2(output_fd, 1), os.dup2(complained, 2)
         sys.argv, sys.stderr = words, os.fdopen(2, "w", closefd=False)
         matlab_child.main()
     except SystemExit as end:

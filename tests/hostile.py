@@ -22,11 +22,11 @@ NUMBERS = ("0", "-1", "1", "nan", "inf", "-inf", "1e400", "1e-400", "0x10", "１
 
 def ended(module: str, words: list[str], place: Path) -> tuple[int, str]:
     """Exit status and complaint of a program run in this process, in a folder; an exception of it is not caught."""
-    said, complained, before, here = io.StringIO(), io.StringIO(), sys.argv, Path.cwd()
+    output, complained, before, start_folder = io.StringIO(), io.StringIO(), sys.argv, Path.cwd()
     sys.argv = [module, *words]
     os.chdir(place)
     try:
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(complained), warnings.catch_warnings():
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(complained), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             program(importlib.import_module(module).main)()
         return 0, complained.getvalue()
@@ -34,7 +34,7 @@ def ended(module: str, words: list[str], place: Path) -> tuple[int, str]:
         return int(end.code or 0), complained.getvalue()
     finally:
         sys.argv = before
-        os.chdir(here)
+        os.chdir(start_folder)
 
 
 def damaged(content: bytes, rng: np.random.Generator) -> bytes:

@@ -73,10 +73,10 @@ def twisted(content: dict[str, Any], chance: random.Random) -> dict[str, Any]:
     """Nested content with one to three of its values replaced, removed, or beside a new key."""
     content = copy.deepcopy(content)
     for _ in range(chance.randint(1, 3)):
-        found = list(places(content))
-        if not found:
+        paths = list(places(content))
+        if not paths:
             break
-        *above, key = chance.choice(found)
+        *above, key = chance.choice(paths)
         parent: Any = content
         for step in above:
             parent = parent[step]

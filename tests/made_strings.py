@@ -50,5 +50,5 @@ def made_string(
 
 def made_campaign(strings: int, seed: int = 0) -> pd.DataFrame:
     """Points of many made strings, with the columns of `points.SCHEMA` and every string's part of the campaign."""
-    made = [made_string(number, seed, per_phase=20) for number in range(strings)]
-    return labelled(pd.concat(made, ignore_index=True))[SCHEMA.names]
+    tables = [made_string(number, seed, per_phase=20) for number in range(strings)]
+    return labelled(pd.concat(tables, ignore_index=True))[SCHEMA.names]

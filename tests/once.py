@@ -35,6 +35,6 @@ def made_once(shared: Path, key: object, make: Callable[[], Any]) -> Any:
         if not path.exists():
             path.with_suffix(".part").write_bytes(pickle.dumps((repr(key), make())))
             path.with_suffix(".part").rename(path)
-    known, value = pickle.loads(path.read_bytes())
-    assert known == repr(key), "two keys have one name"
+    saved_key, value = pickle.loads(path.read_bytes())
+    assert saved_key == repr(key), "two keys have one name"
     return value

@@ -21,12 +21,12 @@ def run(module: str, *words: object, cwd: Path = ROOT) -> Done:
     An exception that ends the program ends the test: it would have been a traceback.
     """
     command = [module, *map(str, words)]
-    said, complained, before, status = io.StringIO(), io.StringIO(), sys.argv, 0
+    output, complained, before, status = io.StringIO(), io.StringIO(), sys.argv, 0
     sys.argv = command
     try:
         with (
             contextlib.chdir(cwd),
-            contextlib.redirect_stdout(said),
+            contextlib.redirect_stdout(output),
             contextlib.redirect_stderr(complained),
             warnings.catch_warnings(),
         ):
@@ -37,4 +37,4 @@ def run(module: str, *words: object, cwd: Path = ROOT) -> Done:
         status = int(end.code or 0)
     finally:
         sys.argv = before
-    return Done(command, status, said.getvalue(), complained.getvalue())
+    return Done(command, status, output.getvalue(), complained.getvalue())

@@ -39,7 +39,7 @@ class Program:
         self.args, self.returncode = request["args"], None
         self._ended, tells = os.pipe()
         pipes = [os.pipe() for _ in range(0 if output else 1 + apart)]
-        self.stdout, self.stderr = (*(os.fdopen(said) for said, _ in pipes), None, None)[:2]
+        self.stdout, self.stderr = (*(os.fdopen(read_end) for read_end, _ in pipes), None, None)[:2]
         written = [output.fileno()] if output else [writes for _, writes in pipes]
         message = json.dumps(request).encode()
         assert len(message) < LONGEST
@@ -72,19 +72,23 @@ class Program:
         until = None if timeout is None else time.monotonic() + timeout
         pipes = {pipe.fileno(): pipe for pipe in (self.stdout, self.stderr) if pipe and not pipe.closed}
         pieces: dict[int, list[bytes]] = {handle: [] for handle in pipes}
-        left = list(pipes)
-        while left:
-            heard = select.select(left, [], [], None if until is None else max(until - time.monotonic(), 0.0))[0]
+        open_handles = list(pipes)
+        while open_handles:
+            heard = select.select(open_handles, [], [], None if until is None else max(until - time.monotonic(), 0.0))[
+                0
+            ]
             if not heard:
                 raise subprocess.TimeoutExpired(self.args, timeout or 0.0)
             for handle in heard:
                 pieces[handle].append(os.read(handle, 65536))
-                left = left if pieces[handle][-1] else [other for other in left if other != handle]
+                open_handles = (
+                    open_handles if pieces[handle][-1] else [other for other in open_handles if other != handle]
+                )
         self.wait(None if until is None else max(until - time.monotonic(), 1.0))
-        told = [b"".join(piece).decode() for piece in pieces.values()]
+        texts = [b"".join(piece).decode() for piece in pieces.values()]
         for pipe in pipes.values():
             pipe.close()
-        return (*told, None, None)[:2] if told else ("", None)
+        return (*texts, None, None)[:2] if texts else ("", None)
 
     def send_signal(self, number: int) -> None:
         """Send it a signal, where it has not ended."""
@@ -129,31 +133,31 @@ def run(module: str, *words: object, cwd: object = ROOT, timeout: float = 300.0)
     """The same program at its end, with what it said and what it complained of."""
     program = start(module, *words, cwd=cwd, apart=True)
     try:
-        said, complained = program.communicate(timeout)
+        output, complained = program.communicate(timeout)
     except subprocess.TimeoutExpired:
         program.kill()
         raise
-    return subprocess.CompletedProcess(program.args, program.wait(), said, complained)
+    return subprocess.CompletedProcess(program.args, program.wait(), output, complained)
 
 
 def serve(modules: tuple[str, ...]) -> None:
     """Import the modules, then start what is asked for at the socket that is standard input, until it closes."""
     for module in modules:
         importlib.import_module(module)
-    asked, ends = socket.socket(fileno=os.dup(0)), {}
+    control_socket, ends = socket.socket(fileno=os.dup(0)), {}
     woken, wakes = os.pipe()
     os.set_blocking(wakes, False)
     signal.signal(signal.SIGCHLD, lambda *_: None)
     interrupted = signal.signal(signal.SIGINT, signal.SIG_IGN)  # by Ctrl-C of who runs the tests
     signal.set_wakeup_fd(wakes)
     while True:
-        ready = select.select([asked, woken], [], [])[0]
+        ready = select.select([control_socket, woken], [], [])[0]
         if woken in ready:
             os.read(woken, 4096)
             _tell(ends)
-        if asked not in ready:
+        if control_socket not in ready:
             continue
-        message, handles, _, _ = socket.recv_fds(asked, LONGEST, 3)
+        message, handles, _, _ = socket.recv_fds(control_socket, LONGEST, 3)
         if not message:
             return
         *written, tells = handles
@@ -165,7 +169,7 @@ def serve(modules: tuple[str, ...]) -> None:
         for handle in written:
             os.close(handle)
         ends[child] = tells
-        asked.send(str(child).encode())
+        control_socket.send(str(child).encode())
 
 
 def _tell(ends: dict[int, int]) -> None:

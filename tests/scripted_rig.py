@@ -39,13 +39,13 @@ class ScriptedRig(threading.Thread):
                 frames = decoder.feed(os.read(self.ours, 4096))
             except OSError:
                 return
-            for one in frames:
-                self.heard.append(one.frame.kind)
-                if one.frame.kind == Kind.GREET:
+            for heard_frame in frames:
+                self.heard.append(heard_frame.frame.kind)
+                if heard_frame.frame.kind == Kind.GREET:
                     os.write(self.ours, encode(Kind.HELLO, 0, self.hello.pack(), version))
-                if one.frame.kind == Kind.PROGRAM and self.answers:
+                if heard_frame.frame.kind == Kind.PROGRAM and self.answers:
                     wait_s, payload = self.answers.pop(0)
-                    count, crc = PROGRAM.unpack(one.frame.payload)
+                    count, crc = PROGRAM.unpack(heard_frame.frame.payload)
                     time.sleep(wait_s)
                     taken = payload or TAKEN.pack(count, crc, Answer.TAKEN, 0)
                     os.write(self.ours, encode(Kind.TAKEN, 0, taken, version))

@@ -115,14 +115,14 @@ def test_a_temperature_that_no_room_has_is_questioned(foreign, capsys, unit, ask
 
 def test_the_rows_of_a_file_without_a_clock_are_as_far_apart_as_the_mapping_says(foreign):
     file, mapping, raw = foreign
-    told = yaml.safe_load(mapping.read_text())
-    told["channels"]["time_s"] = {"step_s": 0.05}
-    mapping.write_text(yaml.safe_dump(told))
+    mapping_content = yaml.safe_load(mapping.read_text())
+    mapping_content["channels"]["time_s"] = {"step_s": 0.05}
+    mapping.write_text(yaml.safe_dump(mapping_content))
     import_run(file, mapping, "a-01", raw)
     _, samples = read_samples(raw / "a-01")
     assert samples["time_s"].to_numpy() == pytest.approx(0.05 * np.arange(len(GOOD)))
     for channels in ({"time_s": {"step_s": 0.05, "unit": "ms"}}, {"displacement_mm": {"column": 2, "step_s": 0.05}}):
-        mapping.write_text(yaml.safe_dump({**told, "channels": {**told["channels"], **channels}}))
+        mapping.write_text(yaml.safe_dump({**mapping_content, "channels": {**mapping_content["channels"], **channels}}))
         with pytest.raises(BadInput, match=r"step_s: says how far apart the rows are.* keep it for time_s alone"):
             import_run(file, mapping, "a-02", raw)
         assert not (raw / "a-02").exists()
@@ -135,9 +135,9 @@ def dated(foreign, change=lambda stamps: stamps, **time_s):
     table = pd.read_csv(file, sep=";", header=None, comment="%")
     table[0] = change(stamps.dt.strftime("%d.%m.%Y %H:%M:%S.%f"))
     file.write_text("% a logger's remark\n" + table.to_csv(index=False, header=False, sep=";"))
-    told = yaml.safe_load(mapping.read_text())
-    told["channels"]["time_s"] = {"column": 0, **time_s}
-    mapping.write_text(yaml.safe_dump(told))
+    mapping_content = yaml.safe_load(mapping.read_text())
+    mapping_content["channels"]["time_s"] = {"column": 0, **time_s}
+    mapping.write_text(yaml.safe_dump(mapping_content))
     return file, mapping, raw
 
 
@@ -162,10 +162,10 @@ def test_a_row_without_a_date_among_dates_is_named(foreign, wrong):
 
 def test_some_rows_of_a_file_can_be_asked_for_and_no_more_than_it_has(foreign):
     file, mapping, raw = foreign
-    told = yaml.safe_load(mapping.read_text())
+    mapping_content = yaml.safe_load(mapping.read_text())
     last = len(GOOD) - 10
     for rows, name in (([5, last], "a-01"), ([5, len(GOOD) + 1], "a-02"), ([9, 9], "a-02")):
-        mapping.write_text(yaml.safe_dump({**told, "file": {**told["file"], "rows": rows}}))
+        mapping.write_text(yaml.safe_dump({**mapping_content, "file": {**mapping_content["file"], "rows": rows}}))
         if name == "a-01":
             import_run(file, mapping, name, raw)
             continue
@@ -183,11 +183,11 @@ def test_import_mends_time_stamps_says_so_and_drops_nothing(foreign):
         lines[row] = ";".join([lines[row - 1].split(";")[0], *lines[row].split(";")[1:]])
     lines[400] = ";".join(["0", *lines[400].split(";")[1:]])
     file.write_text("\n".join(lines))
-    said = import_run(file, mapping, "a-01", raw)
+    summary = import_run(file, mapping, "a-01", raw)
     run, samples = read_samples(raw / "a-01")
     assert len(samples) == len(GOOD)
     assert run.mended == {"backward_time_stamps": 1, "repeated_time_stamps": 3}
-    assert "3 repeated time stamps" in said
+    assert "3 repeated time stamps" in summary
     assert samples["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy(), abs=0.05)
 
 

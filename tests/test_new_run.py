@@ -41,16 +41,16 @@ def new(tmp_path, monkeypatch, capsys):
             sys.argv += ["--recording", str(tmp_path / "log.csv")]
         with pytest.raises(SystemExit) as end:
             main()
-        said = capsys.readouterr()
-        return end.value.code, said.out, said.err
+        printed = capsys.readouterr()
+        return end.value.code, printed.out, printed.err
 
     return run
 
 
-def pasted(said):
+def pasted(message):
     """The words of the command that a refusal ends with, on a line of its own, without the program."""
-    words = shlex.split(said.splitlines()[-1])
-    assert words[:3] == ["python", "-m", "pipeline.new_run"], said
+    words = shlex.split(message.splitlines()[-1])
+    assert words[:3] == ["python", "-m", "pipeline.new_run"], message
     return words[3:]
 
 
@@ -69,14 +69,14 @@ def test_one_time_stamp_that_falls_back_is_mended_by_the_command_that_the_refusa
     samples = GOOD.rename(columns={"motor_turns": "it's turned"})
     samples.loc[100, "time_s"] -= 0.06
     channels = {"motor_turns": {"column": "it's turned", "scale": 1.0}}
-    code, _, told = new("nylon-1", "--channels", json.dumps(channels), samples=samples)
+    code, _, message = new("nylon-1", "--channels", json.dumps(channels), samples=samples)
     assert code == 2 and not (tmp_path / "raw").exists()
     recorded = tmp_path / "raw" / "nylon-2"
     recorded.mkdir(parents=True)
     (recorded / "run.yaml").write_text(yaml.safe_dump(content("nylon-2", channels=channels)))
     shutil.copy(tmp_path / "log.csv", recorded / "recording.csv")
     ingested = programs.run("pipeline.stages.ingest", "raw/nylon-2", "--out", "samples.parquet", cwd=tmp_path)
-    for refusal, run in ((told, "nylon-1"), (ingested.stderr, "nylon-2-mended")):
+    for refusal, run in ((message, "nylon-1"), (ingested.stderr, "nylon-2-mended")):
         assert "time_s: runs backwards at line 102 (1 time in all). Mend: import it: " in refusal
         typed = refusal.partition("import it: ")[2].partition("; python -m pipeline.import_run mends")[0]
         mapped, _, imports = typed.partition(" && python -m ")
@@ -99,18 +99,18 @@ def test_one_time_stamp_that_falls_back_is_mended_by_the_command_that_the_refusa
     ],
 )
 def test_a_recording_that_ingest_refuses_is_refused_and_nothing_written(new, tmp_path, samples, says):
-    status, _, said = new("a-01", samples=samples)
-    assert status == 2 and said.startswith("error: ") and says in said and "Mend: " in said
+    status, _, message = new("a-01", samples=samples)
+    assert status == 2 and message.startswith("error: ") and says in message and "Mend: " in message
     assert not (tmp_path / "raw").exists()
 
 
 def test_a_twist_far_from_0_needs_a_person_who_is_sure(new, tmp_path):
     far = spoiled("motor_turns", lambda v: v + 30)
-    status, _, said = new("a-01", samples=far)
-    assert status == 2 and "begins at 30 turns" in said and "if it is right as it is, add --sure" in said
+    status, _, message = new("a-01", samples=far)
+    assert status == 2 and "begins at 30 turns" in message and "if it is right as it is, add --sure" in message
     assert not (tmp_path / "raw").exists()
-    status, _, said = new("a-01", "--sure", samples=far)
-    assert status == 0 and "warning: " in said and "begins at 30 turns" in said
+    status, _, message = new("a-01", "--sure", samples=far)
+    assert status == 0 and "warning: " in message and "begins at 30 turns" in message
     status, _, _ = new("a-02", "--channels", "{motor_turns: {offset: -30}}", samples=far)
     assert status == 0  # the mend that was given
     assert read_samples(tmp_path / "raw" / "a-02")[1]["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"])
@@ -120,20 +120,22 @@ def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_pat
     samples = GOOD.rename(columns={"motor_turns": "theta"})
     samples["theta"] *= 360
     channels = "{motor_turns: {column: theta, unit: deg}}"
-    status, told, said = new("a-01", "--channels", channels, "--file", '{comment: "%"}', samples=samples)
-    assert status == 0, said
+    status, printed, message = new("a-01", "--channels", channels, "--file", '{comment: "%"}', samples=samples)
+    assert status == 0, message
     most = samples["theta"].max() / 360
-    assert told.startswith(f"log.csv has {len(samples)} samples. They are read as:\n  time_s 0 to ")
-    assert f"\n  motor_turns 0 to {most:.4g} (from theta in deg)\n  displacement_mm " in told, "ranges in our units"
-    assert "not read" not in told
-    assert max(map(len, told.splitlines())) < 120 + len(str(tmp_path)), "the next command was a line of 400 characters"
+    assert printed.startswith(f"log.csv has {len(samples)} samples. They are read as:\n  time_s 0 to ")
+    assert f"\n  motor_turns 0 to {most:.4g} (from theta in deg)\n  displacement_mm " in printed, "ranges in our units"
+    assert "not read" not in printed
+    assert max(map(len, printed.splitlines())) < 120 + len(str(tmp_path)), (
+        "the next command was a line of 400 characters"
+    )
     written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")
     assert (
         written["channels"] == {"motor_turns": {"column": "theta", "unit": "deg"}} and written["file"]["comment"] == "%"
     )
     for text, says in [("{a: 1, a: 2}", "--channels: line 1: says 'a' a second time"), ("[", "is not YAML")]:
-        status, _, said = new("a-02", "--channels", text, samples=samples)
-        assert status == 2 and says in said
+        status, _, message = new("a-02", "--channels", text, samples=samples)
+        assert status == 2 and says in message
 
 
 def test_the_folder_is_made_though_nobody_reads_what_is_said(tmp_path):
@@ -153,10 +155,10 @@ def test_the_folder_is_made_though_nobody_reads_what_is_said(tmp_path):
 
 def test_columns_that_nothing_is_read_from_are_named(new, tmp_path):
     """A load in a column of another name was taken as 0 N, and no line said that the column is there."""
-    status, told, _ = new("a-01", samples=GOOD.drop(columns="load_n", errors="ignore").assign(pull=15.0))
-    assert status == 0 and "\n  no load: taken as 0 N" in told and "\n  not read: pull\n" in told
-    status, _, said = new("a-01", samples=GOOD)
-    assert status == 2 and "remove that folder yourself if nobody needs it" in said
+    status, printed, _ = new("a-01", samples=GOOD.drop(columns="load_n", errors="ignore").assign(pull=15.0))
+    assert status == 0 and "\n  no load: taken as 0 N" in printed and "\n  not read: pull\n" in printed
+    status, _, message = new("a-01", samples=GOOD)
+    assert status == 2 and "remove that folder yourself if nobody needs it" in message
 
 
 def test_a_stiffness_that_nobody_measured_is_left_out(new, tmp_path):
@@ -167,17 +169,17 @@ def test_a_stiffness_that_nobody_measured_is_left_out(new, tmp_path):
 
 @pytest.mark.parametrize("value", ["nan", "inf", "-1", "0"])
 def test_a_size_that_is_none_is_refused(new, tmp_path, value):
-    status, _, said = new("a-01", "--stiffness-n-per-mm", value)
-    assert status == 2 and "string.stiffness_n_per_mm" in said and not (tmp_path / "raw").exists()
+    status, _, message = new("a-01", "--stiffness-n-per-mm", value)
+    assert status == 2 and "string.stiffness_n_per_mm" in message and not (tmp_path / "raw").exists()
 
 
 def test_a_second_run_of_the_same_size_is_told_how_to_be_of_the_same_string(new, tmp_path):
     assert "note:" not in new("a-01", samples=GOOD)[2]
     assert "note:" not in new("n-01", samples=GOOD, material="nylon")[2]
-    status, _, said = new("a-02", samples=GOOD)
-    assert status == 0 and "counts as another string" in said and "--string-id a-01" in said
-    status, _, said = new("a-03", "--string-id", "a-01", samples=GOOD)
-    assert status == 0 and "note:" not in said
+    status, _, message = new("a-02", samples=GOOD)
+    assert status == 0 and "counts as another string" in message and "--string-id a-01" in message
+    status, _, message = new("a-03", "--string-id", "a-01", samples=GOOD)
+    assert status == 0 and "note:" not in message
     assert read_run(tmp_path / "raw" / "a-03").string_id == read_run(tmp_path / "raw" / "a-01").string_id
     (tmp_path / "raw" / "a-02" / "run.yaml").write_text("no run")  # ingest's business
     assert "--string-id a-01" in new("a-04", samples=GOOD)[2]
@@ -199,27 +201,27 @@ def test_on_a_terminal_it_asks_whether_it_is_the_same_string(tmp_path, answer, s
 
 @pytest.mark.parametrize("material", ["synthetic", "diagnosis", "real", "../x"])
 def test_a_material_that_is_taken_is_refused(new, tmp_path, material):
-    status, _, said = new("a-01", samples=GOOD, material=material)
-    assert status == 2 and "string.material" in said and not (tmp_path / "raw").exists()
+    status, _, message = new("a-01", samples=GOOD, material=material)
+    assert status == 2 and "string.material" in message and not (tmp_path / "raw").exists()
 
 
 def test_what_was_recorded_before_it_was_described_is_checked_too(make_run, new):
     folder = make_run("a-01", spoiled("motor_turns", lambda v: v * 360))
     (folder / "run.yaml").unlink()
-    status, _, said = new("a-01")
-    assert status == 2 and "it looks like deg" in said and not (folder / "run.yaml").exists()
+    status, _, message = new("a-01")
+    assert status == 2 and "it looks like deg" in message and not (folder / "run.yaml").exists()
     assert new("a-01", "--channels", "{motor_turns: {unit: deg}}")[0] == 0
     assert "is there already" in new("a-01")[2]
 
 
 def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_path, monkeypatch):
-    status, said, _ = new("a-01", "--string-id", "s1", samples=GOOD)
+    status, printed, _ = new("a-01", "--string-id", "s1", samples=GOOD)
     folder = tmp_path / "raw" / "a-01"
-    assert status == 0 and f"\n{folder} is there.\nNext: " in said
+    assert status == 0 and f"\n{folder} is there.\nNext: " in printed
     alone = f"python -m pipeline.diagnose {folder} --out reports/mine"
-    assert f"Next: diagnose it, as snakemake reads raw/ alone: {alone}\n" in said
+    assert f"Next: diagnose it, as snakemake reads raw/ alone: {alone}\n" in printed
     monkeypatch.chdir(tmp_path)
-    status, said, _ = new("a-02", "--string-id", "s1", samples=GOOD)
+    status, printed, _ = new("a-02", "--string-id", "s1", samples=GOOD)
     quick = "snakemake --cores 2 --configfile pipeline/config/ci.yaml -- reports/UHMWPE/index.html"
     small = f"quick, small fits that are no results: {quick}"
     readme = (Path(__file__).parent.parent / "README.md").read_text()
@@ -230,11 +232,11 @@ def test_what_is_made_elsewhere_than_in_raw_is_not_handed_to_snakemake(new, tmp_
         f"  {small}",
         "  or ask only what the simulator leaves out: python -m pipeline.diagnose",
     ]
-    assert status == 0 and f"\nNext: {chr(10).join(reports)} {both}\n" in said
-    status, said, _ = new("a-03", "--string-id", "s1")
+    assert status == 0 and f"\nNext: {chr(10).join(reports)} {both}\n" in printed
+    status, printed, _ = new("a-03", "--string-id", "s1")
     folder = folder.with_name("a-03")
     runs = " ".join(str(folder.with_name(f"a-0{number}")) for number in (1, 2, 3))
-    assert status == 0 and said.splitlines()[:6] == [
+    assert status == 0 and printed.splitlines()[:6] == [
         f"{folder} is there; nothing is recorded in it yet.",
         f"Next: record into it: python -m pipeline.capture PORT {folder}",
         "  (add --text where the rig prints lines of numbers)",
@@ -249,9 +251,9 @@ def made_like(tmp_path, monkeypatch, capsys, *more):
     monkeypatch.setattr(sys, "argv", ["new_run", "a-02", "--like", str(tmp_path / "raw" / "a-01"), *more])
     with pytest.raises(SystemExit) as end:
         main()
-    said = capsys.readouterr()
+    printed = capsys.readouterr()
     path = tmp_path / "raw" / "a-02" / "run.yaml"
-    return end.value.code, said.out + said.err, read_yaml(path) if path.is_file() else None
+    return end.value.code, printed.out + printed.err, read_yaml(path) if path.is_file() else None
 
 
 def test_a_run_like_another_is_of_the_same_string_on_the_same_rig_but_for_what_is_given(
@@ -261,22 +263,22 @@ def test_a_run_like_another_is_of_the_same_string_on_the_same_rig_but_for_what_i
     path = tmp_path / "raw" / "a-01" / "run.yaml"
     path.write_text(path.read_text() + "tolerance: {radius: 0.05}\ntare: run\nmended: {time_s: 3}\n")
     before = read_yaml(path)
-    status, said, made = made_like(tmp_path, monkeypatch, capsys, "--load-n", "40")
-    assert status == 0 and "note:" not in said, said
+    status, printed, run_yaml = made_like(tmp_path, monkeypatch, capsys, "--load-n", "40")
+    assert status == 0 and "note:" not in printed, printed
     both = f"{tmp_path / 'raw' / 'a-01'} {tmp_path / 'raw' / 'a-02'} --together --out reports/mine/a-02"
-    assert f"python -m pipeline.diagnose {both}" in said, "one string: both runs in one diagnosis"
+    assert f"python -m pipeline.diagnose {both}" in printed, "one string: both runs in one diagnosis"
     string = {key: value for key, value in before["string"].items() if key != "strokes_before"} | {"id": "a-01"}
     rig, tolerance = before["rig"] | {"load_n": 40.0}, before["tolerance"]
-    assert made == {"run": "a-02", "actuator": "separator", "string": string, "rig": rig, "tolerance": tolerance}
-    assert next(iter(made)) == "run"
+    assert run_yaml == {"run": "a-02", "actuator": "separator", "string": string, "rig": rig, "tolerance": tolerance}
+    assert next(iter(run_yaml)) == "run"
     assert read_run(tmp_path / "raw" / "a-02").string_id == read_run(tmp_path / "raw" / "a-01").string_id
     assert "is there already" in made_like(tmp_path, monkeypatch, capsys)[1] and read_yaml(path) == before
     shutil.rmtree(tmp_path / "raw" / "a-02")
     path.write_text(path.read_text().replace("UHMWPE", "synthetic"))  # a run of the paper's rig
     assert "kept for the synthetic rig's own runs" in made_like(tmp_path, monkeypatch, capsys)[1]  # which made no CSV
     path.with_name("recording.csv").unlink()
-    status, said, made = made_like(tmp_path, monkeypatch, capsys)
-    assert status == 0 and made["string"]["material"] == "synthetic", said
+    status, printed, run_yaml = made_like(tmp_path, monkeypatch, capsys)
+    assert status == 0 and run_yaml["string"]["material"] == "synthetic", printed
 
 
 def test_a_run_like_one_that_adopted_effects_says_that_it_has_them_too(new, tmp_path, monkeypatch, capsys):
@@ -284,9 +286,9 @@ def test_a_run_like_one_that_adopted_effects_says_that_it_has_them_too(new, tmp_
     path = tmp_path / "raw" / "a-01" / "run.yaml"
     drift = "simulation:\n- {id: sensor_drift, parameters: {mm_per_hour: 1.0}}\n"
     path.write_text(path.read_text() + drift)
-    status, said, made = made_like(tmp_path, monkeypatch, capsys)
-    assert status == 0 and made["simulation"][0]["id"] == "sensor_drift", said
-    assert "had adopted (sensor_drift). To take that out: python -m pipeline.adopt --remove " in said
+    status, printed, run_yaml = made_like(tmp_path, monkeypatch, capsys)
+    assert status == 0 and run_yaml["simulation"][0]["id"] == "sensor_drift", printed
+    assert "had adopted (sensor_drift). To take that out: python -m pipeline.adopt --remove " in printed
 
 
 def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp_path, monkeypatch, capsys):
@@ -297,9 +299,9 @@ def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp
     assert new("a-01", "--channels", channels, *with_tolerance, samples=samples)[0] == 0
     for option in (["--string-id", "spool 9"], ["--material", "nylon"]):
         recorded = ["--recording", str(tmp_path / "log.csv")]
-        status, said, made = made_like(tmp_path, monkeypatch, capsys, *option, *recorded)
-        assert status == 2 and made is None and "is of the string a-01, of UHMWPE. Mend: for that string" in said
-        anew = shlex.split(said.rpartition("for another one of its size: ")[2].strip().removesuffix("."))
+        status, printed, run_yaml = made_like(tmp_path, monkeypatch, capsys, *option, *recorded)
+        assert status == 2 and run_yaml is None and "is of the string a-01, of UHMWPE. Mend: for that string" in printed
+        anew = shlex.split(printed.rpartition("for another one of its size: ")[2].strip().removesuffix("."))
         assert anew[:3] == ["python", "-m", "pipeline.new_run"]
         monkeypatch.setattr(sys, "argv", anew[2:])
         with pytest.raises(SystemExit) as end:
@@ -307,9 +309,9 @@ def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp
         words = capsys.readouterr()
         assert end.value.code == 0, words
         folder = tmp_path / "raw" / anew[3]
-        made = read_yaml(folder / "run.yaml")
-        assert made["string"]["radius_mm"] == 0.4 and option[1] in made["string"].values()
-        assert made["channels"] == yaml.safe_load(channels) and made["tolerance"] == {"radius": 0.02}
+        run_yaml = read_yaml(folder / "run.yaml")
+        assert run_yaml["string"]["radius_mm"] == 0.4 and option[1] in run_yaml["string"].values()
+        assert run_yaml["channels"] == yaml.safe_load(channels) and run_yaml["tolerance"] == {"radius": 0.02}
         assert len(read_samples(folder)[1]) == len(GOOD)
         shutil.rmtree(folder)
     (tmp_path / "raw" / "a-01" / "run.yaml").unlink()
@@ -326,9 +328,9 @@ def test_a_rig_without_a_separator_is_told_its_actuator(new, monkeypatch, capsys
     monkeypatch.setattr(sys, "argv", ["new_run", *pair])
     with pytest.raises(SystemExit) as end:
         main()
-    said = capsys.readouterr().err
-    assert end.value.code == 2 and "required without --like: --torsion-zone-mm, --separator-mm; " in said
-    assert "a rig without a separator: --actuator twisted_pair" in said
+    message = capsys.readouterr().err
+    assert end.value.code == 2 and "required without --like: --torsion-zone-mm, --separator-mm; " in message
+    assert "a rig without a separator: --actuator twisted_pair" in message
     monkeypatch.setattr(sys, "argv", ["new_run", "--help"])
     with pytest.raises(SystemExit):
         main()
@@ -341,52 +343,54 @@ def test_a_load_of_nobody_is_said_to_be_taken_as_none(new):
     taken = "No load is given: where the recording has no channel load_n, it is taken as 0 N."
     assert taken in new("a-01")[1] and taken not in new("a-02", "--load-n", "20")[1]
     assert taken not in new("a-03", "--channels", "{load_n: {column: F, unit: N}}")[1]
-    status, said, _ = new("a-04", samples=GOOD.drop(columns="load_n", errors="ignore"))
-    assert status == 0 and taken not in said and "no load: taken as 0 N" in said, said
+    status, printed, _ = new("a-04", samples=GOOD.drop(columns="load_n", errors="ignore"))
+    assert status == 0 and taken not in printed and "no load: taken as 0 N" in printed, printed
 
 
 @pytest.mark.parametrize("name", ["Zeit [ms]", "Zeit (ms)"])
 def test_a_name_that_ends_in_a_unit_in_brackets_is_read_in_it(new, tmp_path, name):
     """It was read in seconds: a run of a minute lasted 17 hours."""
     samples = GOOD.rename(columns={"time_s": name, "motor_turns": "turns (lap)"}).assign(**{name: GOOD["time_s"] * 1e3})
-    given = f"{{time_s: '{name}', motor_turns: 'turns (lap)'}}"
-    status, said, wrong = new("a-01", "--channels", given, samples=samples)
-    assert status == 0 and f"(from {name} in ms)" in said, wrong
+    channels = f"{{time_s: '{name}', motor_turns: 'turns (lap)'}}"
+    status, printed, wrong = new("a-01", "--channels", channels, samples=samples)
+    assert status == 0 and f"(from {name} in ms)" in printed, wrong
     read = read_samples(tmp_path / "raw" / "a-01")[1]
     assert read["time_s"].to_numpy() == pytest.approx(GOOD["time_s"].to_numpy())
     assert read["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"].to_numpy()), "lap is no unit"
-    status, _, said = new("a-02", "--channels", given.replace("lap", "rev."), samples=samples)
+    status, _, printed = new("a-02", "--channels", channels.replace("lap", "rev."), samples=samples)
     option = f"--channels {chr(34) if '[' in name else chr(39)}{{time_s: "
-    assert option in said and "'\"'" not in said, said
-    assert new_by(pasted(said)) == 0
+    assert option in printed and "'\"'" not in printed, printed
+    assert new_by(pasted(printed)) == 0
 
 
 def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
     samples = GOOD.rename(columns={"time_s": "t", "motor_turns": "turns", "displacement_mm": "slide_cm"})
     samples["slide_cm"] /= 10
-    given = "{time_s: t, motor_turns: turns, displacement_mm: slide_cm}"
-    status, said, wrong = new("a-01", "--channels", given, samples=samples)
+    channels = "{time_s: t, motor_turns: turns, displacement_mm: slide_cm}"
+    status, printed, wrong = new("a-01", "--channels", channels, samples=samples)
     assert status == 0, wrong
-    assert "(from t)" in said and "(from turns)" in said and "(from slide_cm in cm)" in said
+    assert "(from t)" in printed and "(from turns)" in printed and "(from slide_cm in cm)" in printed
     written = read_yaml(tmp_path / "raw" / "a-01" / "run.yaml")["channels"]
     assert written == {"time_s": "t", "motor_turns": "turns", "displacement_mm": "slide_cm"}
     read = read_samples(tmp_path / "raw" / "a-01")[1]
     assert read["displacement_mm"].to_numpy() == pytest.approx(GOOD["displacement_mm"].to_numpy())
     by_index = "{time_s: 0, motor_turns: 1, displacement_mm: {column: 2, unit: cm}}"
     assert new("a-02", "--channels", by_index, samples=samples)[0] == 0
-    status, _, said = new("a-03", "--channels", given.replace(": turns", ": tunrs"), samples=samples)
+    status, _, printed = new("a-03", "--channels", channels.replace(": turns", ": tunrs"), samples=samples)
     option = "--channels '{time_s: t, motor_turns: turns, displacement_mm: slide_cm, load_n: load_n}'"
-    assert status == 2 and "there is no column 'tunrs'" in said and option in said
-    status, _, said = new("a-03", samples=samples.rename(columns={"slide_cm": "displacement_mm"}))
-    assert status == 2 and "time_s, motor_turns: there are no columns 'time_s' and 'motor_turns', only t, turns" in said
+    assert status == 2 and "there is no column 'tunrs'" in printed and option in printed
+    status, _, printed = new("a-03", samples=samples.rename(columns={"slide_cm": "displacement_mm"}))
+    assert (
+        status == 2 and "time_s, motor_turns: there are no columns 'time_s' and 'motor_turns', only t, turns" in printed
+    )
     likely = "{time_s: t, motor_turns: turns, displacement_mm: displacement_mm, load_n: load_n}"
-    assert "Mend: say what the file looks like by the command below, and check it\n  python" in said
-    assert said.endswith(f" --channels '{likely}'\n"), "a command on a line of its own"
-    status, _, said = new("a-03", samples=samples.rename(columns={"turns": "a", "slide_cm": "displacement_mm"}))
-    assert "below, and fill in each … and check it\n" in said
-    assert "--channels '{time_s: t, motor_turns: …, displ" in said
-    status, _, said = new("a-03", "--channels", "{motor_turns: [turns]}", samples=samples)
-    assert status == 2 and "channels.motor_turns: is ['turns']" in said and "or the column's name alone" in said
+    assert "Mend: say what the file looks like by the command below, and check it\n  python" in printed
+    assert printed.endswith(f" --channels '{likely}'\n"), "a command on a line of its own"
+    status, _, printed = new("a-03", samples=samples.rename(columns={"turns": "a", "slide_cm": "displacement_mm"}))
+    assert "below, and fill in each … and check it\n" in printed
+    assert "--channels '{time_s: t, motor_turns: …, displ" in printed
+    status, _, printed = new("a-03", "--channels", "{motor_turns: [turns]}", samples=samples)
+    assert status == 2 and "channels.motor_turns: is ['turns']" in printed and "or the column's name alone" in printed
 
 
 @pytest.mark.parametrize(
@@ -397,8 +401,8 @@ def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
     ],
 )
 def test_before_there_is_a_run_yaml_a_mend_names_the_option(new, samples, option):
-    status, _, said = new("a-01", samples=samples)
-    assert status == 2 and option in said and "run.yaml" not in said.partition("Mend: ")[2]
+    status, _, message = new("a-01", samples=samples)
+    assert status == 2 and option in message and "run.yaml" not in message.partition("Mend: ")[2]
 
 
 @pytest.mark.parametrize(("text", "option"), [
@@ -410,23 +414,23 @@ def test_an_option_is_whole_where_the_program_knows_the_answer(new, tmp_path, te
     """It was printed with a gap, beside the answer."""
     file = tmp_path / "log.csv"
     file.write_text(text(GOOD.to_csv(index=False)))
-    status, _, said = new("a-01", "--recording", str(file))
-    assert status == 2 and said.endswith(f" {option}\n") and "…" not in said, said
-    assert new_by(pasted(said)) == 0
+    status, _, message = new("a-01", "--recording", str(file))
+    assert status == 2 and message.endswith(f" {option}\n") and "…" not in message, message
+    assert new_by(pasted(message)) == 0
 
 
-@pytest.mark.parametrize("given", ["--file={decimal: .}", "--fil"])
-def test_the_mend_for_another_layout_is_the_whole_command_as_it_was_typed(new, tmp_path, given):
+@pytest.mark.parametrize("option", ["--file={decimal: .}", "--fil"])
+def test_the_mend_for_another_layout_is_the_whole_command_as_it_was_typed(new, tmp_path, option):
     """It was options at the end of one very long line, to be put into the command by hand."""
     log = tmp_path / "it's a log.csv"
     log.write_text(GOOD.to_csv(index=False, sep=";"))
-    words = [given] if "=" in given else [given, "{decimal: .}"]
+    words = [option] if "=" in option else [option, "{decimal: .}"]
     typed = ["--recording", str(log), "--string-id", "spool 3", *words]
-    status, _, said = new("a-01", *typed)
-    sentence, line = said.splitlines()
-    assert status == 2 and sentence.endswith("check it") and len(sentence) < 300, said
+    status, _, message = new("a-01", *typed)
+    sentence, line = message.splitlines()
+    assert status == 2 and sentence.endswith("check it") and len(sentence) < 300, message
     assert "decimal" not in line and shlex.split(line)[-2:] == ["--file", "{delimiter: ;}"], line
-    assert new_by(pasted(said)) == 0
+    assert new_by(pasted(message)) == 0
     assert read_run(tmp_path / "raw" / "a-01").string.id == "spool 3"
 
 
@@ -441,12 +445,12 @@ def test_the_whole_command_has_its_options_before_two_dashes(tmp_path):
 def test_a_mend_for_the_command_line_keeps_what_was_given(new):
     samples = spoiled("motor_turns", lambda v: v * 360).rename(columns={"motor_turns": "theta"})
     samples["slide"] = samples.pop("displacement_mm")
-    given = "{motor_turns: {column: theta}, displacement_mm: {column: slide}}"
-    status, _, said = new("a-01", "--channels", given, samples=samples)
+    channels = "{motor_turns: {column: theta}, displacement_mm: {column: slide}}"
+    status, _, message = new("a-01", "--channels", channels, samples=samples)
     mended = "{motor_turns: {column: theta, unit: deg}, displacement_mm: {column: slide}}"
-    assert status == 2 and f"here by --channels '{mended}'" in said, said
-    status, _, said = new("a-01", "--channels", mended, samples=samples)
-    assert status == 0, said
+    assert status == 2 and f"here by --channels '{mended}'" in message, message
+    status, _, message = new("a-01", "--channels", mended, samples=samples)
+    assert status == 0, message
 
 
 @pytest.mark.parametrize(
@@ -465,12 +469,12 @@ def test_the_mend_of_a_unit_is_pasted_as_it_stands(new, tmp_path, name, factor, 
     log = tmp_path / "rig.csv"
     log.write_text("Rig 7\n" + samples.to_csv(index=False, sep=";"))
     layout = ["--file", "{delimiter: ;, skip: 1}"]
-    status, _, said = new("a-01", "--recording", str(log), *layout, "--channels", f"{{{name}: seen}}")
-    option = re.search(f"here by (--channels .* --file .*'){ends}", said)
-    assert status == 2 and option and f"unit: {unit}}}" in option[1] and "…" not in said, said
-    status, _, said = new("a-01", "--recording", str(log), *shlex.split(option[1]))
+    status, _, message = new("a-01", "--recording", str(log), *layout, "--channels", f"{{{name}: seen}}")
+    option = re.search(f"here by (--channels .* --file .*'){ends}", message)
+    assert status == 2 and option and f"unit: {unit}}}" in option[1] and "…" not in message, message
+    status, _, message = new("a-01", "--recording", str(log), *shlex.split(option[1]))
     read = read_samples(tmp_path / "raw" / "a-01")[1]
-    assert status == 0 and read[name].to_numpy() == pytest.approx(samples["seen"] / factor, abs=1e-6), said
+    assert status == 0 and read[name].to_numpy() == pytest.approx(samples["seen"] / factor, abs=1e-6), message
 
 
 def test_of_units_of_which_one_alone_is_right_the_option_has_none():
@@ -500,25 +504,25 @@ def test_the_help_is_one_screen(monkeypatch, capsys, columns):
 
 
 def test_how_well_one_measured_is_said_on_the_command_line_or_asked_for(new, tmp_path):
-    status, said, _ = new("a-01", samples=GOOD)
-    assert status == 0 and "How well you measured its dimensions belongs into its run.yaml, as `tolerance`" in said
-    status, said, _ = new("b-01", "--tolerance", "{radius: 0.01, length_mm: 0.5}", samples=GOOD)
-    assert status == 0 and "How well" not in said
+    status, printed, _ = new("a-01", samples=GOOD)
+    assert status == 0 and "How well you measured its dimensions belongs into its run.yaml, as `tolerance`" in printed
+    status, printed, _ = new("b-01", "--tolerance", "{radius: 0.01, length_mm: 0.5}", samples=GOOD)
+    assert status == 0 and "How well" not in printed
     written = yaml.safe_load((tmp_path / "raw" / "b-01" / "run.yaml").read_text())
     assert written["tolerance"] == {"radius": 0.01, "length_mm": 0.5}
-    status, _, said = new("c-01", "--tolerance", "{radius: much}", samples=GOOD)
-    assert status == 2 and "tolerance" in said and not (tmp_path / "raw" / "c-01").exists()
+    status, _, printed = new("c-01", "--tolerance", "{radius: much}", samples=GOOD)
+    assert status == 2 and "tolerance" in printed and not (tmp_path / "raw" / "c-01").exists()
 
 
 def test_a_tolerance_is_read_back_in_the_unit_of_what_it_belongs_to(new):
-    _, said, _ = new("a-01", "--tolerance", "{radius: 0.02, length_mm: 0.5}", samples=GOOD)
-    assert "\n  radius 0.4 mm ± 0.008 mm (a share: 2 %)\n  separator 8 mm ± 0.5 mm (default)\n" in said
-    assert "\n  length 400 mm ± 0.5 mm\n  scale (gain of the sensor) 1 ± 0.005 (a share: 0.5 %, default)\n" in said
-    assert "\n  angle (zero of the motor) 0 turns ± 0.05 turns (default)\n" in said, "an angle of what?"
+    _, printed, _ = new("a-01", "--tolerance", "{radius: 0.02, length_mm: 0.5}", samples=GOOD)
+    assert "\n  radius 0.4 mm ± 0.008 mm (a share: 2 %)\n  separator 8 mm ± 0.5 mm (default)\n" in printed
+    assert "\n  length 400 mm ± 0.5 mm\n  scale (gain of the sensor) 1 ± 0.005 (a share: 0.5 %, default)\n" in printed
+    assert "\n  angle (zero of the motor) 0 turns ± 0.05 turns (default)\n" in printed, "an angle of what?"
 
 
 @pytest.mark.parametrize(
-    ("given", "field", "mend"),
+    ("tolerance", "field", "mend"),
     [
         ("radius: 0.004", "radius: is 0.004, a share: 0.4 % of 0.4 mm, or ± 0.0016 mm", "0.01 if 0.004 mm was meant"),
         ("radius: 2", "radius: is 2, a share: 200 % of 0.4 mm, or ± 0.8 mm", "as 0.02 if 2 % was meant"),
@@ -527,16 +531,16 @@ def test_a_tolerance_is_read_back_in_the_unit_of_what_it_belongs_to(new):
         ("scale: 0.5", "scale: is 0.5, a share: 50 % of 1", "as 0.005 if 0.5 % was meant"),
     ],
 )
-def test_a_tolerance_that_is_likely_a_mistake_is_questioned(new, tmp_path, given, field, mend):
-    status, _, said = new("a-01", "--tolerance", f"{{{given}}}")
+def test_a_tolerance_that_is_likely_a_mistake_is_questioned(new, tmp_path, tolerance, field, mend):
+    status, _, message = new("a-01", "--tolerance", f"{{{tolerance}}}")
     path = tmp_path / "raw" / "a-01" / "run.yaml"
-    assert status == 2 and said.startswith(f"error: {path}: tolerance.{field}") and not path.exists(), said
-    assert mend in said.partition("Mend: ")[2], said
-    if "radius_mm" not in given:
-        key = given.partition(":")[0]
-        assert f"here by --tolerance '{{{key}: …}}'; if it is right as it is, add --sure" in said
-        status, _, said = new("a-01", "--sure", "--tolerance", f"{{{given}}}")
-        assert status == 0 and "warning: " in said and field in said and path.exists()
+    assert status == 2 and message.startswith(f"error: {path}: tolerance.{field}") and not path.exists(), message
+    assert mend in message.partition("Mend: ")[2], message
+    if "radius_mm" not in tolerance:
+        key = tolerance.partition(":")[0]
+        assert f"here by --tolerance '{{{key}: …}}'; if it is right as it is, add --sure" in message
+        status, _, message = new("a-01", "--sure", "--tolerance", f"{{{tolerance}}}")
+        assert status == 0 and "warning: " in message and field in message and path.exists()
 
 
 def test_the_example_of_a_text_rig_with_other_names_and_units_is_taken_as_the_page_shows_it(tmp_path):
@@ -569,9 +573,9 @@ def test_a_column_that_is_called_by_its_unit_alone_is_read_in_it(new, tmp_path, 
     """`time_s: ms` was read in seconds: nothing said so before the end, and then only that it is no rate of a rig."""
     samples = GOOD.assign(load_n=20.0)
     samples[channel] *= times
-    given = f"{{{channel}: {name}}}"
-    status, said, wrong = new("a-01", "--channels", given, samples=samples.rename(columns={channel: name}))
-    assert status == 0 and f"(from {name}{f' in {unit}' if unit else ''})" in said, wrong
+    channels = f"{{{channel}: {name}}}"
+    status, printed, wrong = new("a-01", "--channels", channels, samples=samples.rename(columns={channel: name}))
+    assert status == 0 and f"(from {name}{f' in {unit}' if unit else ''})" in printed, wrong
     read = read_samples(tmp_path / "raw" / "a-01")[1]
     assert read[channel].to_numpy() == pytest.approx(samples[channel].to_numpy() / times)
 
@@ -583,8 +587,8 @@ def test_a_column_that_is_called_by_its_unit_alone_is_read_in_it(new, tmp_path, 
 def test_what_is_done_to_a_columns_numbers_is_said(new, scale, offset, words):
     """Of a column whose sign was turned only `(from slide_mm)` was said."""
     samples = GOOD.assign(displacement_mm=(GOOD["displacement_mm"] - offset) * scale)
-    given = f"{{displacement_mm: {{column: slide_mm, scale: {scale}, offset: {offset}}}}}"
-    status, said, wrong = new(
-        "a-01", "--channels", given, samples=samples.rename(columns={"displacement_mm": "slide_mm"})
+    channels = f"{{displacement_mm: {{column: slide_mm, scale: {scale}, offset: {offset}}}}}"
+    status, printed, wrong = new(
+        "a-01", "--channels", channels, samples=samples.rename(columns={"displacement_mm": "slide_mm"})
     )
-    assert status == 0 and f"(from slide_mm{words and ' '}{words})" in said, said + wrong
+    assert status == 0 and f"(from slide_mm{words and ' '}{words})" in printed, printed + wrong

@@ -37,8 +37,8 @@ def ask(dataset: Path, text: str, *words: str) -> programs.Done:
 
 
 def test_answers_come_with_intervals_and_what_lies_outside_is_flagged(dataset: Path) -> None:
-    known = pd.read_parquet(dataset).iloc[[40, 200, 300]]
-    lines = [f"{row.stroke},{row.direction},{row.motor_turns}" for row in known.itertuples()]
+    recorded_points = pd.read_parquet(dataset).iloc[[40, 200, 300]]
+    lines = [f"{row.stroke},{row.direction},{row.motor_turns}" for row in recorded_points.itertuples()]
     done = ask(dataset, "\n".join(["stroke,direction,motor_turns", *lines, "3,1,90\n"]), "--model", "polynomial")
     assert done.returncode == 0, done.stderr
     assert "1 of them without an interval" in done.stdout
@@ -48,7 +48,7 @@ def test_answers_come_with_intervals_and_what_lies_outside_is_flagged(dataset: P
     assert table["inside"].tolist() == [True, True, True, False]
     assert table.columns[-2:].tolist() == ["inside", "why"] and table["why"].isna().tolist() == [True] * 3 + [False]
     assert re.fullmatch(reason, table["why"][3])
-    np.testing.assert_allclose(table["displacement_mm"][:3], known["displacement_mm"], atol=0.2)
+    np.testing.assert_allclose(table["displacement_mm"][:3], recorded_points["displacement_mm"], atol=0.2)
     width = table["displacement_mm_high"] - table["displacement_mm_low"]
     assert (width[:3] > 0.03).all() and (width[:3] < 1.0).all()
     assert table[["displacement_mm_low", "displacement_mm_high"]].isna().all(axis=1).tolist() == [False] * 3 + [True]
@@ -178,8 +178,8 @@ def test_answers_say_of_which_load_they_are(dataset: Path) -> None:
 
 
 def test_help_says_what_directions_are_and_that_the_model_is_fitted_anew(dataset: Path) -> None:
-    said = " ".join(ask(dataset, "", "--help").stdout.split())
-    assert "direction, 1 winding or -1 unwinding" in said and "fitted anew, no saved file is read" in said
+    printed = " ".join(ask(dataset, "", "--help").stdout.split())
+    assert "direction, 1 winding or -1 unwinding" in printed and "fitted anew, no saved file is read" in printed
 
 
 def test_a_bad_level_and_a_missing_file_end_with_2(dataset: Path) -> None:
@@ -201,17 +201,21 @@ def test_a_load_that_varies_as_a_load_cell_is_noisy_need_not_be_told(dataset: Pa
 def test_of_several_strings_the_one_asked_about_must_be_told(dataset: Path) -> None:
     questions = dataset.with_name("which.csv")
     questions.write_text("stroke,direction,motor_turns\n1,1,3\n")
-    one = pd.read_parquet(dataset)
+    points = pd.read_parquet(dataset)
     with pytest.raises(BadInput, match="string"):
-        read_questions(questions, pd.concat([one, one.assign(string="made-02")], ignore_index=True))
+        read_questions(questions, pd.concat([points, points.assign(string="made-02")], ignore_index=True))
 
 
 def test_a_model_with_a_memory_a_table_that_is_none_and_one_block_end_with_2(dataset: Path) -> None:
     text = "stroke,direction,motor_turns\n1,1,3\n"
     done = ask(dataset, text, "--model", "diagnosed")
     assert done.returncode == 2 and "whole motion" in done.stderr
-    one = pd.read_parquet(dataset)
-    wrong = {"none.parquet": None, "empty.parquet": one[:0], "block.parquet": one[one["stroke"] == 1].assign(block=3)}
+    points = pd.read_parquet(dataset)
+    wrong = {
+        "none.parquet": None,
+        "empty.parquet": points[:0],
+        "block.parquet": points[points["stroke"] == 1].assign(block=3),
+    }
     for name, rows in wrong.items():
         path = dataset.parent / name / "dataset.parquet"
         path.parent.mkdir()
@@ -280,14 +284,14 @@ def test_a_stroke_too_far_ahead_of_a_saved_model_is_flagged_as_it_is_of_one_that
     points = pd.read_parquet(dataset)
     text = "stroke,direction,motor_turns\n6,1,9\n8,1,9\n9,1,9\n12,-1,9\n13,1,9\n"
     flagged = {}
-    for stem, known in (("far-0", points), ("later-0", points[points["stroke"] <= 5])):
-        file = saved_model(dataset, known, "spline", stem)
+    for stem, fitted_points in (("far-0", points), ("later-0", points[points["stroke"] <= 5])):
+        file = saved_model(dataset, fitted_points, "spline", stem)
         done = ask(dataset, text, "--saved", str(file))
         assert done.returncode == 0, done.stderr
         table = pd.read_csv(dataset.with_name("answers.csv"))
         flagged[stem] = table["inside"].tolist()
         assert np.isfinite(table["displacement_mm"]).all()
-        last = known["stroke"].max()
+        last = fitted_points["stroke"].max()
         reason = (
             f"stroke 9 is {9 - last} after {last}, the last that the model was fitted to; errors were measured up to 2 "
             "strokes ahead (strokes recorded - 4, at most 3); the export answers, by the model's law of n (in C "
@@ -330,9 +334,9 @@ def test_a_contraction_that_no_twist_gives_is_outside_and_said(dataset: Path, sa
     file = saved_model(dataset, points, "spline", "reach-0")
     ends = points[points["stroke"] == 6].groupby("direction")["displacement_mm"].agg(["min", "max"]).loc[1]
     first = points[points["stroke"] == 1]["displacement_mm"]
-    asked = [0.5 * (ends["min"] + ends["max"]), first.max() - 0.01, ends["min"] - 0.01]
+    contractions_mm = [0.5 * (ends["min"] + ends["max"]), first.max() - 0.01, ends["min"] - 0.01]
     strokes = [6, 6, 1]
-    lines = [f"{stroke},1,{value}" for stroke, value in zip(strokes, asked, strict=True)]
+    lines = [f"{stroke},1,{value}" for stroke, value in zip(strokes, contractions_mm, strict=True)]
     words = ("--saved", str(file)) if saved else ("--model", "spline")
     done = ask(dataset, "\n".join(["stroke,direction,displacement_mm", *lines]) + "\n", *words)
     assert done.returncode == 0, done.stderr
@@ -343,9 +347,9 @@ def test_a_contraction_that_no_twist_gives_is_outside_and_said(dataset: Path, sa
     assert table["why"].str.endswith(" (TSA_HELD)").tolist()[1:] == [saved, saved]
     assert "at this stroke and direction" in table["why"][1], "no load was asked: it was the same all the time"
     least_mm, most_mm = (float(number) for number in re.findall(r"give (-?[\d.]+) to ([\d.]+) mm", table["why"][1])[0])
-    assert asked[1] > most_mm > ends["max"] - 0.1 and least_mm == pytest.approx(ends["min"], abs=0.1)
-    held = [float(re.findall(r"HELD at ([-\d.]+) turns", words)[0]) for words in table["why"][1:]]
-    np.testing.assert_allclose(table["motor_turns"][1:], held, rtol=1e-3)
+    assert contractions_mm[1] > most_mm > ends["max"] - 0.1 and least_mm == pytest.approx(ends["min"], abs=0.1)
+    held_turns = [float(re.findall(r"HELD at ([-\d.]+) turns", words)[0]) for words in table["why"][1:]]
+    np.testing.assert_allclose(table["motor_turns"][1:], held_turns, rtol=1e-3)
 
 
 @pytest.mark.parametrize("is_saved", [False, True], ids=["anew", "saved"])

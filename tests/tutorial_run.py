@@ -17,7 +17,7 @@ def code_cells():
 
 def said_by(cell) -> str:
     """What a cell's stored output is, as text."""
-    return "".join(one.get("text", "") or one.get("data", {}).get("text/plain", "") for one in cell.outputs)
+    return "".join(output.get("text", "") or output.get("data", {}).get("text/plain", "") for output in cell.outputs)
 
 
 def as_program(cells) -> str:
@@ -31,11 +31,11 @@ def as_program(cells) -> str:
     return "\n".join(lines)
 
 
-def unlike(cells, said: str) -> list[tuple[int, str]]:
+def unlike(cells, printed: str) -> list[tuple[int, str]]:
     """Lines of the stored output that a run did not say, each with its cell's number."""
     missing = []
     for number, cell in enumerate(cells):
-        made = said.partition(f"\n== {number}\n")[2].partition("\n== ")[0]
+        cell_output = printed.partition(f"\n== {number}\n")[2].partition("\n== ")[0]
         lines = [line for line in said_by(cell).splitlines() if any(word in line for word in SAME)]
-        missing += [(number, line) for line in lines if line.strip() not in made]
+        missing += [(number, line) for line in lines if line.strip() not in cell_output]
     return missing

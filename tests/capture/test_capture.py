@@ -105,18 +105,18 @@ def test_a_recording_holds_exactly_the_bytes_that_were_sent(recorded, simulated)
 
 
 def test_capture_json_accounts_for_every_frame(recorded, simulated):
-    said = info(recorded)
+    capture_info = info(recorded)
     data = (recorded / "recording.frames").read_bytes()
-    assert said["exit_status"] == "complete" and said["fault"] is None
-    assert said["bytes"] == len(data) and said["sha256"] == hashlib.sha256(data).hexdigest()
-    frames = said["frames"]
+    assert capture_info["exit_status"] == "complete" and capture_info["fault"] is None
+    assert capture_info["bytes"] == len(data) and capture_info["sha256"] == hashlib.sha256(data).hexdigest()
+    frames = capture_info["frames"]
     assert frames["sent"] == frames["received"] == len(simulated.samples) + len(simulated.events) + 2
     assert frames["lost"] == frames["bad"] == 0
     count = len(simulated.samples)
     nothing_wrong = {"out_of_order": 0, "backward_time_stamps": 0, "repeated_time_stamps": 0}
-    assert said["samples"] == {"sent": count, "received": count, **nothing_wrong}
-    assert said["hello"]["device"] == "twistbench synthetic rig"
-    assert said["started_utc"] <= said["ended_utc"]
+    assert capture_info["samples"] == {"sent": count, "received": count, **nothing_wrong}
+    assert capture_info["hello"]["device"] == "twistbench synthetic rig"
+    assert capture_info["started_utc"] <= capture_info["ended_utc"]
 
 
 @pytest.mark.long
@@ -134,29 +134,29 @@ def test_a_silent_port_is_given_up_with_a_sentence(line, tmp_path):
     assert not (tmp_path / "run-1").exists()
 
 
-@pytest.mark.parametrize("there", ["recording.frames", "recording.csv", "capture.json"])
-def test_a_recording_is_never_overwritten(there, tmp_path):
+@pytest.mark.parametrize("existing_name", ["recording.frames", "recording.csv", "capture.json"])
+def test_a_recording_is_never_overwritten(existing_name, tmp_path):
     folder = tmp_path / "run-1"
     folder.mkdir()
-    (folder / there).write_text("precious")
+    (folder / existing_name).write_text("precious")
     done = run("pipeline.capture", "/dev/null", folder)
     assert done.returncode == 2 and "never overwritten" in done.stderr
-    assert (folder / there).read_text() == "precious"
+    assert (folder / existing_name).read_text() == "precious"
 
 
 @pytest.mark.parametrize(
-    ("port", "name", "said"),
+    ("port", "name", "message"),
     [
         ("/dev/null", "Run_1", "no name of a run"),
         ("/nowhere/port", "run-1", "is not there"),
         ("/dev/null", "run-1", "cannot be opened"),
     ],
 )
-def test_bad_input_is_one_line_that_names_the_mend(port, name, said, tmp_path, monkeypatch):
+def test_bad_input_is_one_line_that_names_the_mend(port, name, message, tmp_path, monkeypatch):
     monkeypatch.setattr(Port.__init__, "__defaults__", (0.3,))  # s, in which a port may still come
     done = programs.run("pipeline.capture", port, tmp_path / name)
     assert done.returncode == 2
-    assert said in done.stderr and "Mend:" in done.stderr and done.stderr.count("\n") == 1
+    assert message in done.stderr and "Mend:" in done.stderr and done.stderr.count("\n") == 1
     assert not (tmp_path / name).exists()
 
 
@@ -173,18 +173,18 @@ def answering(end: int, hello: bytes) -> threading.Thread:
 
 
 @pytest.mark.parametrize(
-    ("payload", "said"),
+    ("payload", "message"),
     [
         (b'{"protocol":3}', "HELLO.protocol: is version 3"),
         (b"hello", "HELLO: is not JSON"),
         (replace(SMALL, protocol=1).pack(), "HELLO.protocol: is version 1, under the check of version 2"),
     ],
 )
-def test_another_protocol_is_refused(payload, said, line, tmp_path):
+def test_another_protocol_is_refused(payload, message, line, tmp_path):
     thread = answering(line[0], encode(Kind.HELLO, 0, payload))
     done = run("pipeline.capture", line[1], tmp_path / "run-1")
     thread.join()
-    assert done.returncode == 2 and said in done.stderr
+    assert done.returncode == 2 and message in done.stderr
     assert not (tmp_path / "run-1").exists()
 
 
@@ -204,9 +204,9 @@ def test_a_device_that_falls_silent_leaves_a_fault_and_all_that_came(line, tmp_p
     thread.join()
     assert done.returncode == 1 and "said nothing" in done.stdout
     assert (tmp_path / "run-1" / "recording.frames").read_bytes() == beginning
-    said = info(tmp_path / "run-1")
-    assert said["exit_status"] == "fault" and said["samples"]["sent"] is None
-    assert said["frames"]["sent"] == said["frames"]["received"] + said["frames"]["lost"]
+    capture_info = info(tmp_path / "run-1")
+    assert capture_info["exit_status"] == "fault" and capture_info["samples"]["sent"] is None
+    assert capture_info["frames"]["sent"] == capture_info["frames"]["received"] + capture_info["frames"]["lost"]
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
@@ -217,16 +217,16 @@ def test_ctrl_c_or_kill_ends_a_recording_in_good_order(rig, tmp_path, number):
         assert capture.poll() is None, capture.stdout.read()
         time.sleep(0.02)
     capture.send_signal(number)
-    said, _ = capture.communicate(timeout=20)
-    assert capture.returncode == 0, said
-    assert f"recording; Ctrl-C or kill {capture.pid} ends it, and what came is kept" in said
-    assert "samples/s" in said and "aborted" not in said
-    assert said.count("run.yaml: is missing") == 2, "at the start, and at the end with the mend"
-    assert said.count("python -m pipeline.new_run") == 1
+    printed, _ = capture.communicate(timeout=20)
+    assert capture.returncode == 0, printed
+    assert f"recording; Ctrl-C or kill {capture.pid} ends it, and what came is kept" in printed
+    assert "samples/s" in printed and "aborted" not in printed
+    assert printed.count("run.yaml: is missing") == 2, "at the start, and at the end with the mend"
+    assert printed.count("python -m pipeline.new_run") == 1
     recording = read_recording((folder / "recording.frames").read_bytes())
     assert (info(folder)["exit_status"], info(folder)["ended_by"]) == ("aborted", "person")
-    assert f"{folder}: ended by Ctrl-C or kill, {info(folder)['samples']['received']} samples; frames: " in said
-    assert f"{folder}: the rig was not done; what had come is kept, and is used like any run's" in said
+    assert f"{folder}: ended by Ctrl-C or kill, {info(folder)['samples']['received']} samples; frames: " in printed
+    assert f"{folder}: the rig was not done; what had come is kept, and is used like any run's" in printed
     assert info(folder)["samples"]["sent"] == info(folder)["samples"]["received"] == len(recording.time_s) > 10
     assert recording.account.end.reason == 1
 
@@ -284,15 +284,15 @@ def test_a_line_that_is_too_slow_is_refused(simulated):
 
 @pytest.mark.parametrize("counted", [-1, 1])
 def test_a_device_that_counts_wrongly_is_told(simulated, tmp_path, capsys, counted):
-    heard = [one.frame for one in Decoder().feed(exact(simulated))]
+    heard = [decoded.frame for decoded in Decoder().feed(exact(simulated))]
     samples, reason = END.unpack(heard[-1].payload)
-    for end, told in ((samples, False), (samples + counted, True)):
+    for end, is_told in ((samples, False), (samples + counted, True)):
         frames = [*heard[:-1], Frame(Kind.END, heard[-1].seq, END.pack(end, reason))]
         path = tmp_path / "recording.frames"
         path.write_bytes(b"".join(encode(frame.kind, frame.seq, frame.payload) for frame in frames))
         now = datetime.now(UTC)
         tell_frames(account(Read.of(path), now, now, Outcome("complete")), tmp_path)
-        assert ("lost frames do not explain it" in capsys.readouterr().out) == told
+        assert ("lost frames do not explain it" in capsys.readouterr().out) == is_told
 
 
 def test_a_devices_text_cannot_command_the_terminal():

@@ -28,11 +28,11 @@ def start(tmp_path):
     """Start programs; they are ended with the test."""
     started = []
 
-    def one(*words) -> ready.Program:
+    def start_program(*words) -> ready.Program:
         started.append(ready.start(*words))
         return started[-1]
 
-    yield one
+    yield start_program
     for process in started:
         process.kill()
         process.wait()
@@ -76,10 +76,10 @@ def test_a_text_capture_into_the_folder_that_a_capture_of_frames_has_begun_is_re
     frames = start("pipeline.capture", port, folder)
     until((folder / NAME).exists, frames)
     text.send_signal(signal.SIGCONT)
-    said, _ = text.communicate(timeout=LONG_S)
-    assert text.returncode == 2 and "recording.frames: is there already and is never overwritten" in said, said
-    said, _ = frames.communicate(timeout=LONG_S)
-    assert frames.returncode == 0 and ": complete, " in said, said
+    printed, _ = text.communicate(timeout=LONG_S)
+    assert text.returncode == 2 and "recording.frames: is there already and is never overwritten" in printed, printed
+    printed, _ = frames.communicate(timeout=LONG_S)
+    assert frames.returncode == 0 and ": complete, " in printed, printed
     assert sorted(path.name for path in folder.iterdir()) == ["capture.json", NAME]
     info = json.loads((folder / "capture.json").read_text())
     assert info["sha256"] == hashlib.sha256((folder / NAME).read_bytes()).hexdigest()
@@ -98,10 +98,10 @@ def test_of_two_that_begin_at_the_same_moment_exactly_one_has_the_folder(tmp_pat
         folder, barrier, begun = tmp_path / f"run-{number}", threading.Barrier(2), []
         folder.mkdir()
         both = [threading.Thread(target=begin, args=(folder, name, barrier, begun)) for name in (NAME, LINES)]
-        for one in both:
-            one.start()
-        for one in both:
-            one.join()
+        for thread in both:
+            thread.start()
+        for thread in both:
+            thread.join()
         assert len(begun) == 1 and [path.name for path in folder.iterdir()] == begun
 
 
@@ -115,11 +115,11 @@ def test_what_another_put_there_while_it_recorded_is_never_replaced(start, line,
     until(lambda: (folder / LINES).read_bytes() == body, text)
     (folder / other).write_text('{"sha256": "of another"}')
     text.send_signal(signal.SIGINT)
-    said, _ = text.communicate(timeout=LONG_S)
-    assert text.returncode == 2 and f"{other}: is there already" in said and "Mend: move" in said, said
+    printed, _ = text.communicate(timeout=LONG_S)
+    assert text.returncode == 2 and f"{other}: is there already" in printed and "Mend: move" in printed, printed
     assert (folder / other).read_text() == '{"sha256": "of another"}' and (folder / LINES).read_bytes() == body
     assert sorted(path.name for path in folder.iterdir()) == sorted([other, LINES, uncommitted_note.NAME])
-    assert (f"move {LINES} and {uncommitted_note.NAME} into" in said) == (other == "capture.json")
+    assert (f"move {LINES} and {uncommitted_note.NAME} into" in printed) == (other == "capture.json")
     moved = tmp_path / "run-2"
     moved.mkdir()
     for name in (LINES, uncommitted_note.NAME):

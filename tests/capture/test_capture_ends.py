@@ -32,7 +32,7 @@ class Line:
 
     @property
     def heard(self) -> list[int]:
-        return [one.frame.kind for one in Decoder().feed(self.written)]
+        return [decoded.frame.kind for decoded in Decoder().feed(self.written)]
 
 
 class Kept:
@@ -63,16 +63,16 @@ def test_bytes_without_a_new_frame_are_not_recorded_for_ever(monkeypatch, again)
 
 def test_a_device_that_does_not_stop_is_left(monkeypatch):
     monkeypatch.setattr(stream, "STOP_S", 0.2)
-    said = frames(100_000)
-    outcome = record(Line([b"", *said[1:-1]]), Kept(), hello(), lambda: 0, longest_s=0.1)
+    encoded_frames = frames(100_000)
+    outcome = record(Line([b"", *encoded_frames[1:-1]]), Kept(), hello(), lambda: 0, longest_s=0.1)
     assert outcome == Outcome("fault", "the device went on though it was told to stop", "--longest after 0.1 s")
 
 
 def test_a_word_of_stop_that_is_obeyed_is_no_fault():
-    said = frames()
-    asked = iter([0, 0, 1, 1, 1, 1, 1, 1])
-    port = Line([*said[1:6], b"".join(said[6:])])
-    assert record(port, Kept(), hello(), lambda: next(asked, 1)) == Outcome("aborted", None, "person")
+    encoded_frames = frames()
+    stop_flags = iter([0, 0, 1, 1, 1, 1, 1, 1])
+    port = Line([*encoded_frames[1:6], b"".join(encoded_frames[6:])])
+    assert record(port, Kept(), hello(), lambda: next(stop_flags, 1)) == Outcome("aborted", None, "person")
     assert port.heard == [Kind.START, Kind.STOP, Kind.ACK]
 
 
@@ -85,20 +85,20 @@ def small():
     device.hear(encode(Kind.START, 0))
     while device.recording:
         sent += device.speak()
-    return [one.frame for one in Decoder().feed(sent)]
+    return [decoded.frame for decoded in Decoder().feed(sent)]
 
 
 def recorded(small, folder, stamps: dict[int, int]):
     """A committed run folder of these frames; `stamps` has us that are added to those of some."""
     describe(read_setup("small"), folder)
-    said = []
+    encoded_frames = []
     for number, frame in enumerate(small):
         payload = frame.payload
         if number in stamps:
             t_us = (int.from_bytes(payload[:4], "little") + stamps[number]) % 2**32
             payload = t_us.to_bytes(4, "little") + payload[4:]
-        said.append(encode(frame.kind, frame.seq, payload))
-    (folder / "recording.frames").write_bytes(b"".join(said))
+        encoded_frames.append(encode(frame.kind, frame.seq, payload))
+    (folder / "recording.frames").write_bytes(b"".join(encoded_frames))
     return recover(folder)
 
 
@@ -123,8 +123,8 @@ def test_a_run_without_a_clock_is_refused_with_the_mend(small, tmp_path):
     folder = tmp_path / "run-1"
     folder.mkdir()
     stands = [frame.payload if frame.kind != Kind.SAMPLE else first + frame.payload[4:] for frame in small]
-    said = [encode(frame.kind, frame.seq, payload) for frame, payload in zip(small, stands, strict=True)]
-    (folder / "recording.frames").write_bytes(b"".join(said))
+    encoded_frames = [encode(frame.kind, frame.seq, payload) for frame, payload in zip(small, stands, strict=True)]
+    (folder / "recording.frames").write_bytes(b"".join(encoded_frames))
     info = recover(folder)
     assert info["exit_status"] == "fault" and "clock stands or runs backwards" in info["fault"]
     with pytest.raises(BadInput, match=r"t_us: stands or runs backwards .* Mend: correct the clock in the firmware"):

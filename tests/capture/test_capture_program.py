@@ -46,7 +46,7 @@ def test_a_program_that_was_taken_in_half_is_handed_over_again():
 
 
 @pytest.mark.parametrize(
-    ("answers", "said"),
+    ("answers", "message"),
     [
         ([], "did not answer it; nothing was moved"),
         ([(0.0, TAKEN.pack(2, 5, Answer.TAKEN, 0))], "did not answer it"),
@@ -56,13 +56,13 @@ def test_a_program_that_was_taken_in_half_is_handed_over_again():
     ],
     ids=["silent", "another program", "load", "unknown reason", "broken line"],
 )
-def test_what_is_not_taken_is_a_sentence(answers, said):
-    with pytest.raises(BadInput, match=said):
+def test_what_is_not_taken_is_a_sentence(answers, message):
+    with pytest.raises(BadInput, match=message):
         asked(*answers)
 
 
 @pytest.mark.parametrize(
-    ("program", "limits", "said"),
+    ("program", "limits", "message"),
     [
         ({"legs": "many"}, LIMITS, "program.legs: is missing or is not a number"),
         ({"turns": [3, 1]}, LIMITS, "program.turns: its least is above its most"),
@@ -70,7 +70,7 @@ def test_what_is_not_taken_is_a_sentence(answers, said):
         ([], LIMITS, "program: is not an object"),
     ],
 )
-def test_limits_that_are_none_are_refused_before_anything_is_written(program, limits, said, tmp_path):
+def test_limits_that_are_none_are_refused_before_anything_is_written(program, limits, message, tmp_path):
     content = json.loads(HELLO.pack())
     content["program"] = content["program"] | program if isinstance(program, dict) else program
 
@@ -82,7 +82,7 @@ def test_limits_that_are_none_are_refused_before_anything_is_written(program, li
 
     rig = ScriptedRig(Odd())  # type: ignore[arg-type]
     done = run("pipeline.capture", rig.port, tmp_path / "run-1")
-    assert done.returncode == 2 and said in done.stderr and not (tmp_path / "run-1").exists()
+    assert done.returncode == 2 and message in done.stderr and not (tmp_path / "run-1").exists()
 
 
 def test_a_rig_without_limits_takes_no_program(tmp_path: Path):

@@ -47,15 +47,15 @@ class Read:
         self.rows = [row for row in map(self.lines.take, split) if row is not None]
         self.tail_bytes = splitter.tail_bytes
         times = [float(row[self.lines.time_at]) for row in self.rows] if self.lines.time_at >= 0 else []
-        for one in times:
-            self.steps.take(one)
+        for row_time in times:
+            self.steps.take(row_time)
         self.holes = find(times, self.steps.usual)
 
 
 def test_lines_become_rows_as_they_were_printed():
     read = Read(HEADER + b"".join(LINES))
     assert read.lines.columns == ("time_ms", "motor_turns", "displacement_mm")
-    assert read.rows == [one.decode().strip().split(",") for one in LINES]
+    assert read.rows == [raw_line.decode().strip().split(",") for raw_line in LINES]
     assert (read.lines.bad, read.steps.backward, read.holes, read.tail_bytes) == (0, 0, (0, []), 0)
 
 
@@ -175,11 +175,11 @@ def test_given_columns_win_over_what_the_rig_calls_them():
 
 def test_what_is_read_as_what_is_a_sentence(tmp_path):
     read = Read(b"".join([*BOOT, HEADER, *LINES[:5], b"1,2\n"]))
-    said = (
+    sentence = (
         "reads time_ms = 80, motor_turns = 1.00, displacement_mm = 0.40; 5 lines are read, 5 are not (4 of text, 1 bad)"
     )
     values = ReadChannels(tmp_path, read.lines.columns).values(read.lines.last)
-    assert read.lines.reading(values) == said
+    assert read.lines.reading(values) == sentence
 
 
 def test_a_line_is_counted_as_one():
@@ -225,11 +225,11 @@ def rig(tmp_path):
         return started[-1]
 
     yield ours, start
-    for one in started:
-        if one.poll() is None:
-            one.kill()
-        one.wait()
-        one.stdout.close()
+    for program in started:
+        if program.poll() is None:
+            program.kill()
+        program.wait()
+        program.stdout.close()
     os.close(theirs)
     os.close(ours)
 
@@ -263,8 +263,8 @@ def test_a_rig_that_prints_is_recorded_byte_for_byte(rig, tmp_path):
     until(lambda: (folder / "recording.lines").read_bytes().endswith(body), process)
     assert not (folder / "recording.csv").exists()
     process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=60)
-    assert process.returncode == 0 and "45 samples, 1 bad line\n" in said and "about 5 samples missing" in said
+    output, _ = process.communicate(timeout=60)
+    assert process.returncode == 0 and "45 samples, 1 bad line\n" in output and "about 5 samples missing" in output
     info = json.loads((folder / "capture.json").read_text())
     csv = (folder / "recording.csv").read_bytes()
     assert csv == HEADER.replace(b"\r", b"") + b"".join([*LINES[:20], *LINES[25:]]).replace(b"\r", b"")
@@ -337,12 +337,12 @@ def test_what_a_rig_prints_without_names_is_kept_and_named_by_recover(rig, tmp_p
     for _ in range(40):  # two seconds: it warns
         prints()
     process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=60)
+    output, _ = process.communicate(timeout=60)
     assert process.returncode == 2 and re.search(
-        r"warning: no line is read yet, but all are kept: \d+ lines of 3 numbers", said
-    ), said
-    assert "in the order in which the rig prints them" in said
-    assert f"python -m pipeline.capture --recover {folder} --columns ...,...,..." in said.splitlines()[-1]
+        r"warning: no line is read yet, but all are kept: \d+ lines of 3 numbers", output
+    ), output
+    assert "in the order in which the rig prints them" in output
+    assert f"python -m pipeline.capture --recover {folder} --columns ...,...,..." in output.splitlines()[-1]
     kept = (folder / "recording.lines").read_bytes()
     assert kept.count(b"\n") > 45  # those before it knew that no name would come, too
     named = start("--recover", str(folder), "--columns", "time_ms,motor_turns,displacement_mm")
@@ -374,19 +374,19 @@ def nameless(ours, start, folder, columns: str = "") -> tuple[int, str, float, f
 def test_a_recording_without_names_is_named_afterwards_as_if_they_had_been_known_from_the_start(rig, tmp_path):
     ours, start = rig
     folder = tmp_path / "run-1"
-    status, said, began_s, ended_s = nameless(ours, start, folder)
+    status, output, began_s, ended_s = nameless(ours, start, folder)
     command = f"python -m pipeline.capture --recover {folder} --columns time_ms,...,...,..."
-    warning = next(one for one in said.splitlines() if one.startswith("warning: no line"))
-    assert status == 2 and warning.endswith(command) and said.rstrip().endswith(command), said
-    assert " bad" not in said and "lines of 4 numbers like" in said, said
+    warning = next(printed_line for printed_line in output.splitlines() if printed_line.startswith("warning: no line"))
+    assert status == 2 and warning.endswith(command) and output.rstrip().endswith(command), output
+    assert " bad" not in output and "lines of 4 numbers like" in output, output
     kept = (folder / "recording.lines").read_bytes()
     os.utime(folder / "recording.lines", (0, 0))  # a copy keeps no time
     refused = start("--recover", str(folder), "--columns", command.split()[-1])
     assert "put a name in the place of each ..." in refused.communicate(timeout=60)[0] and refused.returncode == 2
     named = start("--recover", str(folder), "--columns", "time_ms,motor_turns,displacement_mm,load_n")
-    said, _ = named.communicate(timeout=60)
+    output, _ = named.communicate(timeout=60)
     info = json.loads((folder / "capture.json").read_text())
-    assert named.returncode == 0 and "ended by --longest after 3 s" in said, said
+    assert named.returncode == 0 and "ended by --longest after 3 s" in output, output
     assert (info["exit_status"], info["ended_by"]) == ("ended", "--longest after 3 s")
     started_s, over_s = (datetime.fromisoformat(info[key]).timestamp() for key in ("started_utc", "ended_utc"))
     assert began_s <= started_s < over_s <= ended_s and over_s - started_s > 2.9
@@ -404,12 +404,12 @@ def test_a_header_that_comes_again_names_the_lines_after_it_and_the_others_can_b
         os.write(ours, (HEADER if begun == 15 else b"") + line(number))
         number += 1
         time.sleep(0.05)
-    said = process.stdout.read()
+    output = process.stdout.read()
     info = json.loads((folder / "capture.json").read_text())
     assert process.returncode == 0 and info["samples"]["received"] > 3 and info["lines"]["unnamed"] > 3
     command = f"pipeline.capture --recover {folder} --columns time_ms,motor_turns,displacement_mm"
-    assert f"{info['lines']['unnamed']} lines of numbers came before anything named their columns" in said
-    assert f"{command} reads them too" in said and info["lines"]["bad"] == 0
+    assert f"{info['lines']['unnamed']} lines of numbers came before anything named their columns" in output
+    assert f"{command} reads them too" in output and info["lines"]["bad"] == 0
     assert start("--recover", str(folder), *command.split()[3:]).wait(60) == 0
     after = json.loads((folder / "capture.json").read_text())
     assert after["samples"]["received"] == info["samples"]["received"] + info["lines"]["unnamed"]
@@ -449,10 +449,10 @@ def test_a_rig_that_falls_silent_has_no_fault(rig, tmp_path):
     process, folder = start(), tmp_path / "run-1"
     print_header(ours, folder, process)
     os.write(ours, b"".join(LINES))
-    said, _ = process.communicate(timeout=60)
+    output, _ = process.communicate(timeout=60)
     info = json.loads((folder / "capture.json").read_text())
     assert process.returncode == 0 and (info["exit_status"], info["fault"]) == ("ended", None)
-    assert info["ended_by"].startswith("3 s of silence") and f"{folder}: ended by 3 s of silence" in said
+    assert info["ended_by"].startswith("3 s of silence") and f"{folder}: ended by 3 s of silence" in output
 
 
 def test_a_time_that_falls_back_may_be_another_column(rig, tmp_path):
@@ -460,8 +460,8 @@ def test_a_time_that_falls_back_may_be_another_column(rig, tmp_path):
     folder = tmp_path / "run-1"
     folder.mkdir()
     (folder / "recording.lines").write_bytes(b"".join(LINES + LINES))
-    said, _ = start("--recover", str(folder), "--columns", "t_ms,turns,mm").communicate(timeout=60)
-    assert "falls back 1 time: was it reset, or is the time another column than t_ms?" in said
+    output, _ = start("--recover", str(folder), "--columns", "t_ms,turns,mm").communicate(timeout=60)
+    assert "falls back 1 time: was it reset, or is the time another column than t_ms?" in output
 
 
 def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
@@ -469,20 +469,20 @@ def test_the_screen_says_what_is_read_as_what_while_it_records(rig, tmp_path):
     process, folder = start(), tmp_path / "run-1"
     os.write(ours, b"".join(BOOT))
     print_header(ours, folder, process)
-    said = ""
+    output = ""
     for number in range(2000):
         os.write(ours, line(number) + (b"moving on\r\n" if number % 50 == 0 else b""))
         ready, _, _ = select.select([process.stdout], [], [], 0.02)
-        if ready and not re.search(r"Ctrl-C or kill|run\.yaml: is missing", said := process.stdout.readline()):
+        if ready and not re.search(r"Ctrl-C or kill|run\.yaml: is missing", output := process.stdout.readline()):
             break
     assert re.fullmatch(
         r"reads time_ms = \d+, motor_turns = [\d.]+, displacement_mm = [\d.]+; "
         r"\d+ lines? (is|are) read, \d+ (is|are) not \(\d+ of text, 0 bad\)\n",
-        said,
-    ), said
+        output,
+    ), output
     process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=60)
-    assert process.returncode == 0, said
+    output, _ = process.communicate(timeout=60)
+    assert process.returncode == 0, output
     info = json.loads((folder / "capture.json").read_text())
     assert info["samples"]["received"] > 10 and info["lines"]["bad"] == 0 and info["lines"]["text"] >= 1
 
@@ -508,11 +508,11 @@ def test_holes_of_one_size_are_told_in_one_line(rig, tmp_path):
     _, start = rig
     folder = tmp_path / "run-1"
     folder.mkdir()
-    left = [one for number, one in enumerate(LINES) if number not in (5, 10, 15, 20, 30, 31, 32)]
-    (folder / "recording.lines").write_bytes(b"".join([HEADER, *left]))
-    said, _ = start("--recover", str(folder)).communicate(timeout=60)
+    kept_lines = [raw_line for number, raw_line in enumerate(LINES) if number not in (5, 10, 15, 20, 30, 31, 32)]
+    (folder / "recording.lines").write_bytes(b"".join([HEADER, *kept_lines]))
+    output, _ = start("--recover", str(folder)).communicate(timeout=60)
     holes = "about 3 samples missing, after the device's time 580 ms; 4 times about 1 sample missing, first after"
-    assert len(re.findall("samples? missing", said)) == 2 and f"{folder}: {holes} the device's time 80 ms\n" in said
+    assert len(re.findall("samples? missing", output)) == 2 and f"{folder}: {holes} the device's time 80 ms\n" in output
 
 
 def test_the_mend_for_columns_without_names_knows_seconds_and_milliseconds():
@@ -540,8 +540,8 @@ def test_a_port_that_comes_late_is_waited_for(tmp_path):
                 break
             os.write(ours, line(number))
             time.sleep(0.02)
-        said, _ = process.communicate(timeout=60)
-        assert process.returncode == 0 and "ended by --longest" in said, said
+        output, _ = process.communicate(timeout=60)
+        assert process.returncode == 0 and "ended by --longest" in output, output
     finally:
         process.kill()
         process.wait()
@@ -561,9 +561,11 @@ def test_a_run_without_a_sample_is_no_success_and_says_so_while_it_records(rig, 
         time.sleep(0.04)
     until(lambda: (folder / "recording.lines").read_bytes().endswith(COMMAS), process)
     process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=60)
-    assert process.returncode == 2 and "warning: no line is read yet, but all are kept: " in said.splitlines()[2], said
-    assert "--recover" in said.splitlines()[-1] and "Traceback" not in said
+    output, _ = process.communicate(timeout=60)
+    assert process.returncode == 2 and "warning: no line is read yet, but all are kept: " in output.splitlines()[2], (
+        output
+    )
+    assert "--recover" in output.splitlines()[-1] and "Traceback" not in output
     assert (folder / "recording.lines").exists() and not (folder / "capture.json").exists()
     assert not (folder / "recording.csv").exists()
     five = "time_ms,turns,turns_fraction,mm,mm_fraction"

@@ -30,9 +30,9 @@ def test_a_rig_that_boots_homes_and_tares_is_waited_for_and_the_screen_says_so(f
     os.write(ours, then + b"".join(LINES))
     until(lambda: printed.exists() and printed.read_bytes().endswith(LINES[-1]), process)
     process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=60)
-    assert process.returncode == 0, said
-    assert "waiting for the rig's first line of numbers, for 2" in said and "s more (--wait): it may boot" in said
+    output, _ = process.communicate(timeout=60)
+    assert process.returncode == 0, output
+    assert "waiting for the rig's first line of numbers, for 2" in output and "s more (--wait): it may boot" in output
     received = json.loads((tmp_path / "run-1" / "capture.json").read_text())["samples"]["received"]
     assert received >= len(LINES) - 1, "all but a first line that may be half a one"
 
@@ -41,17 +41,19 @@ def test_the_wait_ends_when_its_flag_says(rig, tmp_path):
     _, start = rig
     process = start("--wait", "2.5")
     began_s = time.monotonic()
-    said, _ = process.communicate(timeout=60)
+    output, _ = process.communicate(timeout=60)
     assert time.monotonic() - began_s < 15.0 and process.returncode == 2
-    assert "device: said nothing for 2.5 s" in said and "raise --wait" in said and not (tmp_path / "run-1").exists()
+    assert "device: said nothing for 2.5 s" in output and "raise --wait" in output and not (tmp_path / "run-1").exists()
     named = start("--wait", "4", *COLUMNS)
-    said, _ = named.communicate(timeout=60)
-    assert named.returncode != 0 and "ended by the wait for a first line of numbers, which --wait makes longer" in said
+    output, _ = named.communicate(timeout=60)
+    assert (
+        named.returncode != 0 and "ended by the wait for a first line of numbers, which --wait makes longer" in output
+    )
 
 
 @pytest.mark.parametrize("words", [["--wait", "0", "--text"], ["--wait", "nan", "--text"], ["--wait", "5"]])
 def test_a_wait_that_is_none_is_refused(words, rig):
     _, start = rig
     process = start("--recover", "nowhere", *words)
-    said, _ = process.communicate(timeout=60)
-    assert process.returncode == 2 and "--wait goes with --text, and must be above 0 seconds" in said
+    output, _ = process.communicate(timeout=60)
+    assert process.returncode == 2 and "--wait goes with --text, and must be above 0 seconds" in output

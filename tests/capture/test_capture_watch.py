@@ -28,7 +28,7 @@ OTHER = b"".join(random.Random(seed).randbytes(24).replace(b"\0", b"\1") + b"\0"
 
 
 @pytest.mark.parametrize(
-    ("heard", "faster", "said"),
+    ("heard", "faster", "expected_words"),
     [
         (FRAMES, 1, "answers no GREET"),
         (TEXT, 1, "lines of text"),
@@ -37,16 +37,16 @@ OTHER = b"".join(random.Random(seed).randbytes(24).replace(b"\0", b"\1") + b"\0"
         *((data, faster, "lower baud rate") for data in (FRAMES, TEXT) for faster in (2, 4, 8)),
     ],
 )
-def test_what_a_port_sends_is_guessed(heard, faster, said):
-    assert said in guess(heard if faster == 1 else received(heard, faster), 115_200)[0]
+def test_what_a_port_sends_is_guessed(heard, faster, expected_words):
+    assert expected_words in guess(heard if faster == 1 else received(heard, faster), 115_200)[0]
 
 
 def watched(turns, measured_mm) -> list[tuple[float, str]]:
-    watch, said = Watch(HELLO), []
+    watch, warnings = Watch(HELLO), []
     for number, (turn, mm) in enumerate(zip(turns, measured_mm, strict=True)):
         payload = struct.pack("<Iih", number * 10_000, round(turn / 0.01), round(mm / 0.02))
-        said.append(watch.look(Frame(Kind.SAMPLE, number, payload)))
-    return [(number / RATE_HZ, one) for number, one in enumerate(said) if one]
+        warnings.append(watch.look(Frame(Kind.SAMPLE, number, payload)))
+    return [(number / RATE_HZ, warning) for number, warning in enumerate(warnings) if warning]
 
 
 TURNS = np.interp(np.arange(1200) / RATE_HZ, [1, 6, 7, 12], [0, 15, 15, 0])

@@ -57,7 +57,7 @@ def test_a_clock_that_jitters_loses_no_sample(kind, count):
 
 
 @pytest.mark.parametrize(
-    ("kind", "share", "found"),
+    ("kind", "share", "hit_share"),
     [
         ("steady", 0.01, 0.999),
         ("steady", 0.05, 0.999),
@@ -70,7 +70,7 @@ def test_a_clock_that_jitters_loses_no_sample(kind, count):
         ("whole ms of 1.5 ms", 0.01, 0.95),
     ],
 )
-def test_lost_samples_are_counted_in_a_clock_that_jitters_too(kind, share, found):
+def test_lost_samples_are_counted_in_a_clock_that_jitters_too(kind, share, hit_share):
     """The place of a hole is known to a few samples, where its own step is as long as others."""
     hits, lost, wrong = 0, 0, 0
     for seed in range(4):
@@ -81,7 +81,7 @@ def test_lost_samples_are_counted_in_a_clock_that_jitters_too(kind, share, found
         apart = np.abs(after[:, None] - np.array([hole["after_samples"] for hole in holes])[None, :])
         hits, lost = hits + int((apart.min(axis=1) <= 4).sum()), lost + len(after)
         wrong += int((apart.min(axis=0) > 8).sum())
-    assert hits >= found * lost and wrong <= 0.01 * lost, (hits, lost, wrong)
+    assert hits >= hit_share * lost and wrong <= 0.01 * lost, (hits, lost, wrong)
 
 
 def test_a_hole_is_as_long_as_it_was_and_hides_none_beside_it():

@@ -53,11 +53,11 @@ class Recorded:
         ours, start = rig
         folder.mkdir()
         (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", channels=channels), sort_keys=False))
-        process, said = start(), []
-        reading = threading.Thread(target=lambda: said.extend(iter(process.stdout.readline, "")), daemon=True)
+        process, printed_lines = start(), []
+        reading = threading.Thread(target=lambda: printed_lines.extend(iter(process.stdout.readline, "")), daemon=True)
         reading.start()
         while not (folder / "recording.lines").exists():
-            assert process.poll() is None, said
+            assert process.poll() is None, printed_lines
             os.write(ours, (",".join(header) + "\r\n").encode())
             time.sleep(0.1)
         began_s = time.monotonic()
@@ -65,11 +65,11 @@ class Recorded:
             time.sleep(max(0.0, began_s + time_ms / 1000.0 / PACE - time.monotonic()))
             os.write(ours, line)
         time.sleep(1.0)
-        self.live = "".join(said)
+        self.live = "".join(printed_lines)
         process.send_signal(signal.SIGINT)
         self.status = process.wait(60)
         reading.join(60)
-        self.said = "".join(said)
+        self.said = "".join(printed_lines)
 
     @property
     def next(self) -> list[str]:
@@ -164,8 +164,8 @@ def test_exchanged_columns_are_seen_in_whatever_unit_they_are(tmp_path, pair):
     swapped = table.assign(**{first: table[second], second: table[first]})
     sentence = f"exchange the columns of {first} and {second}"
     channels = {**IN_OTHER_UNITS}
-    told = said_of(tmp_path / "run-1", swapped.assign(time_s=swapped["time_ms"] / 1000.0), channels=channels)
-    assert sum(sentence in each for each in told) == 1 and sentence in told[0], told
+    warnings = said_of(tmp_path / "run-1", swapped.assign(time_s=swapped["time_ms"] / 1000.0), channels=channels)
+    assert sum(sentence in each for each in warnings) == 1 and sentence in warnings[0], warnings
     run, samples = parse_run(content("run-1", channels=channels), tmp_path / "run-1" / "run.yaml"), swapped
     samples = samples.assign(motor_turns=swapped["motor_turns"] / 360.0, load_n=swapped["load_n"] * 0.00980665)
     with pytest.raises(BadInput, match=sentence):
@@ -193,11 +193,11 @@ def said_of(folder: Path, table: pd.DataFrame, form: str = "%.3f", channels=None
     """What is said while the samples of a table come, asked every second for exchanged columns."""
     folder.mkdir()
     (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", channels=channels)))
-    faults, said = LiveFaults(folder, COLUMNS), []
+    faults, sentences = LiveFaults(folder, COLUMNS), []
     for at, row in enumerate(table[["time_s", *COLUMNS[1:]]].to_numpy()):
-        said.append(faults.look([f"{1000 * row[0]:.0f}", *(form % value for value in row[1:])]))
-        said += [faults.exchange()] if at % 25 == 24 else []
-    return [sentence for sentence in [*said, faults.exchange(last=True)] if sentence]
+        sentences.append(faults.look([f"{1000 * row[0]:.0f}", *(form % value for value in row[1:])]))
+        sentences += [faults.exchange()] if at % 25 == 24 else []
+    return [sentence for sentence in [*sentences, faults.exchange(last=True)] if sentence]
 
 
 @pytest.mark.parametrize(
@@ -244,8 +244,12 @@ def test_a_time_in_a_wrong_unit_hides_no_other_fault_at_the_end(rig, tmp_path, w
     done = Recorded(rig, folder, table, header, {**NAMED, "time_s": "t"})
     end, live = done.said[len(done.live) :], done.live.splitlines()
     reads = next(at for at, line in enumerate(live) if line.startswith("reads "))
-    told = "warning: time_s is read in s: a sample every 40 s is no rate of a rig; set channels.time_s.unit to 'ms'"
-    assert live[reads + 1].startswith(f"{told}. When the recording has ended: write into {folder}/run.yaml"), live
+    unit_warning = (
+        "warning: time_s is read in s: a sample every 40 s is no rate of a rig; set channels.time_s.unit to 'ms'"
+    )
+    assert live[reads + 1].startswith(f"{unit_warning}. When the recording has ended: write into {folder}/run.yaml"), (
+        live
+    )
     if wrong == "sign":
         both = yaml.safe_load(re.findall(r"in the place of its channels: (channels: .*)", done.live)[-1])["channels"]
         assert both["time_s"]["unit"] == "ms" and both["displacement_mm"]["scale"] == -1, "no mend undoes another"

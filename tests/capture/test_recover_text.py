@@ -135,7 +135,7 @@ def test_a_run_whose_cable_went_is_said_to_be_usable_and_what_comes_next(folder)
 
 
 @pytest.mark.parametrize(
-    ("given", "meant"),
+    ("columns", "meant"),
     [
         ("time_s,motor_truns,displacement_mm", "time_s,motor_turns,displacement_mm"),
         ("time_ms,motor_turns,displacment_mm,load", "time_ms,motor_turns,displacement_mm,load_n"),
@@ -144,12 +144,14 @@ def test_a_run_whose_cable_went_is_said_to_be_usable_and_what_comes_next(folder)
         ("time_ms,motor_turns,displacement_mm,pressure_bar", ""),
     ],
 )
-def test_names_that_are_nearly_those_of_channels_are_asked_about(tmp_path, given, meant):
+def test_names_that_are_nearly_those_of_channels_are_asked_about(tmp_path, columns, meant):
     """`--columns time_s,motor_truns,…` recorded for an hour what nothing could use, without a word at its start."""
-    said = doubt(given.split(","), tmp_path / "a b")
-    assert bool(said) == bool(meant)
+    question = doubt(columns.split(","), tmp_path / "a b")
+    assert bool(question) == bool(meant)
     if meant:
-        assert f"did you mean {meant}?" in said and said.endswith(f"--recover '{tmp_path}/a b' --columns {meant}")
+        assert f"did you mean {meant}?" in question and question.endswith(
+            f"--recover '{tmp_path}/a b' --columns {meant}"
+        )
 
 
 def test_a_name_that_the_run_gives_is_no_misspelt_one(folder):
@@ -229,11 +231,13 @@ def test_a_long_recording_is_mended_as_a_short_one(folder, monkeypatch, capsys):
     assert recover(folder).returncode == 0
     capsys.readouterr()
     _, kept, _ = read_strokes(folder)
-    said = capsys.readouterr().err
+    messages = capsys.readouterr().err
     monkeypatch.setattr("pipeline.run.table.mended_time.KEPT", 10)
     _, anew, _ = read_strokes(folder)
-    assert kept.equals(anew) and capsys.readouterr().err == said
-    assert "recording.csv: mended 14 repeated time stamps" in said and said.count("is read from its column") == 1
+    assert kept.equals(anew) and capsys.readouterr().err == messages
+    assert (
+        "recording.csv: mended 14 repeated time stamps" in messages and messages.count("is read from its column") == 1
+    )
 
 
 def test_where_every_stamp_rises_none_is_touched(folder):

@@ -14,14 +14,14 @@ def test_bytes_are_taken_while_the_disk_is_busy(tmp_path, monkeypatch):
     monkeypatch.setattr(log, "SYNC_S", 0.0)
     done, begun = threading.Event(), []
     monkeypatch.setattr(os, "fdatasync", lambda file: (begun.append(file), done.wait(60)))
-    one = Log(tmp_path / "run-1")
+    recording_log = Log(tmp_path / "run-1")
     for byte in b"abc":
-        one.append(bytes([byte]))  # would wait a minute for the disk
+        recording_log.append(bytes([byte]))  # would wait a minute for the disk
     assert (tmp_path / "run-1" / NAME).read_bytes() == b"abc" and len(begun) <= 1
     done.set()
-    one.sync()
+    recording_log.sync()
     assert len(begun) == 2, "what came since is put on the disk too"
-    one.close()
+    recording_log.close()
 
 
 def test_a_disk_that_fails_ends_the_recording(tmp_path, monkeypatch):
@@ -31,8 +31,8 @@ def test_a_disk_that_fails_ends_the_recording(tmp_path, monkeypatch):
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(os, "fdatasync", full)
-    one = Log(tmp_path / "run-1")
-    one.append(b"a")
+    recording_log = Log(tmp_path / "run-1")
+    recording_log.append(b"a")
     with pytest.raises(OSError, match="No space"):
-        one.sync()
-    one.close()
+        recording_log.sync()
+    recording_log.close()

@@ -45,8 +45,8 @@ def test_the_order_of_unnamed_columns_goes_by_their_numbers_where_these_tell_it(
     assert done.returncode == 2 and command == f"--recover {folder} --columns {order}"
     last = dict(zip(order.split(","), (folder / "recording.lines").read_text().split("\n")[-2].split(","), strict=True))
     values = ", ".join(f"{name} = {value}" for name, value in last.items())
-    told = "in this order alone the numbers move as this string does; check it by the last line"
-    assert f", by the command below; {told}: {values}\n  python -m pipeline.capture {command}\n" in done.stderr
+    advice = "in this order alone the numbers move as this string does; check it by the last line"
+    assert f", by the command below; {advice}: {values}\n  python -m pipeline.capture {command}\n" in done.stderr
     right = ready.run("pipeline.capture", *shlex.split(command))
     assert right.returncode == 0 and "warning" not in right.stdout and "Next:" in right.stdout, right.stdout
 

@@ -25,8 +25,8 @@ def local(copied: Callable[[], Path], tmp_path_factory: pytest.TempPathFactory) 
         folder = copied()
         traced = [sys.executable, str(ROOT / "benchmarks" / "jobs.py"), "--out", "jobs.csv", "--trace", str(folder)]
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-        asked = ("--cores", "2", "all", "proof", "campaign", "real", "--retries", "2", *SMALL)
-        words = [*traced, "--", "snakemake", *asked]
+        arguments = ("--cores", "2", "all", "proof", "campaign", "real", "--retries", "2", *SMALL)
+        words = [*traced, "--", "snakemake", *arguments]
         done = subprocess.run(words, cwd=folder, capture_output=True, text=True, env=environment)
         assert done.returncode == 0, done.stdout + done.stderr
         with open(folder / "jobs.csv", encoding="utf-8", newline="") as file:

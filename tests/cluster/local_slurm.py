@@ -65,9 +65,9 @@ def why_not() -> str:
 
 def free_port() -> int:
     """A port that nobody listens on."""
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
 
 
 class Cluster:
@@ -153,9 +153,9 @@ class Cluster:
 @contextmanager
 def cluster(place: Path, hidden: Iterable[Path] = ()) -> Iterator[Cluster]:
     """A SLURM for as long as a test needs one."""
-    one = Cluster(place, hidden)
+    local_cluster = Cluster(place, hidden)
     try:
-        one.start()
-        yield one
+        local_cluster.start()
+        yield local_cluster
     finally:
-        one.stop()
+        local_cluster.stop()

@@ -30,9 +30,11 @@ def small_copy(folder: Path) -> Path:
     for name in ("default", "ci"):
         path = folder / "pipeline" / "config" / f"{name}.yaml"
         config = yaml.safe_load(path.read_text())
-        config["models"] = {model: one for model, one in config["models"].items() if model in ("inn", "traditional")}
-        for one in config["models"].values():
-            one["seeds"] = {"within": 1, "later": 1}
+        config["models"] = {
+            model: settings for model, settings in config["models"].items() if model in ("inn", "traditional")
+        }
+        for settings in config["models"].values():
+            settings["seeds"] = {"within": 1, "later": 1}
         config["proof"] = PROOF
         config["campaign"] |= {"strings": 20, "models": LEARNERS}
         path.write_text(yaml.safe_dump(config, sort_keys=False))

@@ -22,9 +22,9 @@ def read(path):
 def test_a_profile_of_a_cluster_says_what_the_usual_one_says_and_bundles_rules_that_there_are(path):
     profile = read(path)
     assert read(ROOT / "env" / "profile" / "profile.yaml").items() <= profile.items()
-    groups = dict(one.split("=") for one in profile["groups"])
+    groups = dict(assignment.split("=") for assignment in profile["groups"])
     assert set(groups) | ALONE == set(Needs({})) and not set(groups) & ALONE
-    assert {one.split("=")[0] for one in profile["group-components"]} <= set(groups.values())
+    assert {assignment.split("=")[0] for assignment in profile["group-components"]} <= set(groups.values())
     # the rule that ends a main job as failed stands alone: in a bundle it would take finished pages with it
     assert "left_out" not in groups
 

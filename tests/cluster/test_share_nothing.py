@@ -28,7 +28,11 @@ def declared(folder):
 
 def beyond(names, allowed):
     """Names that are none of the allowed ones, nor lie in one of them that is a folder."""
-    return [name for name in names if not any(name == one or name.startswith(f"{one}/") for one in allowed)]
+    return [
+        name
+        for name in names
+        if not any(name == allowed_name or name.startswith(f"{allowed_name}/") for allowed_name in allowed)
+    ]
 
 
 def is_cache(name):

@@ -60,9 +60,9 @@ def results(folder):
 @contextmanager
 def started(folder, *words):
     """Snakemake at work, which does not outlive what is asked of it."""
-    with open(folder / "said.txt", "ab") as said:
+    with open(folder / "said.txt", "ab") as log_file:
         heard = ["env", "--default-signal=INT", *command(*words, *OFTEN)]  # in the background a shell ignores Ctrl-C
-        process = subprocess.Popen(heard, cwd=folder, stdout=said, stderr=subprocess.STDOUT)
+        process = subprocess.Popen(heard, cwd=folder, stdout=log_file, stderr=subprocess.STDOUT)
     try:
         yield process
     finally:
@@ -88,27 +88,27 @@ def ends(process, folder):
 def test_stopped_resumed_and_robbed_of_a_node_it_makes_what_one_machine_makes(local, copied, tmp_path):
     folder = copied()
     with cluster(tmp_path / "slurm") as slurm:
-        asked = ("--profile", "env/slurm", "all")
-        with started(folder, *asked) as first:
+        arguments = ("--profile", "env/slurm", "all")
+        with started(folder, *arguments) as first:
             slurm.wait(slurm.running, "job that runs")
             first.send_signal(signal.SIGINT)
             assert first.wait(WITHIN_S) != 0
             slurm.wait(lambda: not slurm.said("squeue", "-h").strip(), "end of the jobs")
-        with started(folder, *asked) as again:
+        with started(folder, *arguments) as again:
             slurm.wait(lambda: at_work(folder, slurm, "n2") or again.poll() is not None, "job at work on n2")
             lost = [job for job, node in slurm.running() if node == "n2"]
             slurm.lose("n2")
             ends(again, folder)
-    made, meant = results(folder), results(local[0])
-    assert made.pop(INDEX) and meant.pop(INDEX)
-    assert made == {name: digest for name, digest in meant.items() if not name.startswith(OF_BESIDE)}
+    digests, meant = results(folder), results(local[0])
+    assert digests.pop(INDEX) and meant.pop(INDEX)
+    assert digests == {name: digest for name, digest in meant.items() if not name.startswith(OF_BESIDE)}
     logs = logs_of(folder)
     assert {rule for text in logs.values() for rule in re.findall(r"--allowed-rules (\w+) -", text)} == OF_MAIN - LOCAL
     nodes = {job: set(re.findall(r"^node: (\w+)$", text, re.MULTILINE)) for job, text in logs.items()}
     assert lost and all(nodes[job] == {"n1"} for job in lost), "what the lost node had ran on the other"
     assert set().union(*nodes.values()) <= {"n1", "n2"}
-    said = (folder / "said.txt").read_text()
-    assert "TABLE I: FORWARD" in said and "processed/logs/slurm/" in said
+    main_log = (folder / "said.txt").read_text()
+    assert "TABLE I: FORWARD" in main_log and "processed/logs/slurm/" in main_log
 
 
 def test_proof_campaign_and_public_recordings_run_on_nodes(local, copied, tmp_path):
@@ -117,8 +117,8 @@ def test_proof_campaign_and_public_recordings_run_on_nodes(local, copied, tmp_pa
         with started(folder, "--profile", "env/slurm", "proof", "campaign", "real") as process:
             ends(process, folder)
         assert not slurm.said("squeue", "-h").strip()
-    made = results(folder)
-    assert made == {name: digest for name, digest in results(local[0]).items() if name in made}
+    digests = results(folder)
+    assert digests == {name: digest for name, digest in results(local[0]).items() if name in digests}
     logs = logs_of(folder)
     assert {re.search(r"^node: (\w+)$", text, re.MULTILINE)[1] for text in logs.values()} == {"n1", "n2"}
     assert {rule for text in logs.values() for rule in re.findall(r"--allowed-rules (\w+) -", text)} == {*RULES}
@@ -135,7 +135,7 @@ def test_nodes_that_share_no_files_make_the_same_tables(local, copied, tmp_path)
         with started(folder, *words) as process:
             ends(process, folder)
         assert not slurm.said("squeue", "-h").strip()
-    made = results(storage)
-    assert made and made == {name: digest for name, digest in results(local[0]).items() if name in made}
-    assert {f"reports/synthetic/table_{n}.csv" for n in (1, 2)} <= set(made)
+    digests = results(storage)
+    assert digests and digests == {name: digest for name, digest in results(local[0]).items() if name in digests}
+    assert {f"reports/synthetic/table_{n}.csv" for n in (1, 2)} <= set(digests)
     assert not list((folder / "processed").rglob("*.parquet")), "nothing of it came here"

@@ -39,10 +39,10 @@ def undrawn(request, monkeypatch):
         monkeypatch.setattr(figures, "page", lambda study, content, path, mark="": None)
 
 
-def kept(found):
+def kept(outcome):
     """A study as it can be written down: what its simulator remembers of terms may be functions."""
-    found.problem._terms.clear()
-    return found
+    outcome.problem._terms.clear()
+    return outcome
 
 
 @pytest.fixture(scope="session")
@@ -53,17 +53,17 @@ def remembered(tmp_path_factory):
     @contextmanager
     def remember():
         def diagnosed(recorded, without, by, say):
-            def made():
-                content, found = plain(recorded, without, by, say)
-                found.search.linear.let_go()  # of 100 MB, as before it is drawn
-                return content, kept(found)
+            def make_diagnosis():
+                content, outcome = plain(recorded, without, by, say)
+                outcome.search.linear.let_go()  # of 100 MB, as before it is drawn
+                return content, kept(outcome)
 
             assert by is None
-            known = hashlib.sha256()
+            digest = hashlib.sha256()
             for each in recorded:
-                known.update(repr((each.run.model_dump_json(), [*each.samples], each.strokes)).encode())
-                known.update(each.samples.to_numpy(float).tobytes())
-            return once.made_once(shared, (known.hexdigest(), sorted(without)), made)
+                digest.update(repr((each.run.model_dump_json(), [*each.samples], each.strokes)).encode())
+                digest.update(each.samples.to_numpy(float).tobytes())
+            return once.made_once(shared, (digest.hexdigest(), sorted(without)), make_diagnosis)
 
         with pytest.MonkeyPatch.context() as patch:
             for module in (in_a_notebook, in_memory):  # the program may be run anew
@@ -80,10 +80,10 @@ def studied(conceal, tmp_path_factory):
 
     def find(*kinds: str):
         run, samples = read_samples(conceal(*kinds)[0])
-        found = once.made_once(
+        outcome = once.made_once(
             shared, ("study", kinds), lambda: kept(study(make_problem([RecordedRun.cut(run, samples)])))
         )
-        return found, run, samples
+        return outcome, run, samples
 
     return find
 

@@ -16,12 +16,12 @@ def leg(seconds, to, load, driver="motor_turns", load_name="load_n"):
     return {"seconds": seconds, driver: to, load_name: load}
 
 
-def explanation(ids, standing, left, bent=None, worse=100.0, driver="time", place=(0.0, 12.2)):
-    found = {"ids": ids, "standing": standing, "left_mm": left, "with_discrepancy_mm": bent or left}
+def explanation(ids, standing, left_mm, bent=None, worse=100.0, driver="time", place=(0.0, 12.2)):
+    entry = {"ids": ids, "standing": standing, "left_mm": left_mm, "with_discrepancy_mm": bent or left_mm}
     if standing in ("tied", "beaten"):
         box = {"motor_turns": list(place), "strokes": [2, 4], "phase": "rest", "share": 0.82}
-        found |= {"worse": worse, "gap_mm": 0.07, "location": box, "driver": driver}
-    return found
+        entry |= {"worse": worse, "gap_mm": 0.07, "location": box, "driver": driver}
+    return entry
 
 
 def parameter(value, unit):
@@ -71,65 +71,65 @@ CONTENT = {
 
 def content(**changes):
     """A diagnosis before its words; `changes` by dotted path, a double underscore for each dot."""
-    made = copy.deepcopy(CONTENT)
+    diagnosis = copy.deepcopy(CONTENT)
     for path, value in changes.items():
         *parents, last = path.split("__")
-        place = made
+        place = diagnosis
         for key in parents:
             place = place[key]
         place[last] = value
-    return made
+    return diagnosis
 
 
-def told(made=None, folders=("raw/nylon-3",), system="mm"):
+def told(diagnosis=None, folders=("raw/nylon-3",), system="mm"):
     """The details as a person reads them, with their lines joined again where they were wrapped."""
-    made = spoken(made or content(), SYSTEMS[system])
+    diagnosis = spoken(diagnosis or content(), SYSTEMS[system])
     return re.sub(
-        r"\n {4,}(?=\S)(?!\d\. |python)", " ", details_text(made, SYSTEMS[system], [Path(f) for f in folders])
+        r"\n {4,}(?=\S)(?!\d\. |python)", " ", details_text(diagnosis, SYSTEMS[system], [Path(f) for f in folders])
     )
 
 
-def page(made=None, folders=("raw/nylon-3",), system="mm", out="reports/nylon-3", doubts=()):
+def page(diagnosis=None, folders=("raw/nylon-3",), system="mm", out="reports/nylon-3", doubts=()):
     """The page of the verdict, line by line as it is printed."""
-    made = spoken(made or content(), SYSTEMS[system])
-    return verdict_text(made, SYSTEMS[system], [Path(f) for f in folders], Path(out) if out else None, doubts)
+    diagnosis = spoken(diagnosis or content(), SYSTEMS[system])
+    return verdict_text(diagnosis, SYSTEMS[system], [Path(f) for f in folders], Path(out) if out else None, doubts)
 
 
-def full(made=None, folders=("raw/nylon-3",), system="mm", out="reports/nylon-3", doubts=()):
+def full(diagnosis=None, folders=("raw/nylon-3",), system="mm", out="reports/nylon-3", doubts=()):
     """The details, line by line as they are printed: each part of the page in full, and its reasons."""
-    made = spoken(made or content(), SYSTEMS[system])
-    return details_text(made, SYSTEMS[system], [Path(f) for f in folders], Path(out) if out else None, doubts)
+    diagnosis = spoken(diagnosis or content(), SYSTEMS[system])
+    return details_text(diagnosis, SYSTEMS[system], [Path(f) for f in folders], Path(out) if out else None, doubts)
 
 
 def weighed(*shares, none=0.041, **changes):
     """A verdict with the probability of each explanation of CONTENT from the second on, the best one last."""
-    made = content(**changes)
-    for one, share in zip(made["evidence"]["explanations"][1:], shares, strict=True):
-        one["probability"] = share
-    made["evidence"]["probability_of_none"] = none
-    return made
+    diagnosis = content(**changes)
+    for entry, share in zip(diagnosis["evidence"]["explanations"][1:], shares, strict=True):
+        entry["probability"] = share
+    diagnosis["evidence"]["probability_of_none"] = none
+    return diagnosis
 
 
 def confident(friction, creep, **changes):
     """A verdict with the confidence of both of its effects."""
-    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, **changes)
-    for entry, share in zip(made["mechanisms"], (friction, creep), strict=True):
+    diagnosis = weighed(0.004, 0.06, 0.31, 0.02, 0.52, **changes)
+    for entry, share in zip(diagnosis["mechanisms"], (friction, creep), strict=True):
         entry["confidence"] = share
-    return made
+    return diagnosis
 
 
 def adopted(verdict="parameters", **changes):
     """The words on a run that has adopted creep, whose dimensions alone were then asked."""
-    made = content(verdict=verdict, mechanisms=[], alternatives=[], next_run=None, mismatch=None, **changes)
-    made["simulation"] = [{"id": "creep", "parameters": {}}]
-    made["evidence"]["explanations"] = []
-    return told(made)
+    diagnosis = content(verdict=verdict, mechanisms=[], alternatives=[], next_run=None, mismatch=None, **changes)
+    diagnosis["simulation"] = [{"id": "creep", "parameters": {}}]
+    diagnosis["evidence"]["explanations"] = []
+    return told(diagnosis)
 
 
 def to_adopt(**changes):
     """What is said of adopting, from the JSON that lies in reports/nylon-3."""
-    made = spoken(content(**changes), SYSTEMS["mm"])
-    text = details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3"))
+    diagnosis = spoken(content(**changes), SYSTEMS["mm"])
+    text = details_text(diagnosis, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3"))
     return text.partition("To use it\n")[2].partition("\n\n")[0]
 
 

@@ -139,17 +139,17 @@ def test_adopting_changes_run_yaml_alone_and_once(folder: Path, diagnosis: Path)
     assert (folder / "run.yaml").read_text() == after
     content = json.loads(diagnosis.read_text())
     diagnosis.write_text(json.dumps({**content, "verdict": "parameters", "mechanisms": [], "adopted": []}))
-    said = flat(programs.run("pipeline.adopt", diagnosis, folder))
-    assert "names no further effect: the dimensions that it calibrated are not taken over." in said
+    printed = flat(programs.run("pipeline.adopt", diagnosis, folder))
+    assert "names no further effect: the dimensions that it calibrated are not taken over." in printed
 
 
 def test_what_was_adopted_simulates_without_being_given_and_counts_once(folder: Path, diagnosis: Path) -> None:
     bare = simulated(folder)
-    given = simulated(folder, "--simulation", named(diagnosis, **DRIFT))
+    from_diagnosis = simulated(folder, "--simulation", named(diagnosis, **DRIFT))
     assert programs.run("pipeline.adopt", diagnosis, folder).returncode == 0
     own = simulated(folder)
     assert abs(own - bare).max() > 0.3
-    pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), given)
+    pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), from_diagnosis)
     content = json.loads(diagnosis.read_text())
     diagnosis.write_text(json.dumps({**content, "run": "another-01", "parameters": {}}))
     pd.testing.assert_series_equal(simulated(folder, "--simulation", diagnosis), own)
@@ -167,12 +167,12 @@ def test_what_was_adopted_simulates_with_the_dimensions_that_fit_until_one_is_me
     effects_alone = simulated(folder, "--simulation", other)
     done = programs.run("pipeline.adopt", diagnosis, folder)
     assert "Adopted with the effects, as they were fitted together" not in flat(done), "it did not say how far it moved"
-    held = yaml.safe_load((folder / "run.yaml").read_text())["adopted"][0]["dimensions"]
-    assert held["radius_mm"] == {"nominal": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}
-    assert held["zero_mm"] == {"nominal": 0.0, "fitted": 0.3} and len(held) == 2
+    dimensions = yaml.safe_load((folder / "run.yaml").read_text())["adopted"][0]["dimensions"]
+    assert dimensions["radius_mm"] == {"nominal": right, "fitted": pytest.approx(1.02 * right, rel=1e-5)}
+    assert dimensions["zero_mm"] == {"nominal": 0.0, "fitted": 0.3} and len(dimensions) == 2
     own = simulated(folder)
-    given = simulated(folder, "--simulation", diagnosis)
-    assert abs(own - given).max() < 1e-4, "one simulator, one number"
+    from_diagnosis = simulated(folder, "--simulation", diagnosis)
+    assert abs(own - from_diagnosis).max() < 1e-4, "one simulator, one number"
     assert abs(own - effects_alone).max() > 0.05
     out = folder.parent / "simulated.parquet"
     done = programs.run("pipeline.simulate", folder, "--out", out)
@@ -197,9 +197,14 @@ def test_a_run_of_one_stroke_adopts_what_was_named_with_other_runs(folder: Path,
 
 
 def test_a_run_that_was_diagnosed_together_adopts_the_zero_of_its_own_motor() -> None:
-    one = {"nominal": 0.0, "value": 0.02}
-    known = {"angle_turns": one, "angle_turns_2": {"nominal": 0.0, "value": 0.3}, "zero_mm": one, "length_mm": {}}
-    content = {"run": ["a-01", "a-02"], "parameters": known}
+    zero_entry = {"nominal": 0.0, "value": 0.02}
+    parameters = {
+        "angle_turns": zero_entry,
+        "angle_turns_2": {"nominal": 0.0, "value": 0.3},
+        "zero_mm": zero_entry,
+        "length_mm": {},
+    }
+    content = {"run": ["a-01", "a-02"], "parameters": parameters}
     assert fitted(content, "a-01") == {"angle_turns": {"nominal": 0.0, "fitted": 0.02}}
     assert fitted(content, "a-02") == {"angle_turns": {"nominal": 0.0, "fitted": pytest.approx(0.32)}}
 
@@ -240,7 +245,7 @@ def test_adopting_says_by_what_the_simulator_errs_before_and_now(folder: Path, d
     place = next(number for number, line in enumerate(lines) if line.startswith("on this recording"))
     head, first, second = lines[place : place + 3]
     assert head.split("   ")[0] == "on this recording, rms of single samples" and head.endswith("now")
-    set_, free = ([float(one) for one in re.findall(r"([0-9.]+) mm", row)] for row in (first, second))
+    set_, free = ([float(error_mm) for error_mm in re.findall(r"([0-9.]+) mm", row)] for row in (first, second))
     assert set_ == pytest.approx([before[0], errs()], rel=0.05) and first.startswith("error of pipeline.simulate ")
     assert free == pytest.approx([before[1], about_its_median()], rel=0.05) and second.startswith(
         "the same, if the whole recording sets the zero "
@@ -283,17 +288,19 @@ def test_adopting_names_the_dimensions_that_fit_and_those_to_measure_again(folde
         "separator_mm": (separator, separator + 1.4),
         "length_mm": (length, length),
     }
-    content["parameters"] = {name: {"nominal": one, "value": other} for name, (one, other) in values.items()}
+    content["parameters"] = {name: {"nominal": nominal, "value": other} for name, (nominal, other) in values.items()}
     moved = {"radius_mm": -1.9, "scale": 0.4, "separator_mm": 2.9, "length_mm": "far"}
     diagnosis.write_text(json.dumps({**content, "evidence": {"moved_sigma": moved}}))
-    said = flat(programs.run("pipeline.adopt", diagnosis, folder))
+    printed = flat(programs.run("pipeline.adopt", diagnosis, folder))
     dimensions = (
         f"separator {separator:g} → {separator + 1.4:.4g} mm; radius {radius:g} → {radius + 0.011:.4g} mm; "
         "gain of the displacement sensor 1 (assumed) → 1.001."
     )
-    assert f"Adopted with the effects, as they were fitted together: {dimensions}" in said
-    assert "The values that you gave in run.yaml stay. Change one of them, and the fitted ones count no more." in said
-    assert "Measure the separator again: calibration moved it by more than 2 tolerances." in said
+    assert f"Adopted with the effects, as they were fitted together: {dimensions}" in printed
+    assert (
+        "The values that you gave in run.yaml stay. Change one of them, and the fitted ones count no more." in printed
+    )
+    assert "Measure the separator again: calibration moved it by more than 2 tolerances." in printed
 
 
 def test_adopting_against_the_verdict_s_advice_is_refused_until_a_person_is_sure(folder: Path, diagnosis: Path) -> None:
@@ -309,11 +316,11 @@ def test_adopting_against_the_verdict_s_advice_is_refused_until_a_person_is_sure
         assert (advice in refused.stderr and "add --sure" in refused.stderr) == says
         programs.run("pipeline.adopt", "--remove", folder)
         done = programs.run("pipeline.adopt", diagnosis, folder, "--sure")
-        said = flat(done)
+        printed = flat(done)
         assert done.returncode == 0 and read_run(folder).simulation, done.stderr
         against = "Adopted against the verdict's advice. The verdict says: Do not adopt before the"
-        assert done.stdout.startswith(against) == says, said
-        assert said.count(f"python -m pipeline.adopt --remove {folder}") == 1
+        assert done.stdout.startswith(against) == says, printed
+        assert printed.count(f"python -m pipeline.adopt --remove {folder}") == 1
         assert programs.run("pipeline.adopt", "--remove", folder).returncode == 0
 
 
@@ -348,8 +355,8 @@ def test_simulating_prints_the_error_against_the_recording(folder: Path) -> None
     out = folder.parent / "simulated.parquet"
     done = programs.run("pipeline.simulate", folder, "--out", out)
     error = pd.read_parquet(folder / "recording.parquet")["displacement_mm"] - pd.read_parquet(out)["displacement_mm"]
-    said = re.search(r"rms error against the recording, its zero set in the first second: ([0-9.]+) mm\n", done.stdout)
-    assert said and float(said[1]) == pytest.approx(float(error.pow(2).mean() ** 0.5), rel=0.05), done.stdout
+    match = re.search(r"rms error against the recording, its zero set in the first second: ([0-9.]+) mm\n", done.stdout)
+    assert match and float(match[1]) == pytest.approx(float(error.pow(2).mean() ** 0.5), rel=0.05), done.stdout
 
 
 NEXT = "One stroke under twice the load: 28 s in all."
@@ -384,22 +391,22 @@ def test_run_yaml_holds_which_other_sets_tied_and_the_next_verdict_says_so(folde
     assert done.returncode == 0, done.stderr
     content = json.loads((out / folder.name / "diagnosis.json").read_text())
     assert content["adopted"] == [first]
-    said = " ".join((out / folder.name / "verdict.txt").read_text().split())
+    verdict_words = " ".join((out / folder.name / "verdict.txt").read_text().split())
     assert (
         "Instead of what was adopted (sensor_drift) this may be right, for it was likely as well: creep or thermal + w"
-        in said
+        in verdict_words
     )
     pasted = out / folder.name / "simulation.yaml"
     assert content["verdict"] == "ambiguous" and pasted.is_file()
-    own = {"effects": [one["id"] for one in content["mechanisms"]], "verdict": content["verdict"]}
+    own = {"effects": [entry["id"] for entry in content["mechanisms"]], "verdict": content["verdict"]}
     own |= {"tied": content["alternatives"], "runs": [folder.name]}
     own |= {"diagnosis": str(out / folder.name / "diagnosis.json"), "dimensions": fitted(content, folder.name)}
     assert own["dimensions"]["radius_mm"]["nominal"] == content["parameters"]["radius_mm"]["nominal"]
-    asked = content["next_experiment"]
-    useless = "Hardly worth making" in (asked or "")
+    experiment = content["next_experiment"]
+    useless = "Hardly worth making" in (experiment or "")
     none = ["Hardly worth making: no run that was tried decides"]
-    own |= {"next_experiment": none if useless else as_list(asked)} if asked else {}
-    assert "last 30 % of strokes (seen before)" in said and "unseen" not in said
+    own |= {"next_experiment": none if useless else as_list(experiment)} if experiment else {}
+    assert "last 30 % of strokes (seen before)" in verdict_words and "unseen" not in verdict_words
     assert yaml.safe_load(pasted.read_text()) == {"simulation": content["simulation"], "adopted": [first, own]}
     assert programs.run("pipeline.adopt", out / folder.name / "diagnosis.json", folder).returncode == 0
     assert yaml.safe_load((folder / "run.yaml").read_text())["adopted"] == [first, own]
@@ -441,9 +448,11 @@ def test_another_runs_diagnosis_is_adopted_with_a_warning_unless_it_makes_things
 
 
 def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_old_one(folder: Path) -> None:
-    made, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
+    new_run_command, diagnose = commands.lines([folder], folder.parent / "out", ["35"])
     new, log = folder.with_name(f"{folder.name}-next"), folder / "recording.parquet"
-    assert made.endswith(" --recording FILE.csv"), "what every logger writes, though the old one came as parquet"
+    assert new_run_command.endswith(" --recording FILE.csv"), (
+        "what every logger writes, though the old one came as parquet"
+    )
     assert commands.remark(folder, Vocabulary.of(systems()["separator"])) == (
         "FILE.csv is the new file of your logger, with the columns time_s, motor_turns, displacement_mm and load_n."
     )
@@ -454,7 +463,7 @@ def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_ol
         "FILE.csv is the new file of your logger, with the columns ms, column 1, displacement_mm and newton."
     ), "the names of its run.yaml: --like takes them over"
     (folder / "run.yaml").write_text(own)
-    done = programs.run(*shlex.split(made)[2:-1], log)
+    done = programs.run(*shlex.split(new_run_command)[2:-1], log)
     assert done.returncode == 0, done.stderr
     old, fresh = read_run(folder), read_run(new)
     assert fresh.rig == old.rig | {"load_n": 35.0} and fresh.string_id == old.string_id and not fresh.simulation
@@ -468,14 +477,14 @@ def test_adopting_says_what_unseen_strokes_are_missed_by_and_repeats_a_warning(f
     content = judged(diagnosis, "explained", [])
     heldout = {"calibrated_mm": 0.4, "explained_mm": 0.034}
     diagnosis.write_text(json.dumps(content | {"fit": {"heldout": heldout}}))
-    said = flat(programs.run("pipeline.adopt", diagnosis, folder))
-    assert "On unseen ones the verdict says 0.034 mm, and 0.40 mm without the effects." in said
-    assert "adopt nothing" not in said
+    printed = flat(programs.run("pipeline.adopt", diagnosis, folder))
+    assert "On unseen ones the verdict says 0.034 mm, and 0.40 mm without the effects." in printed
+    assert "adopt nothing" not in printed
     programs.run("pipeline.adopt", "--remove", folder)
     evidence = {**content.get("evidence", {}), "chosen_without_them": ["wear"]}
     diagnosis.write_text(json.dumps(content | {"fit": {"heldout": heldout}, "evidence": evidence}))
-    said = flat(programs.run("pipeline.adopt", diagnosis, folder))
-    assert "says 0.034 mm (of wear, which the procedure names without these strokes), and 0.40 mm without" in said
+    printed = flat(programs.run("pipeline.adopt", diagnosis, folder))
+    assert "says 0.034 mm (of wear, which the procedure names without these strokes), and 0.40 mm without" in printed
     programs.run("pipeline.adopt", "--remove", folder)
     diagnosis.write_text(json.dumps(content | {"fit": {"heldout": heldout | {"explained_mm": 4.3}}}))
     assert "So the verdict says: adopt nothing." in flat(programs.run("pipeline.adopt", diagnosis, folder))

@@ -42,7 +42,7 @@ def check(verdicts, runs):
 
 def named(content):
     """What a verdict says: its word, the effects that it names, and the sets that tie with them."""
-    return content["verdict"], [one["id"] for one in content["mechanisms"]], content["alternatives"]
+    return content["verdict"], [entry["id"] for entry in content["mechanisms"]], content["alternatives"]
 
 
 @pytest.mark.parametrize("run", [pytest.param(RUNS[0], marks=pytest.mark.long), RUNS[1]])

@@ -53,17 +53,17 @@ class Done:
 
 def command(module: str, *arguments: object) -> Done:
     """A command of the project, run in this process, which spares it the imports."""
-    said, complained, before = io.StringIO(), io.StringIO(), sys.argv
+    printed, complained, before = io.StringIO(), io.StringIO(), sys.argv
     sys.argv = [module, *map(str, arguments)]
     try:
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(complained):
+        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(complained):
             importlib.import_module(module).main()
         code = 0
     except SystemExit as ended:
         code = int(ended.code or 0)
     finally:
         sys.argv = before
-    return Done(code, said.getvalue(), complained.getvalue())
+    return Done(code, printed.getvalue(), complained.getvalue())
 
 
 @pytest.fixture(scope="module")
@@ -75,12 +75,12 @@ def diagnosed(conceal, remembered, tmp_path_factory) -> tuple[Path, dict, Path, 
         patch.setattr(figures, "page", DRAWN)
         done = command("pipeline.diagnose", folder, "--out", out)
     assert done.returncode == 0, done.stderr
-    here = out / folder.name
-    return folder, truth, here, json.loads((here / "diagnosis.json").read_text())
+    diagnosis_folder = out / folder.name
+    return folder, truth, diagnosis_folder, json.loads((diagnosis_folder / "diagnosis.json").read_text())
 
 
 def test_the_json_has_the_keys_that_programs_read(diagnosed) -> None:
-    folder, _, here, content = diagnosed
+    folder, _, diagnosis_folder, content = diagnosed
     assert list(content) == [
         "run", "verdict", "mismatch", "mechanisms", "alternatives", "next_experiment", "next_run", "parameters",
         "fit", "simulation", "code", "evidence", "uncertainty", "without_last_strokes",
@@ -94,10 +94,12 @@ def test_the_json_has_the_keys_that_programs_read(diagnosed) -> None:
     assert set(content["parameters"]["radius_mm"]) == {"nominal", "value", "low", "high"}
     assert set(content["fit"]) == {"noise_floor_mm", "detectable_mm", "heldout"}
     assert creep["sentence"].startswith("Under load the string lengthens by up to ") and " mm rms)" in creep["sentence"]
-    assert (here / "diagnosis.png").stat().st_size > 10_000
-    assert (here / "diagnosis.json.sha256").read_text() == f"{sha256(here / 'diagnosis.json')}  diagnosis.json\n"
-    assert (here / "diagnosis.pdf").read_bytes().startswith(b"%PDF")
-    with Image.open(here / "diagnosis.png") as image:
+    assert (diagnosis_folder / "diagnosis.png").stat().st_size > 10_000
+    assert (
+        diagnosis_folder / "diagnosis.json.sha256"
+    ).read_text() == f"{sha256(diagnosis_folder / 'diagnosis.json')}  diagnosis.json\n"
+    assert (diagnosis_folder / "diagnosis.pdf").read_bytes().startswith(b"%PDF")
+    with Image.open(diagnosis_folder / "diagnosis.png") as image:
         assert image.info["dpi"][0] >= 200
 
 
@@ -109,19 +111,19 @@ def test_what_the_recording_covers_holds_the_temperature_that_was_logged(diagnos
 
 
 def test_every_explanation_that_was_weighed_has_its_standing_and_its_words(diagnosed) -> None:
-    _, _, here, content = diagnosed
+    _, _, diagnosis_folder, content = diagnosed
     shown = content["evidence"]["explanations"]
-    standing = {tuple(one["ids"]): one["standing"] for one in shown}
+    standing = {tuple(entry["ids"]): entry["standing"] for entry in shown}
     assert standing[("creep",)] == "named" and standing[()] == "nothing"
     assert {"beaten", "not needed"} & set(standing.values())
-    text = (here / "details.txt").read_text()
-    assert (here / "verdict.txt").read_text().startswith(text.splitlines()[0])
+    text = (diagnosis_folder / "details.txt").read_text()
+    assert (diagnosis_folder / "verdict.txt").read_text().startswith(text.splitlines()[0])
     assert "The run to make next\n  None is needed: " in text and content["next_experiment"] is None
     assert content["evidence"]["nominal_mm"] > content["evidence"]["calibrated_mm"] > content["fit"]["noise_floor_mm"]
     assert text.startswith(f"{content['run']}: explained by ") and "\nHow probable each explanation is\n" in text
-    for one in (one for one in shown if one["standing"] == "beaten"):
-        assert set(one["location"]) == {"motor_turns", "strokes", "phase", "share"} and one["gap_mm"] > 0.0
-        row = rf"^  (\d+ +)?{re.escape(' + '.join(one['ids']))}  .*(mm \([\d.]+\)|as much as )"  # of either table
+    for entry in (entry for entry in shown if entry["standing"] == "beaten"):
+        assert set(entry["location"]) == {"motor_turns", "strokes", "phase", "share"} and entry["gap_mm"] > 0.0
+        row = rf"^  (\d+ +)?{re.escape(' + '.join(entry['ids']))}  .*(mm \([\d.]+\)|as much as )"  # of either table
         assert re.search(row, text, re.MULTILINE)
     assert not re.search(r"\de[+-]\d", text)
 
@@ -148,23 +150,25 @@ def test_a_library_without_the_truth_never_names_it_and_says_what_to_run_next(di
 
 def test_floor_and_held_out_error_are_the_noise(diagnosed) -> None:
     _, truth, _, content = diagnosed
-    held = content["fit"]["heldout"]
+    heldout = content["fit"]["heldout"]
     assert abs(content["fit"]["noise_floor_mm"] / truth["floor"] - 1) < 0.06
-    assert held["explained_mm"] < 1.15 * truth["floor"] < held["calibrated_mm"] < held["nominal_mm"]
+    assert heldout["explained_mm"] < 1.15 * truth["floor"] < heldout["calibrated_mm"] < heldout["nominal_mm"]
 
 
 @pytest.mark.long
 def test_again_is_the_same_byte_for_byte(diagnosed, tmp_path) -> None:
-    folder, _, here, _ = diagnosed
+    folder, _, diagnosis_folder, _ = diagnosed
     words = [sys.executable, "-m", "pipeline.diagnose", str(folder), "--out", str(tmp_path)]
     assert subprocess.run(words, cwd=ROOT, capture_output=True, check=False).returncode == 0
-    assert (tmp_path / folder.name / "diagnosis.json").read_bytes() == (here / "diagnosis.json").read_bytes()
+    assert (tmp_path / folder.name / "diagnosis.json").read_bytes() == (
+        diagnosis_folder / "diagnosis.json"
+    ).read_bytes()
 
 
 def test_simulate_alone_gives_the_error_that_the_diagnosis_claims(diagnosed, tmp_path) -> None:
-    folder, truth, here, _ = diagnosed
+    folder, truth, diagnosis_folder, _ = diagnosed
     out = tmp_path / "simulated.parquet"
-    done = command("pipeline.simulate", folder, "--simulation", here / "diagnosis.json", "--out", out)
+    done = command("pipeline.simulate", folder, "--simulation", diagnosis_folder / "diagnosis.json", "--out", out)
     assert done.returncode == 0, done.stderr
     simulated, recorded = pd.read_parquet(out), pd.read_parquet(folder / "recording.parquet")
     assert list(simulated.columns) == ["time_s", "displacement_mm"]
@@ -173,32 +177,37 @@ def test_simulate_alone_gives_the_error_that_the_diagnosis_claims(diagnosed, tmp
 
 
 def test_every_effect_that_is_not_kept_has_what_speaks_against_it(diagnosed) -> None:
-    _, _, here, content = diagnosed
+    _, _, diagnosis_folder, content = diagnosed
     first, *others = content["evidence"]["not_kept"]
-    kept = {one["id"] for one in content["mechanisms"]} | {id_ for ids in content["alternatives"] for id_ in ids}
-    assert {one["id"] for one in others} | kept == {id_ for id_ in mechanisms() if not id_.startswith("x_")}
-    assert not kept & {one["id"] for one in others}
-    (named,) = [one for one in content["evidence"]["explanations"] if one["standing"] == "named"]
+    kept = {entry["id"] for entry in content["mechanisms"]} | {id_ for ids in content["alternatives"] for id_ in ids}
+    assert {entry["id"] for entry in others} | kept == {id_ for id_ in mechanisms() if not id_.startswith("x_")}
+    assert not kept & {entry["id"] for entry in others}
+    (named,) = [entry for entry in content["evidence"]["explanations"] if entry["standing"] == "named"]
     assert first["left_mm"] == pytest.approx(named["left_mm"], rel=1e-3)
-    assert all(one["left_mm"] > first["left_mm"] for one in others if one["left_mm"] is not None)
-    assert all(abs(known["change"]) < 4 * known["error"] for known in first["stands"].values())
-    loss = next(one for one in others if one["id"] == "viscous_loss")
+    assert all(entry["left_mm"] > first["left_mm"] for entry in others if entry["left_mm"] is not None)
+    assert all(abs(change["change"]) < 4 * change["error"] for change in first["stands"].values())
+    loss = next(entry for entry in others if entry["id"] == "viscous_loss")
     assert loss["possible"] and loss["beside_mm"] <= 1.001 * first["left_mm"]
-    assert "\nWhy it is none of the other effects\n" in (here / "details.txt").read_text()
+    assert "\nWhy it is none of the other effects\n" in (diagnosis_folder / "details.txt").read_text()
 
 
 def test_what_is_adopted_is_not_found_again(diagnosed, tmp_path) -> None:
-    folder, _, here, content = diagnosed
+    folder, _, diagnosis_folder, content = diagnosed
     adopted = tmp_path / folder.name
     shutil.copytree(folder, adopted)
-    said = command("pipeline.adopt", here / "diagnosis.json", adopted)
-    assert said.returncode == 0, said.stderr
-    block = (here / "simulation.yaml").read_text()  # what may be pasted instead
+    adopting = command("pipeline.adopt", diagnosis_folder / "diagnosis.json", adopted)
+    assert adopting.returncode == 0, adopting.stderr
+    block = (diagnosis_folder / "simulation.yaml").read_text()  # what may be pasted instead
     assert block in (adopted / "run.yaml").read_text()
-    told = yaml.safe_load(block)
-    assert set(told) == {"simulation", "adopted"} and told["simulation"] == content["simulation"]
-    assert [(one["effects"], one["verdict"], one["tied"]) for one in told["adopted"]] == [(["creep"], "explained", [])]
-    assert f"python -m pipeline.adopt {here / 'diagnosis.json'} {folder}\n" in (here / "verdict.txt").read_text()
+    block_content = yaml.safe_load(block)
+    assert set(block_content) == {"simulation", "adopted"} and block_content["simulation"] == content["simulation"]
+    assert [(adoption["effects"], adoption["verdict"], adoption["tied"]) for adoption in block_content["adopted"]] == [
+        (["creep"], "explained", [])
+    ]
+    assert (
+        f"python -m pipeline.adopt {diagnosis_folder / 'diagnosis.json'} {folder}\n"
+        in (diagnosis_folder / "verdict.txt").read_text()
+    )
     (tmp_path / "out" / folder.name).mkdir(parents=True)
     (tmp_path / "out" / folder.name / "simulation.yaml").write_text(block)  # of an earlier diagnosis
     done = command("pipeline.diagnose", adopted, "--out", tmp_path / "out")
@@ -351,21 +360,21 @@ def test_a_recording_is_cut_into_strokes_once(conceal, cuts, tmp_path) -> None:
 def test_what_ingest_made_gives_the_same_bytes_and_no_recording_is_read(diagnosed, remembered, cuts, tmp_path) -> None:
     """As the main job asks: the recording itself is gone, and what is damaged or was refused is said."""
     folder, _, out, _ = diagnosed
-    made = tmp_path / "processed" / folder.name
-    files = ("--out", made / "samples.parquet", "--out-strokes", made / "strokes.parquet")
+    processed_folder = tmp_path / "processed" / folder.name
+    files = ("--out", processed_folder / "samples.parquet", "--out-strokes", processed_folder / "strokes.parquet")
     assert command("pipeline.stages.ingest", folder, *files).returncode == 0
     edited(folder, tmp_path / "raw" / folder.name)
     (tmp_path / "raw" / folder.name / "recording.parquet").unlink()
-    asked = ("pipeline.diagnose", tmp_path / "raw" / folder.name, "--processed", made.parent, "--out")
+    arguments = ("pipeline.diagnose", tmp_path / "raw" / folder.name, "--processed", processed_folder.parent, "--out")
     cuts.clear()
     with remembered():
-        assert command(*asked, tmp_path / "out").returncode == 0 and not cuts
+        assert command(*arguments, tmp_path / "out").returncode == 0 and not cuts
     for name in ("diagnosis.json", "simulation.yaml"):
         then, again = ((place / folder.name / name).read_text() for place in (out.parent, tmp_path / "out"))
         assert again.replace(str(tmp_path / "out"), str(out.parent)) == then
     refusal = BadInput(folder, "motor_turns", "there is no stroke in it", "record at least one winding")
-    schemas.write_refusal(refusal, made / "samples.parquet")
-    done = command(*asked, tmp_path / "noted", "--note-refusals")
+    schemas.write_refusal(refusal, processed_folder / "samples.parquet")
+    done = command(*arguments, tmp_path / "noted", "--note-refusals")
     assert done.returncode == 0 and [path.name for path in (tmp_path / "noted").iterdir()] == [folder.name]
     assert (tmp_path / "noted" / folder.name / "verdict.txt").read_text() == f"{folder.name}: not decided: {refusal}\n"
 
@@ -373,21 +382,25 @@ def test_what_ingest_made_gives_the_same_bytes_and_no_recording_is_read(diagnose
 def test_runs_of_one_string_are_cut_once_each_and_told_of_each_others_zeros(
     strings_runs, remembered, cuts, tmp_path, monkeypatch
 ) -> None:
-    *asked, beside = strings_runs
+    *run_folders, beside = strings_runs
     verdicts, write_words = [], of_folders.write_words
-    monkeypatch.setattr(of_folders, "write_words", lambda *given: verdicts.append(given[3]) or write_words(*given))
+    monkeypatch.setattr(
+        of_folders, "write_words", lambda *arguments: verdicts.append(arguments[3]) or write_words(*arguments)
+    )
     with remembered():
-        assert command("pipeline.diagnose", *asked, "--out", tmp_path / "out").returncode == 0
+        assert command("pipeline.diagnose", *run_folders, "--out", tmp_path / "out").returncode == 0
     assert len(cuts) == 3
-    assert verdicts == [tmp_path / "out" / run.name for run in asked]  # each is written once, with what it is told
-    contents = [json.loads((tmp_path / "out" / run.name / "diagnosis.json").read_text()) for run in asked]
+    assert verdicts == [
+        tmp_path / "out" / run.name for run in run_folders
+    ]  # each is written once, with what it is told
+    contents = [json.loads((tmp_path / "out" / run.name / "diagnosis.json").read_text()) for run in run_folders]
     (jump,) = contents[1]["zero_jumps"]
     assert "zero_jumps" not in contents[0] and (jump["before"], jump["run"]) == ("a", "b")
     text = " ".join((tmp_path / "out" / "b" / "verdict.txt").read_text().split())
     assert "The zero jumps between two runs of one string: at rest b reads" in text
     cuts.clear()
     with remembered():
-        assert command("pipeline.diagnose", asked[1], "--out", tmp_path / "alone").returncode == 0
+        assert command("pipeline.diagnose", run_folders[1], "--out", tmp_path / "alone").returncode == 0
     assert len(cuts) == 3  # its own, and each run's beside it
     assert (tmp_path / "alone" / "b" / "diagnosis.json").read_bytes() == (
         tmp_path / "out" / "b" / "diagnosis.json"
@@ -431,13 +444,13 @@ def test_runs_of_one_string_may_name_it_or_not(conceal, tmp_path) -> None:
     first, _ = conceal()
     later = edited(first, tmp_path / "later", string=string_of(first) | {"id": first.name, "strokes_before": 5})
     thick = edited(first, tmp_path / "thick", string=string_of(first) | {"radius_mm": 0.7})
-    one, same, other = (described(read_samples(folder)[0], "string") for folder in (first, later, thick))
-    assert one == same != other
+    first_string, same, other = (described(read_samples(folder)[0], "string") for folder in (first, later, thick))
+    assert first_string == same != other
 
 
 def test_a_coarse_sensor_does_not_stick(conceal) -> None:
     run, samples = read_samples(conceal(rich=False)[0])
-    said = samples["displacement_mm"].to_numpy()
-    coarse = samples.assign(displacement_mm=np.round(said / 0.1) * 0.1)
+    reading_mm = samples["displacement_mm"].to_numpy()
+    coarse = samples.assign(displacement_mm=np.round(reading_mm / 0.1) * 0.1)
     assert resolution(coarse["displacement_mm"].to_numpy()) == pytest.approx(0.1, rel=1e-3)
     assert study(make_problem([RecordedRun.cut(run, coarse)])).verdict in ("consistent", "parameters")

@@ -36,21 +36,21 @@ def recorded(rows: int = ROWS) -> pd.DataFrame:
 @pytest.mark.parametrize(("most", "rows"), [(ROWS, ROWS), (ROWS - 1, ROWS // 2), (ROWS // 3, ROWS // 3)])
 def test_what_is_scored_are_own_samples_at_most_so_many(monkeypatch, most, rows):
     monkeypatch.setattr(own_rate, "SCORED_SAMPLES", most)
-    made = recorded()
-    scored = own_rate.to_score([RecordedRun.cut(described(), made)])
+    recording = recorded()
+    scored = own_rate.to_score([RecordedRun.cut(described(), recording)])
     assert len(scored.record) == rows
-    np.testing.assert_array_equal(scored.measured, made["displacement_mm"].to_numpy()[:: ROWS // rows])
+    np.testing.assert_array_equal(scored.measured, recording["displacement_mm"].to_numpy()[:: ROWS // rows])
 
 
 def test_a_system_that_follows_derivatives_is_scored_on_all_it_has(monkeypatch):
     followers = [system for system in systems().values() if system.differentiates]
     assert followers
-    asked = []
+    sample_counts = []
     monkeypatch.setattr(own_rate, "SCORED_SAMPLES", 10)
-    monkeypatch.setattr(own_rate, "at_own_rate", lambda runs: asked.append(len(runs[0].samples)))
+    monkeypatch.setattr(own_rate, "at_own_rate", lambda runs: sample_counts.append(len(runs[0].samples)))
     run = type("Told", (), {"system": followers[0]})()
     own_rate.to_score([replace(RecordedRun.cut(described(), recorded()), run=run)])  # type: ignore[arg-type]
-    assert asked == [ROWS]
+    assert sample_counts == [ROWS]
 
 
 def test_a_long_recording_is_polished_on_averages_and_a_short_one_as_it_is(monkeypatch):
@@ -69,7 +69,9 @@ def test_terms_of_fewer_shapes_are_remembered_of_a_long_recording(monkeypatch):
     from pipeline.diagnosis.mechanisms.library import mechanisms
 
     problem = own_rate.to_score([RecordedRun.cut(described(), recorded())])
-    options = [(one, nonlinear) for one in mechanisms().values() for nonlinear in one.candidates(problem.drivers)][:5]
+    options = [
+        (effect, nonlinear) for effect in mechanisms().values() for nonlinear in effect.candidates(problem.drivers)
+    ][:5]
     numbers = [ROWS * len(problem.terms(mechanism, nonlinear)) for mechanism, nonlinear in options]
     problem._terms.clear()
     monkeypatch.setattr(module, "REMEMBERED_NUMBERS", sum(numbers[-2:]))

@@ -22,9 +22,9 @@ COVERED = {"load": [13.2, 13.2], "speed_per_s": [1.0, 2.0], "longest_hold_s": 3.
 
 def foretold(half_mm: float, ids: list[str], **numbers: float) -> dict:
     """What an explanation foretells, each number with one half-width; a loop as before in the recording, too."""
-    known = {f"{key}_mm": value for key, value in numbers.items()}
+    foretold_mm = {f"{key}_mm": value for key, value in numbers.items()}
     own = {"recorded": {"loop_mm": numbers["loop_as_before"]}} if "loop_as_before" in numbers else {}
-    return {"ids": ids, **known, **own, "plus_minus": dict.fromkeys(known, half_mm)}
+    return {"ids": ids, **foretold_mm, **own, "plus_minus": dict.fromkeys(foretold_mm, half_mm)}
 
 
 FRICTION = foretold(0.03, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
@@ -36,15 +36,15 @@ def named(ids: list[str], explanations: list[dict], shares: dict[str, float], re
     """A verdict that names `ids`, with what is foretold and how likely each explanation is."""
     expected = {"load": 13.2, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": explanations}
     expected["recorded"] = {"loop_mm": recorded}
-    made = content(**ALONE | more, evidence__covered=COVERED, evidence__expected=expected)
-    made["mechanisms"] = [entry for entry in made["mechanisms"] if entry["id"] in ids]
+    diagnosis = content(**ALONE | more, evidence__covered=COVERED, evidence__expected=expected)
+    diagnosis["mechanisms"] = [entry for entry in diagnosis["mechanisms"] if entry["id"] in ids]
     for id_, share in shares.items():
-        made["evidence"]["explanations"].append(
+        diagnosis["evidence"]["explanations"].append(
             {"ids": [id_], "standing": "named" if id_ in ids else "beaten", "left_mm": 0.03,
              "with_discrepancy_mm": 0.03, "probability": share, "worse": 9.0, "gap_mm": 0.1, "driver": None,
              "location": {"motor_turns": [0, 1], "strokes": [1, 2], "phase": "all", "share": 0.8}}
         )  # fmt: skip
-    return made
+    return diagnosis
 
 
 def rubbing(**more) -> dict:
@@ -61,19 +61,19 @@ def test_the_rival_is_the_runner_up_and_no_rejected_one_stands_beside_it():
 
 
 def test_the_same_holds_and_rests_are_asked_for_only_where_there_are_some():
-    made = rubbing()
-    assert "with the same holds and rests" in recipe.sentence(made, WORDS, ["friction_hysteresis"])
-    made["evidence"]["covered"] = COVERED | {"longest_hold_s": 0.0, "longest_rest_s": 0.0}
-    asked = recipe.sentence(made, WORDS, ["friction_hysteresis"])
-    assert asked.startswith("So record:") and "holds" not in asked
+    diagnosis = rubbing()
+    assert "with the same holds and rests" in recipe.sentence(diagnosis, WORDS, ["friction_hysteresis"])
+    diagnosis["evidence"]["covered"] = COVERED | {"longest_hold_s": 0.0, "longest_rest_s": 0.0}
+    request = recipe.sentence(diagnosis, WORDS, ["friction_hysteresis"])
+    assert request.startswith("So record:") and "holds" not in request
 
 
 def test_a_rival_that_is_likelier_than_one_in_the_table_is_said_not_to_be_in_it():
-    made = rubbing()
-    assert not any("Not in the table" in line for line in lines(made, WORDS))
-    like = made["evidence"]["explanations"][0]
-    made["evidence"]["explanations"].append(like | {"ids": ["slack"], "probability": 0.14, "standing": "beaten"})
-    assert any("Not in the table: slack (14 %), of which nobody" in line for line in lines(made, WORDS))
+    diagnosis = rubbing()
+    assert not any("Not in the table" in line for line in lines(diagnosis, WORDS))
+    like = diagnosis["evidence"]["explanations"][0]
+    diagnosis["evidence"]["explanations"].append(like | {"ids": ["slack"], "probability": 0.14, "standing": "beaten"})
+    assert any("Not in the table: slack (14 %), of which nobody" in line for line in lines(diagnosis, WORDS))
 
 
 def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_carries_it():
@@ -86,21 +86,21 @@ def test_the_load_that_parts_more_is_the_one_that_is_asked_for_and_the_command_c
     near = foretold(0.2, ["friction_hysteresis"], loop_as_before=0.09, loop_half_load=0.045, loop_twice_load=0.18)
     neither = named(["friction_hysteresis"], [near, PLAY], {"backlash": 0.02})
     assert second_load.best(neither, WORDS)[1] < 1.0
-    said = " ".join(full(neither).split())
-    assert "neither 26 N nor 6.6 N tells friction_hysteresis from backlash here by more than the plus-minus" in said
+    details = " ".join(full(neither).split())
+    assert "neither 26 N nor 6.6 N tells friction_hysteresis from backlash here by more than the plus-minus" in details
 
 
 def test_a_load_that_a_column_holds_is_not_typed():
-    made = rubbing()
-    made["evidence"]["covered"] = COVERED | {"load": [13.1, 13.3]}
-    assert recipe.load(made, WORDS, ["friction_hysteresis"]) is not None
-    assert recipe.to_type(made, WORDS, ["friction_hysteresis"]) == "" and "--load-n 2" not in page(made)
+    diagnosis = rubbing()
+    diagnosis["evidence"]["covered"] = COVERED | {"load": [13.1, 13.3]}
+    assert recipe.load(diagnosis, WORDS, ["friction_hysteresis"]) is not None
+    assert recipe.to_type(diagnosis, WORDS, ["friction_hysteresis"]) == "" and "--load-n 2" not in page(diagnosis)
 
 
 def test_one_speed_asks_for_a_second_one():
-    made = rubbing()
-    made["evidence"]["covered"] = COVERED | {"speed_per_s": [2.0, 2.0]}
-    assert "at 2 turns/s, then as many at 1 turn/s" in recipe.sentence(made, WORDS, ["friction_hysteresis"])
+    diagnosis = rubbing()
+    diagnosis["evidence"]["covered"] = COVERED | {"speed_per_s": [2.0, 2.0]}
+    assert "at 2 turns/s, then as many at 1 turn/s" in recipe.sentence(diagnosis, WORDS, ["friction_hysteresis"])
 
 
 CREEP = foretold(1.0, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)
@@ -108,10 +108,10 @@ LASTING = foretold(0.05, ["plastic_elongation"], loop_as_before=0.0, hold=0.0, r
 
 
 def test_a_name_beyond_doubt_asks_for_no_further_run():
-    made = named(["creep"], [CREEP, LASTING], {"creep": 0.98}, recorded=0.5)
+    diagnosis = named(["creep"], [CREEP, LASTING], {"creep": 0.98}, recorded=0.5)
     for share, asks in ((0.98, True), (0.995, False)):
-        made["mechanisms"][0]["confidence"] = share
-        assert ("to be surer of a name" in " ".join(full(copy.deepcopy(made)).split())) == asks
+        diagnosis["mechanisms"][0]["confidence"] = share
+        assert ("to be surer of a name" in " ".join(full(copy.deepcopy(diagnosis)).split())) == asks
 
 
 def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows_and_why():
@@ -121,12 +121,12 @@ def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows
         "min. By how much it changes if it is creep cannot be said: this recording was too short for it (it has holds "
         "of up to 3 s and rests"
     ) in text
-    known = foretold(0.2, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.26)
+    creep_foretold = foretold(0.2, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.26)
     near = {**LASTING, "plus_minus": {key: 0.2 for key in LASTING["plus_minus"]}}
-    text = " ".join(full(named(["creep"], [known, near], {"creep": 0.8}, recorded=0.5)).split())
+    text = " ".join(full(named(["creep"], [creep_foretold, near], {"creep": 0.8}, recorded=0.5)).split())
     assert "In words" not in text, "0.35 less 0.2 is no more than 0.2"
     assert "in the first one hold 2 min at 30.7 turns and rest 2 min at 0 turns after it" in text
-    assert recipe.shows(named(["creep"], [known, near], {}, recorded=0.5), WORDS, ["creep"]) == {
+    assert recipe.shows(named(["creep"], [creep_foretold, near], {}, recorded=0.5), WORDS, ["creep"]) == {
         "loop_as_before", "hold", "rest",
     }, "a hold of the first stroke moves the tops of later ones"  # fmt: skip
     firm = foretold(0.05, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.25)
@@ -146,14 +146,14 @@ def test_a_loop_that_was_recorded_is_evidence_and_no_row_of_what_is_to_come():
 
 def test_the_loop_of_a_recording_is_that_of_its_effect(conceal):
     run, samples = read_samples(conceal("backlash", kappa=3.0, rich=False)[0])
-    known = diagnosed([RecordedRun.cut(run, samples)])[0]["evidence"]["expected"]
-    best, shown = known["explanations"][0], known["recorded"]["loop_mm"]
+    expected = diagnosed([RecordedRun.cut(run, samples)])[0]["evidence"]["expected"]
+    best, shown = expected["explanations"][0], expected["recorded"]["loop_mm"]
     assert shown == pytest.approx(best["recorded"]["loop_mm"], abs=best["plus_minus"]["loop_as_before_mm"])
     assert shown == pytest.approx(best["loop_as_before_mm"], abs=2.0 * best["plus_minus"]["loop_as_before_mm"])
     assert best["ids"] == ["backlash"]
     loops = {
         tuple(each["ids"]): [each[f"loop_{load}_load_mm"] for load in ("half", "twice")]
-        for each in known["explanations"]
+        for each in expected["explanations"]
     }
     half, twice = loops["backlash",]
     assert half == pytest.approx(twice, rel=0.05), "play has the width that it has"
@@ -163,9 +163,9 @@ def test_the_loop_of_a_recording_is_that_of_its_effect(conceal):
 
 def test_what_was_adopted_is_taken_out_of_each_run_before_its_name_is_weighed_again():
     adopted = {"effects": ["friction_hysteresis"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
-    made = rubbing(verdict="consistent", mismatch=None, adopted=[adopted], evidence__moved_sigma={})
-    made["mechanisms"], made["simulation"] = [], [{"id": "friction_hysteresis", "parameters": {}}]
-    text = full(made)
+    diagnosis = rubbing(verdict="consistent", mismatch=None, adopted=[adopted], evidence__moved_sigma={})
+    diagnosis["mechanisms"], diagnosis["simulation"] = [], [{"id": "friction_hysteresis", "parameters": {}}]
+    text = full(diagnosis)
     removed = [line.strip() for line in text.splitlines() if "adopt --remove" in line]
     assert [shlex.split(line)[-1] for line in removed] == ["raw/nylon-3", "raw/nylon-3-next"]
     assert text.index("new_run nylon-3-next") < text.index("adopt --remove") < text.index("--together")
@@ -175,17 +175,17 @@ def test_what_was_adopted_is_taken_out_of_each_run_before_its_name_is_weighed_ag
 
 
 def test_of_an_adopted_slow_effect_a_second_load_is_asked_for_where_no_hold_can_be_foretold():
-    made = rubbing()
-    assert recipe.load(made, WORDS, ["creep"]) is None, "a hold and a rest tell more"
-    assert "hold 2 min" in recipe.sentence(made, WORDS, ["creep"])
-    del made["evidence"]["expected"]
-    assert recipe.load(made, WORDS, ["creep"]) == 6.6
-    assert "under 6.6 N" in recipe.sentence(made, WORDS, ["creep"])
+    diagnosis = rubbing()
+    assert recipe.load(diagnosis, WORDS, ["creep"]) is None, "a hold and a rest tell more"
+    assert "hold 2 min" in recipe.sentence(diagnosis, WORDS, ["creep"])
+    del diagnosis["evidence"]["expected"]
+    assert recipe.load(diagnosis, WORDS, ["creep"]) == 6.6
+    assert "under 6.6 N" in recipe.sentence(diagnosis, WORDS, ["creep"])
 
 
 def test_a_test_that_the_recording_holds_already_is_not_asked_for():
-    made = rubbing()
-    made["evidence"] |= {"loaded": True, "covered": COVERED | {"load": [13.2, 26.4]}}
-    text = page(made)
+    diagnosis = rubbing()
+    diagnosis["evidence"] |= {"loaded": True, "covered": COVERED | {"load": [13.2, 26.4]}}
+    text = page(diagnosis)
     assert "to be surer of a name" not in text and "record again" not in text and "this recording has" not in text
     assert "Optional, to be surer of a name" in page(rubbing()) and "this recording has it" not in page(rubbing())

@@ -23,18 +23,18 @@ pytestmark = pytest.mark.long  # 24 diagnoses
 @pytest.fixture(scope="module")
 def outcomes() -> dict[str, list[str]]:
     """How each recording's verdict compares with what was hidden in it, by kind."""
-    found: dict[str, list[str]] = {}
+    by_kind: dict[str, list[str]] = {}
     for case in json.loads((ROUND / "truth.json").read_text(encoding="utf-8")):
         run, samples = read_samples(ROUND / f"case-{case['case']:03d}")
         result = study(make_problem([RecordedRun.cut(run, samples)]))
-        truth, sets = set(case["effects"]), [set(one.ids) for one in result.sets]
+        truth, sets = set(case["effects"]), [set(explanation.ids) for explanation in result.sets]
         outcome = result.verdict
         if outcome in ("explained", "ambiguous"):
             outcome = (
                 "exact" if sets == [truth] else "held" if truth in sets else "wrong" if len(sets) == 1 else "missed"
             )
-        found.setdefault(case["kind"], []).append(outcome)
-    return found
+        by_kind.setdefault(case["kind"], []).append(outcome)
+    return by_kind
 
 
 def test_single_effects_and_pairs_are_named(outcomes) -> None:

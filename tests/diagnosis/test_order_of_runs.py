@@ -14,15 +14,15 @@ from pipeline.notebook import diagnosis as in_a_notebook
 
 def folders(place: Path) -> list[Path]:
     """Two runs of one string, the later one first, as a shell sorts `r-10` before `r-9`."""
-    made = []
+    run_folders = []
     for name, later_s in (("r-10", 400.0), ("r-9", 0.0)):
         folder = place / name
         folder.mkdir()
         (folder / "run.yaml").write_text(json.dumps(content(name, string=string(id="a"))))
         table = recording(2)
         table.assign(time_s=table["time_s"] + later_s).to_parquet(folder / "recording.parquet")
-        made.append(folder)
-    return made
+        run_folders.append(folder)
+    return run_folders
 
 
 def test_runs_together_are_taken_in_the_order_of_their_recording(tmp_path, monkeypatch, capsys):

@@ -32,10 +32,10 @@ ROOT = Path(__file__).parents[2]
 
 def studied(tmp_path: Path, case: str, seed: int):
     """What the engine finds in a case of the other hand."""
-    made = cases.make(case, seed)
-    write_run(made, tmp_path / "a-01")
+    recording = cases.make(case, seed)
+    write_run(recording, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
-    return study(make_problem([RecordedRun.cut(run, samples)])), made.truth
+    return study(make_problem([RecordedRun.cut(run, samples)])), recording.truth
 
 
 HIDDEN = [
@@ -50,48 +50,50 @@ def test_what_another_hand_hid_is_among_what_is_named(tmp_path):
     missed = []
     for case in HIDDEN:
         for seed in (311, 312):
-            found, truth = studied(tmp_path / f"{case}-{seed}", case, seed)
+            outcome, truth = studied(tmp_path / f"{case}-{seed}", case, seed)
             hidden = {effect["mechanism"] for effect in truth["effects"].values()}
-            named = found.verdict in ("explained", "ambiguous")
-            if not named or hidden not in [set(one.ids) for one in found.sets]:
-                missed.append((case, seed, found.verdict, [one.ids for one in found.sets]))
+            named = outcome.verdict in ("explained", "ambiguous")
+            if not named or hidden not in [set(explanation.ids) for explanation in outcome.sets]:
+                missed.append((case, seed, outcome.verdict, [explanation.ids for explanation in outcome.sets]))
     assert len(missed) <= 1, missed
 
 
 @pytest.mark.parametrize("seed", [311, 312])
 @pytest.mark.parametrize("case", ["cable-nothing", "mass-nothing"])
 def test_where_only_a_dimension_is_wrong_nothing_is_named_and_it_is_put_right(tmp_path, case, seed):
-    found, truth = studied(tmp_path, case, seed)
-    assert found.verdict == ("unknown" if (case, seed) == ("mass-nothing", 311) else "parameters")  # but never a name
+    outcome, truth = studied(tmp_path, case, seed)
+    assert outcome.verdict == ("unknown" if (case, seed) == ("mass-nothing", 311) else "parameters")  # but never a name
     (name, true), *_ = truth["parameters"].items()
-    value = dict(zip((one.name for one in found.problem.parameters), found.state.values, strict=True))[name]
+    value = dict(zip((parameter.name for parameter in outcome.problem.parameters), outcome.state.values, strict=True))[
+        name
+    ]
     assert value == pytest.approx(true, rel=0.02)
 
 
 @pytest.mark.parametrize("seed", [311, 312])
 @pytest.mark.parametrize("case", ["mass-rail", "mass-cogging", "mass-lag", "mass-drift"])
 def test_what_only_a_residual_of_the_moving_mass_suggests_is_named_and_nothing_beside_it(tmp_path, case, seed):
-    found, truth = studied(tmp_path, case, seed)
+    outcome, truth = studied(tmp_path, case, seed)
     (hidden,) = (effect["mechanism"] for effect in truth["effects"].values())
-    assert (found.verdict, [explanation.ids for explanation in found.sets]) == ("explained", [(hidden,)])
+    assert (outcome.verdict, [explanation.ids for explanation in outcome.sets]) == ("explained", [(hidden,)])
 
 
 @pytest.mark.parametrize("seed", [602, 631])
 def test_a_short_lag_of_a_cable_is_no_swing_as_well(tmp_path, seed):
-    found, _ = studied(tmp_path, "cable-lag", seed)
-    assert (found.verdict, [explanation.ids for explanation in found.sets]) == ("explained", [("sensor_lag",)])
+    outcome, _ = studied(tmp_path, "cable-lag", seed)
+    assert (outcome.verdict, [explanation.ids for explanation in outcome.sets]) == ("explained", [("sensor_lag",)])
 
 
 @pytest.mark.parametrize("seed", [311, 312, 804])  # 804: friction that is refined once leaves more than the noise
 def test_four_effects_at_once_are_named_on_a_moving_mass(tmp_path, seed):
-    found, truth = studied(tmp_path, "mass-three-lag", seed)
+    outcome, truth = studied(tmp_path, "mass-three-lag", seed)
     hidden = {effect["mechanism"] for effect in truth["effects"].values()}
-    assert len(hidden) == 4 and hidden in [set(explanation.ids) for explanation in found.sets]
+    assert len(hidden) == 4 and hidden in [set(explanation.ids) for explanation in outcome.sets]
 
 
 def test_what_the_library_lacks_is_not_named_as_the_librarys(tmp_path):
-    found, _ = studied(tmp_path, "mass-push", seed=311)
-    assert found.verdict == "unknown"
+    outcome, _ = studied(tmp_path, "mass-push", seed=311)
+    assert outcome.verdict == "unknown"
 
 
 def program(module, *arguments):
@@ -118,8 +120,10 @@ def test_what_is_diagnosed_can_be_adopted_and_simulated(tmp_path, case):
     channel = "jaw_deg" if case.startswith("cable") else "force_n"
     ending = channel.rpartition("_")[2]
     measured = pd.read_parquet(folder / "recording.parquet")[channel]
-    left = float(np.sqrt(np.mean(np.square(pd.read_parquet(tmp_path / "simulated.parquet")[channel] - measured))))
-    assert left < 0.35 * content["fit"]["heldout"][f"calibrated_{ending}"]
+    remaining_rms = float(
+        np.sqrt(np.mean(np.square(pd.read_parquet(tmp_path / "simulated.parquet")[channel] - measured)))
+    )
+    assert remaining_rms < 0.35 * content["fit"]["heldout"][f"calibrated_{ending}"]
     described = yaml.safe_load((folder / "run.yaml").read_text()) | {"simulation": content["simulation"]}
     (folder / "run.yaml").write_text(yaml.safe_dump(described))
     assert program("diagnose", folder, "--out", tmp_path / "again").returncode == 0
@@ -132,7 +136,7 @@ def test_two_takes_together_and_what_cannot_be_together(tmp_path):
     first, second = tmp_path / "raw/a-0", tmp_path / "raw/a-1"
     assert program("diagnose", first, second, "--together", "--out", tmp_path / "out").returncode == 0
     content = json.loads((tmp_path / "out/diagnosis.json").read_text())
-    assert "friction_hysteresis" in {one["id"] for one in content["mechanisms"]}
+    assert "friction_hysteresis" in {mechanism["id"] for mechanism in content["mechanisms"]}
     assert content["fit"]["heldout"]["explained_deg"] < 0.5 * content["fit"]["heldout"]["calibrated_deg"]
     samples = pd.read_parquet(second / "recording.parquet").drop(columns="torque_nm")
     samples.to_parquet(second / "recording.parquet", index=False)
@@ -141,15 +145,15 @@ def test_two_takes_together_and_what_cannot_be_together(tmp_path):
 
 
 def test_the_sense_of_a_gear_changes_no_verdict(tmp_path):
-    made = cases.make("cable-friction-stretch", 312)
-    write_run(made, tmp_path / "a-01")
+    recording = cases.make("cable-friction-stretch", 312)
+    write_run(recording, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
     turned = run.model_copy(update={"rig": {"gear_ratio": -run.rig["gear_ratio"]}})
-    one = study(make_problem([RecordedRun.cut(run, samples)]))
+    original = study(make_problem([RecordedRun.cut(run, samples)]))
     other = study(make_problem([RecordedRun.cut(turned, samples.assign(motor_deg=-samples["motor_deg"]))]))
-    assert {"friction_hysteresis", "axial_elasticity"} in [set(found.ids) for found in other.sets]
+    assert {"friction_hysteresis", "axial_elasticity"} in [set(explanation.ids) for explanation in other.sets]
     assert np.std(other.problem.simulate(other.best) - other.problem.measured) == pytest.approx(
-        np.std(one.problem.simulate(one.best) - one.problem.measured), rel=0.25
+        np.std(original.problem.simulate(original.best) - original.problem.measured), rel=0.25
     )
 
 
@@ -169,7 +173,7 @@ def test_names_stay_apart_in_every_systems_words(name, problem):
     for mechanism in mechanisms().values():
         for nonlinear in mechanism.candidates(drivers)[:40:7]:
             names = [*nonlinear, *(term.name for term in mechanism.terms(drivers, nonlinear))]
-            assert len({units.name(one) for one in names}) == len(names), mechanism.id
+            assert len({units.name(parameter_name) for parameter_name in names}) == len(names), mechanism.id
 
 
 @pytest.mark.parametrize("rate_hz", [100, 1000, 5000])
@@ -190,8 +194,8 @@ class Slow(MovingMass):
 
 
 def test_what_acts_through_a_memory_is_linearised_through_it(tmp_path):
-    made = cases.make("mass-two", 311)
-    write_run(made, tmp_path / "a-01")
+    recording = cases.make("mass-two", 311)
+    write_run(recording, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
     problem = make_problem([RecordedRun.cut(run, samples)])
     slow, state = Slow(), problem.nominal()
@@ -206,8 +210,8 @@ def test_what_acts_through_a_memory_is_linearised_through_it(tmp_path):
 
 
 def test_a_true_zero_is_not_fitted_away(tmp_path):
-    made = cases.make("mass-offset", 311)
-    write_run(made, tmp_path / "a-01")
+    recording = cases.make("mass-offset", 311)
+    write_run(recording, tmp_path / "a-01")
     run, samples = read_samples(tmp_path / "a-01")
     problem = make_problem([RecordedRun.cut(run, samples)])
     fit = Linear(problem, problem.nominal(), white(1.0), {})

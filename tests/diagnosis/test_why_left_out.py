@@ -54,9 +54,9 @@ def test_effects_that_cancel_are_left_out_only_where_another_explanation_stays(t
 
 def left_out(**changes):
     """A verdict of two explanations, of 30 and 20 %, that leaves out one of 40 %."""
-    made = weighed(0.004, 0.4, 0.2, 0.02, 0.3)
-    made["evidence"]["left_out"] = [OUT | changes]
-    return made
+    diagnosis = weighed(0.004, 0.4, 0.2, 0.02, 0.3)
+    diagnosis["evidence"]["left_out"] = [OUT | changes]
+    return diagnosis
 
 
 def test_an_explanation_that_is_likelier_than_the_best_one_is_named_with_the_rule_that_leaves_it_out():
@@ -76,10 +76,10 @@ def test_an_explanation_that_is_likelier_than_the_best_one_is_named_with_the_rul
 
 @pytest.mark.parametrize("because", BECAUSE)
 def test_every_rule_has_words(because):
-    said = page(left_out(because=because)).partition("The reason: ")[2].partition("How far")[0]
-    assert said and "{" not in said
+    reason = page(left_out(because=because)).partition("The reason: ")[2].partition("How far")[0]
+    assert reason and "{" not in reason
 
 
 def test_without_anything_left_out_the_pages_say_nothing_of_it():
-    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52)
-    assert "left out" not in page(made) and "left out" not in told(made)
+    diagnosis = weighed(0.004, 0.06, 0.31, 0.02, 0.52)
+    assert "left out" not in page(diagnosis) and "left out" not in told(diagnosis)

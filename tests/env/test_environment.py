@@ -42,8 +42,8 @@ def test_a_running_job_keeps_what_it_started_with(checkout):
     checkout.lock("alpha==2.0", "beta==1.0")
     assert checkout.run("alpha").stdout.startswith("alpha 2.0")
     assert checkout.link.resolve() != old and old in checkout.places()
-    said, _ = job.communicate("\n")
-    assert said.startswith("1.0") and str(old) in said
+    printed, _ = job.communicate("\n")
+    assert printed.startswith("1.0") and str(old) in printed
     assert checkout.run("true").returncode == 0
     assert checkout.places() == [checkout.link.resolve()]
 
@@ -215,23 +215,26 @@ def without_rights_over_files():
             assert ctypes.CDLL(None).prctl(24, right, 0, 0, 0) == 0  # PR_CAPBSET_DROP
 
 
-@pytest.mark.parametrize("made", [True, False])
-def test_where_nothing_may_be_written_it_works_or_says_so(checkout, bare, made):
-    it = checkout if made else bare
-    folders = [it.env, *(path for path in it.env.rglob("*") if path.is_dir() and not path.is_symlink())]
+@pytest.mark.parametrize("has_environment", [True, False])
+def test_where_nothing_may_be_written_it_works_or_says_so(checkout, bare, has_environment):
+    working_copy = checkout if has_environment else bare
+    folders = [
+        working_copy.env,
+        *(path for path in working_copy.env.rglob("*") if path.is_dir() and not path.is_symlink()),
+    ]
     for folder in folders:
         folder.chmod(0o555)
     done = subprocess.run(
-        it.command("alpha") if made else it.command("true"),
+        working_copy.command("alpha") if has_environment else working_copy.command("true"),
         capture_output=True,
         text=True,
-        env=it.variables(),
+        env=working_copy.variables(),
         preexec_fn=without_rights_over_files,
     )
     for folder in folders:
         folder.chmod(0o755)
     assert "Traceback" not in done.stderr
-    if made:
+    if has_environment:
         assert done.returncode == 0 and done.stdout.startswith("alpha 1.0")
     else:
         assert done.returncode == 1 and "Permission denied" in done.stderr and "writable" in done.stderr

@@ -152,10 +152,10 @@ class SilentIndex:
                 self.asked.set()
 
     def close(self) -> None:
-        for one in [self.socket, *self.connections]:
+        for open_socket in [self.socket, *self.connections]:
             with contextlib.suppress(OSError):
-                one.shutdown(socket.SHUT_RDWR)
-            one.close()
+                open_socket.shutdown(socket.SHUT_RDWR)
+            open_socket.close()
 
 
 @pytest.fixture
@@ -194,8 +194,8 @@ def test_an_installer_that_outlives_its_launcher_keeps_the_next_one_waiting(bare
     assert not nobody_installs(bare)
     (orphans_place,) = bare.places()
     following = bare.start("alpha")
-    said = following.stdout.readline()
-    assert "another launcher is making the environment; waiting for it" in said
+    line = following.stdout.readline()
+    assert "another launcher is making the environment; waiting for it" in line
     assert bare.places() == [orphans_place] and following.poll() is None
     silent_index.close()
     rest, _ = following.communicate()
@@ -207,17 +207,17 @@ def test_ctrl_c_is_a_sentence_and_leaves_nothing(bare, silent_index):
     launcher = bare.start("alpha", **waiting_for(silent_index))
     assert silent_index.asked.wait(LONG_S)
     os.killpg(launcher.pid, signal.SIGINT)
-    said, _ = launcher.communicate()
-    assert launcher.returncode == 130 and "nothing half-made is used" in said and "run.py" not in said
+    printed, _ = launcher.communicate()
+    assert launcher.returncode == 130 and "nothing half-made is used" in printed and "run.py" not in printed
     assert not bare.places() and nobody_installs(bare)
 
 
 def test_two_launchers_at_once_make_one_environment(bare):
     both = [bare.start("alpha"), bare.start("alpha")]
-    said = [launcher.communicate()[0] for launcher in both]
+    outputs = [launcher.communicate()[0] for launcher in both]
     place = bare.link.resolve()
-    assert all(text.endswith(f"alpha 1.0 {place}\n") for text in said), said
-    assert bare.places() == [place] and sum("making the environment in" in text for text in said) == 1
+    assert all(text.endswith(f"alpha 1.0 {place}\n") for text in outputs), outputs
+    assert bare.places() == [place] and sum("making the environment in" in text for text in outputs) == 1
 
 
 # another launcher ends its work, the link last, when this one asks for the second time where the link leads

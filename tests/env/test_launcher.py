@@ -36,27 +36,27 @@ def test_the_cpu_build_of_torch_is_preferred_without_a_gpu(
     monkeypatch.setattr(install.platform, "machine", lambda: "x86_64")
     monkeypatch.setattr(install, "has_nvidia_gpu", lambda: gpu)
     monkeypatch.setattr(install, "cpu_index_answers", lambda: index)
-    asked = []
+    pip_calls = []
 
     def pip(self, *words, quiet=False):
-        asked.append(words)
+        pip_calls.append(words)
         return on_disk or "--no-index" not in words
 
     monkeypatch.setattr(install.Installer, "pip", pip)
     install.Installer(tmp_path, None).packages(lock)
-    options = [word for words in asked for word in words if word in ("--no-index", "--index-url")]
+    options = [word for words in pip_calls for word in words if word in ("--no-index", "--index-url")]
     assert options == expected
-    assert any("torch==2.13.0" in words for words in asked) == bool(expected)
-    assert asked[-1][-2] == "-r"  # the lock comes last, and finds torch there
+    assert any("torch==2.13.0" in words for words in pip_calls) == bool(expected)
+    assert pip_calls[-1][-2] == "-r"  # the lock comes last, and finds torch there
 
 
 def test_a_package_with_a_setup_py_alone_gets_a_record_from_an_old_pip_too(install, tmp_path, monkeypatch):
     lock = tmp_path / "requirements.lock"
     lock.write_text("six==1.16.0\n")
-    asked = []
-    monkeypatch.setattr(install.Installer, "pip", lambda self, *words, quiet=False: asked.append(words) or True)
+    pip_calls = []
+    monkeypatch.setattr(install.Installer, "pip", lambda self, *words, quiet=False: pip_calls.append(words) or True)
     install.Installer(tmp_path, None).packages(lock)
-    assert ["--use-pep517" in words for words in asked] == [True]
+    assert ["--use-pep517" in words for words in pip_calls] == [True]
 
 
 @pytest.mark.parametrize("pip_too", [True, False])

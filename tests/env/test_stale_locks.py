@@ -58,12 +58,12 @@ def end(process):
 def test_stale_locks_go_and_live_ones_stay(stale_locks, lock, alive, tmp_path, capsys, options):
     process = alive(tmp_path, sys.executable, *options)
     stale_locks.clear_stale_locks()
-    said = f"env: a main job runs in this folder already (process {process.pid}): wait until it has ended\n"
-    assert lock.exists() and capsys.readouterr().err == said
+    message = f"env: a main job runs in this folder already (process {process.pid}): wait until it has ended\n"
+    assert lock.exists() and capsys.readouterr().err == message
     end(process)
     stale_locks.clear_stale_locks()
-    said = "env: the main job before was killed: its locks are removed, and what it had not finished is made now\n"
-    assert not lock.exists() and capsys.readouterr().err == said
+    message = "env: the main job before was killed: its locks are removed, and what it had not finished is made now\n"
+    assert not lock.exists() and capsys.readouterr().err == message
     stale_locks.clear_stale_locks()
     assert capsys.readouterr().err == ""
 

@@ -93,8 +93,8 @@ class Compiled:
         return int(subprocess.run([self.program], input=b"", capture_output=True, check=True).stderr)
 
     def _asked(self, way: str, queries: Any) -> Any:
-        given = np.ascontiguousarray(queries, float).tobytes()
-        done = subprocess.run([self.program, way], input=given, capture_output=True, check=True)
+        query_bytes = np.ascontiguousarray(queries, float).tobytes()
+        done = subprocess.run([self.program, way], input=query_bytes, capture_output=True, check=True)
         return np.frombuffer(done.stdout).reshape(len(queries), 4).T
 
 

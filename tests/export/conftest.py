@@ -16,11 +16,11 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, str], Sou
     """The source of a model by its name and its dataset's."""
 
     @cache
-    def made(name: str, kind: str) -> Source:
+    def source_of(name: str, kind: str) -> Source:
         string = "s2" if (name, kind) == ("calibrated", "campaign") else None
         return opened(saved(name, kind, tmp_path_factory.mktemp(kind)), None, Beside(string=string))
 
-    return made
+    return source_of
 
 
 @pytest.fixture(scope="session")
@@ -30,7 +30,7 @@ def program(
     """The compiled header of a model by its name, its dataset's and the type of its numbers."""
 
     @cache
-    def made(name: str, kind: str, real: str) -> Compiled:
+    def compiled_header(name: str, kind: str, real: str) -> Compiled:
         return compiled(source(name, kind), tmp_path_factory.mktemp("c"), real)
 
-    return made
+    return compiled_header

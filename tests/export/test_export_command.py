@@ -44,27 +44,35 @@ class Done:
 
 def export(*words: object) -> Done:
     """Run the command in this process: an interpreter for each would take a minute."""
-    with pytest.MonkeyPatch.context() as patch, redirect_stderr(StringIO()) as said, redirect_stdout(StringIO()) as out:
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        redirect_stderr(StringIO()) as stderr,
+        redirect_stdout(StringIO()) as out,
+    ):
         patch.setattr(sys, "argv", ["export", *map(str, words)])
-        with pytest.raises(SystemExit) as left:
+        with pytest.raises(SystemExit) as exit_info:
             program(main)()
-    return Done(int(left.value.code or 0), said.getvalue(), out.getvalue())
+    return Done(int(exit_info.value.code or 0), stderr.getvalue(), out.getvalue())
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A spline and a calibrated model of one string, and what is wrong with others."""
-    made = tmp_path_factory.mktemp("material")
+    material_folder = tmp_path_factory.mktemp("material")
     for name in ("spline", "calibrated"):
-        saved(name, "one", made)
+        saved(name, "one", material_folder)
     for name, text in (("cinn", "{}"), ("polynomial", ""), ("spline", "[1]")):
-        (made / name).mkdir(exist_ok=True)
-        write_bytes(made / name / "later-0.model", text.encode())
-    (made / "spline" / "later-1.model").write_bytes((made / "spline" / "within-0.model").read_bytes()[:-1])
+        (material_folder / name).mkdir(exist_ok=True)
+        write_bytes(material_folder / name / "later-0.model", text.encode())
+    (material_folder / "spline" / "later-1.model").write_bytes(
+        (material_folder / "spline" / "within-0.model").read_bytes()[:-1]
+    )
     for name in ("growth", "diagnosed"):
-        (made / name).mkdir()
-        (made / name / "within-0.model").write_bytes((made / "spline" / "within-0.model").read_bytes())
-    return made
+        (material_folder / name).mkdir()
+        (material_folder / name / "within-0.model").write_bytes(
+            (material_folder / "spline" / "within-0.model").read_bytes()
+        )
+    return material_folder
 
 
 def said_of(header_text: str) -> str:
@@ -86,8 +94,8 @@ def test_a_stiffness_that_nobody_measured_is_said_to_be_assumed(tmp_path: Path, 
         assert done.returncode == 0, done.stderr
     words = "stiffness_n_per_mm is assumed, not measured: the usual one of this radius_mm and length_mm."
     assert (words in (tmp_path / "tsa.h").read_text()) != measured
-    said = {prop.key: prop.value for prop in onnx.load(tmp_path / "tsa.forward.onnx").metadata_props}
-    assert list(json.loads(said["assumed"])) == ([] if measured else ["stiffness_n_per_mm"])
+    metadata = {prop.key: prop.value for prop in onnx.load(tmp_path / "tsa.forward.onnx").metadata_props}
+    assert list(json.loads(metadata["assumed"])) == ([] if measured else ["stiffness_n_per_mm"])
 
 
 def test_of_several_radii_the_assumed_stiffness_and_what_the_header_says_of_each_size_are_taken(tmp_path: Path) -> None:
@@ -141,10 +149,10 @@ def test_the_documented_query_runs_on_a_model_of_either_type(tmp_path: Path, mon
     for name in ("spline", "mlp"):
         done = export(saved(name, "one", tmp_path / name), "--format", "onnx", "--out", "reports/synthetic/cinn")
         assert done.returncode == 0, done.stderr
-        said: dict[str, Any] = {"onnxruntime": onnxruntime, "numpy": np}
-        exec(snippet, said)
-        kinds.add(said["kind"])
-        assert np.isfinite(said["value"]).all() and said["inside"].dtype == bool
+        namespace: dict[str, Any] = {"onnxruntime": onnxruntime, "numpy": np}
+        exec(snippet, namespace)
+        kinds.add(namespace["kind"])
+        assert np.isfinite(namespace["value"]).all() and namespace["inside"].dtype == bool
     assert kinds == {np.float32, np.float64}
 
 
@@ -157,11 +165,11 @@ def test_the_documented_query_with_a_load_is_the_one_of_a_model_whose_export_pri
     fields = (
         "stroke (number of the stroke, the first is 1); direction (+1 while winding, -1 while unwinding); load_n (N)."
     )
-    for way, given in (("forward", "motor_turns (turns)"), ("inverse", "displacement_mm (mm)")):
-        said = f"tsa\\.{way}\\.onnx: [0-9]+ bytes\\. "
-        assert re.search(said + re.escape(f"Columns of `queries`, in order: {given}; {fields}"), done.stdout), (
-            done.stdout
-        )
+    for way, column in (("forward", "motor_turns (turns)"), ("inverse", "displacement_mm (mm)")):
+        size_pattern = f"tsa\\.{way}\\.onnx: [0-9]+ bytes\\. "
+        assert re.search(
+            size_pattern + re.escape(f"Columns of `queries`, in order: {column}; {fields}"), done.stdout
+        ), done.stdout
     (example,) = re.findall(r"with a load column, of 20 N: (\[\[.*?\]\])", (ROOT / "docs" / "export.md").read_text())
     session = onnxruntime.InferenceSession(tmp_path / "out" / "tsa.inverse.onnx")
     value, inside = session.run(None, {"queries": np.array(json.loads(example), float)})
@@ -169,18 +177,18 @@ def test_the_documented_query_with_a_load_is_the_one_of_a_model_whose_export_pri
 
 
 def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> None:
-    there = tmp_path / "mine.json"
-    there.write_bytes((folder / "spline" / "within-0.model").read_bytes())
-    assert export(there, "--format", "c", "--out", tmp_path / "tsa.h").returncode == 2
-    done = export(there, "--model", "spline", "--format", "c", "--out", tmp_path / "tsa.h")
+    model_file = tmp_path / "mine.json"
+    model_file.write_bytes((folder / "spline" / "within-0.model").read_bytes())
+    assert export(model_file, "--format", "c", "--out", tmp_path / "tsa.h").returncode == 2
+    done = export(model_file, "--model", "spline", "--format", "c", "--out", tmp_path / "tsa.h")
     assert done.returncode == 0, done.stderr
-    same = f'The same answers in Python: pipeline.load("spline", "{there}"), then .forward(points) or .inverse(points).'
-    assert same in done.stdout, "it named a dataset that is not there"
+    in_python = f'pipeline.load("spline", "{model_file}"), then .forward(points) or .inverse(points).'
+    assert f"The same answers in Python: {in_python}" in done.stdout, "it named a dataset that is not there"
     assert "predict" not in done.stdout
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "pattern"),
     [
         (
             ["growth/within-0.model"],
@@ -204,10 +212,10 @@ def test_a_model_that_lies_elsewhere_is_named(folder: Path, tmp_path: Path) -> N
         (["spline/within-0.model", "--model", "calibrated", "--string", "box"], "is not a saved calibrated"),
     ],
 )
-def test_it_says_what_it_cannot_do(folder: Path, tmp_path: Path, words: list[str], said: str) -> None:
+def test_it_says_what_it_cannot_do(folder: Path, tmp_path: Path, words: list[str], pattern: str) -> None:
     done = export(folder / words[0], *words[1:], "--format", "c", "--out", tmp_path / "tsa.h")
     assert done.returncode == 2
-    assert re.search(said, done.stderr), done.stderr
+    assert re.search(pattern, done.stderr), done.stderr
     assert len(done.stderr.splitlines()) == 1 and "Mend:" in done.stderr
     assert not (tmp_path / "tsa.h").exists()
 
@@ -298,10 +306,10 @@ def test_an_export_says_which_strings_it_does_not_tell_apart(tmp_path: Path) -> 
     ids=lambda wrong: next(iter(wrong)),
 )
 def test_a_file_that_loads_but_does_not_answer_is_refused(folder: Path, tmp_path: Path, wrong: dict[str, Any]) -> None:
-    there, out = tmp_path / "spline" / "within-0.model", tmp_path / "tsa.h"
-    there.parent.mkdir()
-    write_json(there, read_json(folder / "spline" / "within-0.model") | wrong)
-    done = export(there, "--format", "c", "--out", out)
+    model_file, out = tmp_path / "spline" / "within-0.model", tmp_path / "tsa.h"
+    model_file.parent.mkdir()
+    write_json(model_file, read_json(folder / "spline" / "within-0.model") | wrong)
+    done = export(model_file, "--format", "c", "--out", out)
     assert done.returncode == 2 and "is not a saved spline" in done.stderr and not out.exists()
 
 
@@ -309,16 +317,16 @@ def test_a_file_that_loads_but_does_not_answer_is_refused(folder: Path, tmp_path
 def test_strings_with_and_without_separator_are_refused_by_models_that_keep_no_ranges(
     name: str, tmp_path: Path
 ) -> None:
-    there = saved(name, "one", tmp_path)
+    model_file = saved(name, "one", tmp_path)
     both = pd.concat([made_dataset(20, 2), pair_dataset(20)], ignore_index=True)
     schemas.write(both, schemas.DATASET, tmp_path / "dataset.parquet")
-    done = export(there, "--format", "c", "--out", tmp_path / "tsa.h")
+    done = export(model_file, "--format", "c", "--out", tmp_path / "tsa.h")
     assert done.returncode == 2 and "with and without separator" in done.stderr
 
 
 def test_strokes_before_the_first_trained_on_are_out_of_range(tmp_path: Path) -> None:
-    there = saved("polynomial", "used", tmp_path)
-    text = header(opened(there, None, Beside()), "tsa")
+    model_file = saved("polynomial", "used", tmp_path)
+    text = header(opened(model_file, None, Beside()), "tsa")
     assert "#define TSA_STROKE_MIN 51\n" in text and "#define TSA_STROKE_MAX 112\n" in text
 
 
@@ -360,13 +368,18 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
 ) -> None:
     done = {name: export(saved(name, "one", tmp_path / name), "--format", "c") for name in ("spline", "cinn")}
     texts = {name: (tmp_path / name / name / "tsa.h").read_text() for name in done}
-    said = {name: " ".join(text.replace("\n *", " ").split()) for name, text in texts.items()}
+    plain_texts = {name: " ".join(text.replace("\n *", " ").split()) for name, text in texts.items()}
     small = "Small fit, not a result: blocks 4 instead of 5, width 20 instead of 32, epochs 12 instead of 60"
-    assert small in said["cinn"] and small in done["cinn"].stdout
-    assert "Fit: Made with the usual settings of this model. The quick job (ci.yaml) fits this model" in said["spline"]
-    assert "no small fit" not in said["spline"], "beside tables that are marked as small fits it read as its opposite"
+    assert small in plain_texts["cinn"] and small in done["cinn"].stdout
+    assert (
+        "Fit: Made with the usual settings of this model. The quick job (ci.yaml) fits this model"
+        in plain_texts["spline"]
+    )
+    assert "no small fit" not in plain_texts["spline"], (
+        "beside tables that are marked as small fits it read as its opposite"
+    )
     zero_mm = made_dataset(2, 1).iloc[:1].assign(motor_turns=0.0).pipe(point_contraction_mm)[0]
-    for text in said.values():
+    for text in plain_texts.values():
         assert (
             f"{zero_mm:.3f} mm at 0 turns" in text
             and "It was set so for string made-01 in run " in text
@@ -380,11 +393,11 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
     model = tmp_path / "cinn" / "cinn" / "within-0.model"
     assert export(model, "--format", "onnx", "--out", tmp_path).returncode == 0
     for way in ("forward", "inverse"):
-        held = {prop.key: prop.value for prop in onnx.load(tmp_path / f"tsa.{way}.onnx").metadata_props}
+        metadata = {prop.key: prop.value for prop in onnx.load(tmp_path / f"tsa.{way}.onnx").metadata_props}
         assert (
-            held["fit"].startswith(small)
-            and f"{zero_mm:.3f} mm" in held["zero"]
-            and "further than 2 strokes" in held["strokes"]
+            metadata["fit"].startswith(small)
+            and f"{zero_mm:.3f} mm" in metadata["zero"]
+            and "further than 2 strokes" in metadata["strokes"]
         )
 
 
@@ -439,8 +452,8 @@ def test_header_and_graphs_say_what_the_model_errs_on_what_it_has_not_seen(tmp_p
     ahead = "Errors on whole last strokes that the fit left out (strokes 5 to 6), by a fit of this model without them: "
     assert f"{ahead}forward {rms_mm:.2g} mm rms, at most" in both and re.search(own, both) and ahead in done.stdout
     assert export(file, "--format", "onnx", "--out", tmp_path).returncode == 0
-    held = {prop.key: prop.value for prop in onnx.load(tmp_path / "tsa.forward.onnx").metadata_props}
-    assert held["errors"] in both
+    metadata = {prop.key: prop.value for prop in onnx.load(tmp_path / "tsa.forward.onnx").metadata_props}
+    assert metadata["errors"] in both
     (tmp_path / "dataset.parquet").unlink()
     assert export(file, "--format", "c").returncode == 0
     assert "was not measured: no dataset with points that the fit left out" in said_of(
@@ -449,13 +462,14 @@ def test_header_and_graphs_say_what_the_model_errs_on_what_it_has_not_seen(tmp_p
 
 
 @pytest.mark.parametrize(
-    ("out", "made"), [("new/", "new/tsa.h"), ("new", "new/tsa.h"), ("v1.2/", "v1.2/tsa.h"), ("new/a.h", "new/a.h")]
+    ("out", "header_path"),
+    [("new/", "new/tsa.h"), ("new", "new/tsa.h"), ("v1.2/", "v1.2/tsa.h"), ("new/a.h", "new/a.h")],
 )
-def test_a_folder_that_is_not_there_yet_is_made(folder: Path, tmp_path: Path, out: str, made: str) -> None:
+def test_a_folder_that_is_not_there_yet_is_made(folder: Path, tmp_path: Path, out: str, header_path: str) -> None:
     """A header named like the folder was written in its place."""
     done = export(folder / "spline" / "within-0.model", "--format", "c", "--out", f"{tmp_path}/{out}")
-    assert done.returncode == 0 and f"{tmp_path / made}: " in done.stdout, done.stderr
-    assert (tmp_path / made).is_file()
+    assert done.returncode == 0 and f"{tmp_path / header_path}: " in done.stdout, done.stderr
+    assert (tmp_path / header_path).is_file()
 
 
 def test_the_settings_that_no_mark_is_put_on_are_those_of_the_default_configuration() -> None:
@@ -477,14 +491,14 @@ def test_what_the_small_configuration_makes_is_marked_or_is_the_very_file_that_a
     for name in sorted(names()):
         own = small.get(name, {}).get("settings", {})
         models = [make_model(name, **settings) for settings in (usual[name]["settings"], usual[name]["settings"] | own)]
-        said = fit(name, models[1])
-        assert said.startswith("Small fit, not a result") == bool(own), name
+        fit_sentence = fit(name, models[1])
+        assert fit_sentence.startswith("Small fit, not a result") == bool(own), name
         if not own:
             files = [tmp_path / f"{name}-{at}.model" for at in (0, 1)]
             for model, file in zip(models, files, strict=True):
                 model.fit(points, 0)
                 model.save(file)
-            assert files[0].read_bytes() == files[1].read_bytes() and said.endswith(SAME), name
+            assert files[0].read_bytes() == files[1].read_bytes() and fit_sentence.endswith(SAME), name
     assert "spline" not in small
     smaller = {name for name in names() if small.get(name, {}).get("settings")}
     assert smaller == {name for name in names() if about(name).needs_torch}
@@ -509,8 +523,8 @@ def test_a_load_that_a_model_does_not_read_is_not_called_constant(tmp_path: Path
     assert "This model does not read direction: winding and unwinding get one answer" in text
     (tmp_path / "dataset.parquet").rename(tmp_path / "moved.parquet")
     assert export(file, "--format", "onnx", "--dataset", tmp_path / "moved.parquet").returncode == 0
-    held = {prop.key: prop.value for prop in onnx.load(file.parent / "tsa.forward.onnx").metadata_props}
-    assert "does not read direction" in held["unread"]
+    metadata = {prop.key: prop.value for prop in onnx.load(file.parent / "tsa.forward.onnx").metadata_props}
+    assert "does not read direction" in metadata["unread"]
 
 
 @pytest.mark.parametrize("rig", ["material", "device", "own"])
@@ -614,24 +628,24 @@ def test_the_example_begins_in_a_recorded_state_and_names_what_was_not_recorded(
     assert done.returncode == 0, done.stderr
     example, begin = (ROOT / "examples" / "control_loop.c").read_text(), "tsa_start();"
 
-    def said(text: str) -> str:
+    def loop_output(text: str) -> str:
         (tmp_path / "loop.c").write_text(text)
         built(*C99, "-I", tmp_path / "out", tmp_path / "loop.c", "-o", tmp_path / "loop", "-lm")
         return subprocess.run([tmp_path / "loop"], capture_output=True, text=True, check=True).stdout
 
-    lines = said(example)
+    lines = loop_output(example)
     assert max(float(turns) for turns in re.findall(r"mm(?: →|: it stays at) (\S+) turns$", lines, re.MULTILINE)) > 15.0
     assert "not recorded under" not in lines and lines.splitlines()[-2].startswith("all 2727 answered"), lines
-    lines = said(example.replace(begin, f"{begin} state.load_n = 25;"))
+    lines = loop_output(example.replace(begin, f"{begin} state.load_n = 25;"))
     assert "   0 ms: stroke 1 was not recorded under 25 N (recorded: load_n 19." in lines
     assert "strokes 1 to 4) and 29." in lines
     both = "set state.stroke to one that was recorded under this load, or state.load_n to one of this stroke. The motor"
     assert f"): {both} stays where it is" in lines
-    lines = said(example.replace(begin, f"{begin} state.load_n = 30;"))
+    lines = loop_output(example.replace(begin, f"{begin} state.load_n = 30;"))
     assert "   0 ms: stroke 1 was not recorded under 30 N (" in lines and both in lines, (
         "state.load_n had just been set"
     )
-    lines = said(example.replace(begin, f"{begin} state.load_n = 30; state.stroke = 5;"))
+    lines = loop_output(example.replace(begin, f"{begin} state.load_n = 30; state.stroke = 5;"))
     assert "not recorded under" not in lines and "all 2727 answered" in lines, "the mend that was named helps"
     pair = "load, and a stroke that was recorded under it"
     page = " ".join((ROOT / "docs" / "use_a_model.md").read_text().split())

@@ -28,18 +28,18 @@ ROUND_TRIP_TURNS = 1e-3
 FLAT_MM_PER_TURN = 0.01  # below it the last digit of a contraction in single precision is 1e-4 turns
 
 
-def grid(inputs: Inputs, given: str, of_given: int, of_field: int = 3) -> Any:
+def grid(inputs: Inputs, column: str, of_given: int, of_field: int = 3) -> Any:
     """Queries on an even grid, the corners among them: all strokes and directions, some of every other field."""
-    axes = [np.linspace(*getattr(inputs, given), of_given)]
+    axes = [np.linspace(*getattr(inputs, column), of_given)]
     for field in inputs.fields:
         every = np.arange(field.low, field.high + 1, 2 if field.name == "direction" else 1)
         axes.append(every if field.whole else np.linspace(field.low, field.high, of_field))
     return np.array(list(itertools.product(*axes)))
 
 
-def middle(inputs: Inputs, given: str) -> Any:
+def middle(inputs: Inputs, column: str) -> Any:
     """A query amid every range."""
-    return np.array([field.high if field.whole else (field.low + field.high) / 2 for field in inputs.columns(given)])
+    return np.array([field.high if field.whole else (field.low + field.high) / 2 for field in inputs.columns(column)])
 
 
 @pytest.mark.parametrize(
@@ -49,27 +49,27 @@ def middle(inputs: Inputs, given: str) -> Any:
 def test_each_field_is_refused_just_outside_its_range(
     source: Any, program: Any, name: str, kind: str, real: str
 ) -> None:
-    inputs, asked = source(name, kind).inputs, program(name, kind, real)
-    for way, given in GIVEN.items():
+    inputs, compiled_header = source(name, kind).inputs, program(name, kind, real)
+    for way, column in GIVEN.items():
         rows, codes = [], []
-        for at, field in enumerate(inputs.columns(given)):
+        for at, field in enumerate(inputs.columns(column)):
             step = 1.0 if field.whole else 2e-6 * max(abs(field.low), abs(field.high), field.high - field.low)
             wrong = [field.low - step, field.high + step]
             wrong += [] if field.whole else [np.nan, np.inf, -np.inf]
             wrong += [0.0] if field.name == "direction" else []
             for value in wrong:
-                rows.append(middle(inputs, given))
+                rows.append(middle(inputs, column))
                 rows[-1][at] = value
                 codes.append(CODES.index(field.name) + 1)
-        found, answers = asked.answers(way, np.array(rows))
-        assert found.tolist() == codes
+        returned_codes, answers = compiled_header.answers(way, np.array(rows))
+        assert returned_codes.tolist() == codes
         assert (answers == UNTOUCHED).all()
         if name == "spline":
-            found, answers = asked.prepared(way, np.array(rows))
-            assert found.tolist() == codes
+            returned_codes, answers = compiled_header.prepared(way, np.array(rows))
+            assert returned_codes.tolist() == codes
             assert (answers == UNTOUCHED).all()
-        found, answers = asked.answers(way, middle(inputs, given)[None])
-        assert found[0] <= 0 and answers[0] != UNTOUCHED
+        returned_codes, answers = compiled_header.answers(way, middle(inputs, column)[None])
+        assert returned_codes[0] <= 0 and answers[0] != UNTOUCHED
 
 
 @pytest.mark.parametrize(
@@ -80,8 +80,8 @@ def test_no_answer_in_the_box_is_nan_or_out_of_range(
     source: Any, program: Any, name: str, kind: str, real: str
 ) -> None:
     inputs = source(name, kind).inputs
-    for way, given in GIVEN.items():
-        codes, answers = program(name, kind, real).answers(way, grid(inputs, given, 41))
+    for way, column in GIVEN.items():
+        codes, answers = program(name, kind, real).answers(way, grid(inputs, column, 41))
         assert np.isfinite(answers).all()
         assert set(codes) <= ({0.0} if way == "forward" else {0.0, HELD})
         if way == "inverse":
@@ -97,21 +97,21 @@ def test_twist_comes_back_through_contraction(source: Any, program: Any, name: s
     In single precision only where the curve is not flat, which in the campaign's unseen corners it may be: there the
     contraction of the twist that came back is the same.
     """
-    inputs, asked = source(name, kind).inputs, program(name, kind, real)
-    there = grid(inputs, "motor_turns", 301)
-    _, mm = asked.answers("forward", there)
-    _, exact_mm = program(name, kind, "double").answers("forward", there)
-    slope = np.gradient(exact_mm.reshape(301, -1), there[:, 0].reshape(301, -1)[:, 0], axis=0).ravel()
+    inputs, compiled_header = source(name, kind).inputs, program(name, kind, real)
+    grid_points = grid(inputs, "motor_turns", 301)
+    _, mm = compiled_header.answers("forward", grid_points)
+    _, exact_mm = program(name, kind, "double").answers("forward", grid_points)
+    slope = np.gradient(exact_mm.reshape(301, -1), grid_points[:, 0].reshape(301, -1)[:, 0], axis=0).ravel()
     low, high = inputs.displacement_mm
-    known = (mm > low) & (mm < high) & (slope > (FLAT_MM_PER_TURN if real == "float" else 0.0))
-    assert known.mean() > 0.8 and (slope > FLAT_MM_PER_TURN).mean() > 0.95
-    codes, turns = asked.answers("inverse", np.column_stack([mm, there[:, 1:]])[known])
+    invertible = (mm > low) & (mm < high) & (slope > (FLAT_MM_PER_TURN if real == "float" else 0.0))
+    assert invertible.mean() > 0.8 and (slope > FLAT_MM_PER_TURN).mean() > 0.95
+    codes, turns = compiled_header.answers("inverse", np.column_stack([mm, grid_points[:, 1:]])[invertible])
     assert (codes <= 0).all()
-    _, again_mm = asked.answers("forward", np.column_stack([turns, there[:, 1:][known]]))
+    _, again_mm = compiled_header.answers("forward", np.column_stack([turns, grid_points[:, 1:][invertible]]))
     if (kind, real) == ("campaign", "float"):
-        assert np.abs(again_mm - mm[known]).max() <= 1e-4
+        assert np.abs(again_mm - mm[invertible]).max() <= 1e-4
     else:
-        assert np.abs(turns - there[known, 0]).max() <= (
+        assert np.abs(turns - grid_points[invertible, 0]).max() <= (
             ROUND_TRIP_TURNS if real == "float" or name == "cinn" else 1e-7
         )
 
@@ -151,8 +151,8 @@ def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_
 def test_the_header_and_predict_say_the_same_of_every_stroke(tmp_path: Path, kind: str) -> None:
     """The header called strokes recorded up to twice those that were, where predict called them outside."""
     file = saved("spline", kind, tmp_path)
-    known = opened(file, None, Beside())
-    names, last = known.inputs.names, known.inputs.last_stroke
+    model_file = opened(file, None, Beside())
+    names, last = model_file.inputs.names, model_file.inputs.last_stroke
     strokes = [(stroke, turns) for stroke in range(1, 2 * last + 1) for turns in (4.0, 14.0, 19.0)]
     table = pd.DataFrame(strokes, columns=["stroke", "motor_turns"]).assign(direction=1)
     if "load_n" in names:
@@ -163,20 +163,20 @@ def test_the_header_and_predict_say_the_same_of_every_stroke(tmp_path: Path, kin
     done = programs.run("pipeline.predict", tmp_path / "dataset.parquet", tmp_path / "questions.csv", *words)
     assert done.returncode == 0, done.stderr
     inside = pd.read_csv(tmp_path / "answers.csv")["inside"].to_numpy()
-    codes = compiled(known, tmp_path / "c", "double").recorded(table[["motor_turns", *names]].to_numpy(float))
+    codes = compiled(model_file, tmp_path / "c", "double").recorded(table[["motor_turns", *names]].to_numpy(float))
     assert ((codes == 0.0) == inside).all() and inside.any()
     assert not inside[table["stroke"] > last + FORESEEN[kind]].any() and (codes[-1], len(set(codes))) == (UNRECORDED, 2)
 
 
 def test_a_stroke_whose_last_rest_alone_was_under_a_load_is_not_recorded_under_it(source: Any, program: Any) -> None:
     """One sample of stroke 4 was under 30 N, at 0 turns: the header said strokes 4 to 5, and 12 turns were recorded."""
-    known = source("spline", "hung")
-    place = {name: 1 + at for at, name in enumerate(known.inputs.names)}
+    hung_source = source("spline", "hung")
+    place = {name: 1 + at for at, name in enumerate(hung_source.inputs.names)}
     queries = np.zeros((3, 1 + len(place)))
     queries[:, 0] = 12.0, 12.0, 0.1
     queries[:, place["stroke"]], queries[:, place["direction"]], queries[:, place["load_n"]] = (4, 5, 4), 1, 30.0
     assert program("spline", "hung", "double").recorded(queries).tolist() == [UNRECORDED, 0.0, 0.0]
-    words = known.values["load_n"]
+    words = hung_source.values["load_n"]
     assert "strokes 1 to 4) and 29." in words and words.endswith("stroke 5, and stroke 4 only to 0 turns)")
 
 
@@ -195,13 +195,13 @@ def test_the_spline_rises_with_twist_in_every_state(source: Any, program: Any, k
 
 
 def test_a_contraction_out_of_reach_holds_the_twist_at_its_end(source: Any, program: Any) -> None:
-    inputs, asked = source("spline", "campaign").inputs, program("spline", "campaign", "double")
+    inputs, compiled_header = source("spline", "campaign").inputs, program("spline", "campaign", "double")
     beyond = grid(inputs, "displacement_mm", 2)
-    codes, turns = asked.answers("inverse", beyond)
+    codes, turns = compiled_header.answers("inverse", beyond)
     for end, query in ((0, inputs.displacement_mm[0]), (1, inputs.displacement_mm[1])):
-        held = (codes == HELD) & (beyond[:, 0] == query)
-        assert held.any()
-        assert (turns[held] == inputs.motor_turns[end]).all()
+        is_held = (codes == HELD) & (beyond[:, 0] == query)
+        assert is_held.any()
+        assert (turns[is_held] == inputs.motor_turns[end]).all()
 
 
 @pytest.mark.parametrize(("name", "kind"), [("spline", "one"), ("spline", "campaign"), ("cinn", "one"), ("mlp", "one")])
@@ -231,18 +231,18 @@ def test_no_compiler_complains(source: Any, tmp_path: Any, name: str) -> None:
 
 def test_the_limit_of_strokes_is_the_users_to_set(source: Any, tmp_path: Any) -> None:
     model = source("calibrated", "one")
-    asked = compiled(model, tmp_path, options=("-O1", "-DTSA_STROKE_MAX=3"))
+    compiled_header = compiled(model, tmp_path, options=("-O1", "-DTSA_STROKE_MAX=3"))
     query = middle(model.inputs, "motor_turns")
     rows = np.tile(query, (2, 1))
     rows[:, 1] = (3.0, 4.0)
-    assert asked.answers("forward", rows)[0].tolist() == [0.0, CODES.index("stroke") + 1.0]
+    assert compiled_header.answers("forward", rows)[0].tolist() == [0.0, CODES.index("stroke") + 1.0]
 
 
 def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
     need("gcc")
     example = (ROOT / "examples" / "control_loop.c").read_text()
 
-    def said(name: str, kind: str, text: str) -> str:
+    def loop_output(name: str, kind: str, text: str) -> str:
         (tmp_path / "tsa.h").write_text(header(source(name, kind), "tsa"))
         (tmp_path / "loop.c").write_text(text)
         built(*C99, "-O1", "-I", tmp_path, tmp_path / "loop.c", "-o", tmp_path / "loop", "-lm")
@@ -254,7 +254,7 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
         return example.replace(begin, f"{begin} state.load_n = {load};")
 
     for name, kind in (("spline", "one"), ("cinn", "one"), ("spline", "campaign")):
-        lines = said(name, kind, example)
+        lines = loop_output(name, kind, example)
         assert re.search(r"^ 500 ms: \S+ mm → \S+ turns$", lines, re.MULTILINE), "the target stands beside the twist"
         assert "turns" in lines and "nan" not in lines.lower()
         assert re.search(
@@ -268,10 +268,10 @@ def test_the_example_loop_runs(source: Any, tmp_path: Any) -> None:
         sent = [float(turns) for turns in re.findall(r"mm(?: →|: it stays at) (\S+) turns$", lines, re.MULTILINE)]
         assert len(sent) == 6 and min(sent) >= 0.0, "it was sent to -0.2 turns: wound backwards"
     assert "load_n" in source("spline", "campaign").inputs.names
-    lines = said("spline", "campaign", with_load("TSA_LOAD_N_MAX"))
+    lines = loop_output("spline", "campaign", with_load("TSA_LOAD_N_MAX"))
     words = lines.splitlines()[-2].split()  # "2677 of 3000 targets ask for a twist that was not recorded ..."
     assert "stroke 1 was not recorded under 32.9 N (recorded: load_n 19." in lines and 0 < int(words[0]) < 3000, lines
-    lines = said("spline", "campaign", with_load("0"))
+    lines = loop_output("spline", "campaign", with_load("0"))
     assert (
         re.search(r"^   0 ms: \S+ mm refused, TSA_BAD_LOAD_N:", lines, re.MULTILINE)
         and "3000 of 3000 targets refused, " in lines
@@ -284,6 +284,6 @@ def test_a_bin_without_rise_gives_no_nan(source: Any, tmp_path: Any) -> None:
     flat = copy.deepcopy(model.model)
     bins = flat.settings.bins
     flat.weights[[1, bins], 0] = -40.0
-    asked = compiled(replace(model, model=flat), tmp_path)
-    for way, given in GIVEN.items():
-        assert np.isfinite(asked.answers(way, grid(model.inputs, given, 101))[1]).all()
+    compiled_header = compiled(replace(model, model=flat), tmp_path)
+    for way, column in GIVEN.items():
+        assert np.isfinite(compiled_header.answers(way, grid(model.inputs, column, 101))[1]).all()

@@ -127,24 +127,24 @@ class Bench:
         return " / ".join(line.removeprefix("error: ") for line in lines)
 
 
-def check(bench: Bench, said: list[bytes], number: int = 1) -> dict[str, Any]:
+def check(bench: Bench, true_frames: list[bytes], number: int = 1) -> dict[str, Any]:
     """Assert that a committed run accounts for itself, and that no sample in it differs from what the rig `said`."""
     data, info = bench.recorded(number), bench.info(number)
     assert info["sha256"] == hashlib.sha256(data).hexdigest() and info["bytes"] == len(data)
     counts = info["frames"]
     assert counts["sent"] == counts["received"] + counts["lost"]
     assert sum(gap["frames"] for gap in info["gaps"]) == counts["lost"]
-    found, truth = read_recording(data), read_recording(b"".join(said))
+    recorded, truth = read_recording(data), read_recording(b"".join(true_frames))
     samples = info["samples"]
-    assert len(found.time_s) == samples["received"]
+    assert len(recorded.time_s) == samples["received"]
     assert samples["sent"] is None or 0 <= samples["sent"] - samples["received"] <= counts["lost"]
-    order = np.searchsorted(truth.seq, found.seq)
-    np.testing.assert_array_equal(truth.seq[order], found.seq)
-    for name, values in found.channels.items():
+    order = np.searchsorted(truth.seq, recorded.seq)
+    np.testing.assert_array_equal(truth.seq[order], recorded.seq)
+    for name, values in recorded.channels.items():
         np.testing.assert_array_equal(values, truth.channels[name][order])
-    if len(found.time_s):
+    if len(recorded.time_s):
         since_s = truth.time_s[order] - truth.time_s[order[0]]
-        np.testing.assert_allclose(found.time_s, since_s, atol=1e-6)
+        np.testing.assert_allclose(recorded.time_s, since_s, atol=1e-6)
     return info
 
 
@@ -172,9 +172,9 @@ def _gap(gap: dict[str, Any]) -> str:
     return f"{frames} after {gap['after_s']:g} s, {where}" if gap["after_s"] is not None else f"{frames} at the start"
 
 
-def complete(bench: Bench, rig: Rig, host: Host, said: list[bytes], sent: list[bytes]) -> int:
+def complete(bench: Bench, rig: Rig, host: Host, true_frames: list[bytes], sent: list[bytes]) -> int:
     """Play a recording on which the rig sends other frames than it means to, END again until ACK; exit status."""
-    rig.begin(said)
+    rig.begin(true_frames)
     rig.say(*sent)
     rig.hear(Kind.ACK)
     return host.wait()

@@ -18,12 +18,12 @@ LONGEST_S = 2
 
 def version_1(bench: Bench) -> Row:
     """The device speaks version 1 of the protocol, as those of last year do."""
-    said = frames(protocol=1)
+    true_frames = frames(protocol=1)
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    assert complete(bench, rig, host, said, said[1:]) == 0
-    info = check(bench, said)
-    assert bench.recorded() == b"".join(said) and info["hello"]["protocol"] == 1
+    assert complete(bench, rig, host, true_frames, true_frames[1:]) == 0
+    info = check(bench, true_frames)
+    assert bench.recorded() == b"".join(true_frames) and info["hello"]["protocol"] == 1
     return row(bench, host)
 
 
@@ -38,11 +38,11 @@ def stamps_equal(bench: Bench) -> Row:
 
 
 def _mended(bench: Bench, stamps: dict[int, int], word: str) -> Row:
-    said, sent = frames(), frames(stamps=stamps)
+    true_frames, sent = frames(), frames(stamps=stamps)
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
     assert complete(bench, rig, host, sent, sent[1:]) == 0
-    info = check(bench, said)  # the times are those that a right clock would have said
+    info = check(bench, true_frames)  # the times are those that a right clock would have said
     assert bench.recorded() == b"".join(sent) and info["samples"][word] == 1
     table, _ = read_frames(bench.run() / "recording.frames")
     np.testing.assert_allclose(table["time_s"], np.arange(SAMPLES) / RATE_HZ, atol=1e-9)
@@ -60,49 +60,49 @@ def clock_backwards(bench: Bench) -> Row:
 
 
 def _no_clock(bench: Bench, step_us: int, how: str) -> Row:
-    said = frames(first_us=10_000_000, step_us=step_us)
+    true_frames = frames(first_us=10_000_000, step_us=step_us)
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    assert complete(bench, rig, host, said, said[1:]) == 1
-    info = check(bench, said)
+    assert complete(bench, rig, host, true_frames, true_frames[1:]) == 1
+    info = check(bench, true_frames)
     assert info["exit_status"] == "fault" and f"the device's clock (t_us) {how}" in host.said
     return row(bench, host, lost="when the samples were taken")
 
 
 def false_frame(bench: Bench) -> Row:
     """Under version 1 a damaged frame passes as one with the number 2,000,000,000, and no END comes."""
-    said = frames(protocol=1)
+    true_frames = frames(protocol=1)
     false = encode(Kind.SAMPLE, 2_000_000_000, struct.pack("<Iih", 700_000, 30, 210), 1)
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    rig.begin(said)
-    rig.say(*said[1:40], false, *said[40:-1])
+    rig.begin(true_frames)
+    rig.say(*true_frames[1:40], false, *true_frames[40:-1])
     assert host.wait() == 1
-    info = check(bench, said)
+    info = check(bench, true_frames)
     assert (info["frames"]["lost"], info["frames"]["repeated"]) == (0, 1)
     return row(bench, host, lost="nothing that is known")
 
 
 def end_impossible(bench: Bench) -> Row:
     """END bears a number that cannot be; it comes again and again and is never acknowledged."""
-    said = frames()
-    return _no_end(bench, encode(Kind.END, 4_000_000_000, END.pack(SAMPLES, Reason.COMPLETE)), said)
+    true_frames = frames()
+    return _no_end(bench, encode(Kind.END, 4_000_000_000, END.pack(SAMPLES, Reason.COMPLETE)), true_frames)
 
 
 def end_malformed(bench: Bench) -> Row:
     """END has two bytes instead of five."""
-    said = frames()
-    return _no_end(bench, encode(Kind.END, len(said) - 1, b"\1\2"), said)
+    true_frames = frames()
+    return _no_end(bench, encode(Kind.END, len(true_frames) - 1, b"\1\2"), true_frames)
 
 
-def _no_end(bench: Bench, end: bytes, said: list[bytes]) -> Row:
+def _no_end(bench: Bench, end: bytes, true_frames: list[bytes]) -> Row:
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    rig.begin(said)
-    rig.say(*said[1:-1], end, end, end)
+    rig.begin(true_frames)
+    rig.say(*true_frames[1:-1], end, end, end)
     assert host.wait() == 1
     assert not [frame for frame in rig.unheard() if frame.kind == Kind.ACK]
-    info = check(bench, said)
+    info = check(bench, true_frames)
     assert info["exit_status"] == "fault" and info["frames"]["lost"] == 0
     return row(bench, host, lost="not known: nobody said how many were sent")
 
@@ -110,9 +110,9 @@ def _no_end(bench: Bench, end: bytes, said: list[bytes]) -> Row:
 class _Again(Thread):
     """Says something again and again until it is told to be silent."""
 
-    def __init__(self, rig: Rig, said: bytes) -> None:
+    def __init__(self, rig: Rig, message: bytes) -> None:
         super().__init__()
-        self.rig, self.said, self.silent = rig, said, Flag()
+        self.rig, self.said, self.silent = rig, message, Flag()
 
     def run(self) -> None:
         while not self.silent.wait(0.1):
@@ -130,10 +130,10 @@ def trickle(bench: Bench) -> Row:
 
 
 def _endless(bench: Bench, again: bytes, arrived: str) -> Row:
-    said = frames()
+    true_frames = frames()
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run(), "--longest", LONGEST_S)
-    rig.begin(said)
+    rig.begin(true_frames)
     device = _Again(rig, again)
     device.start()
     assert host.wait() == 1
@@ -141,17 +141,17 @@ def _endless(bench: Bench, again: bytes, arrived: str) -> Row:
     device.join()
     info = bench.info()
     assert info["exit_status"] == "fault" and info["ended_by"] == "--longest after 2 s"
-    assert bench.recorded().startswith(said[0]) and info["samples"]["received"] == 0
+    assert bench.recorded().startswith(true_frames[0]) and info["samples"]["received"] == 0
     return row(bench, host, arrived=arrived, lost="nothing")
 
 
 def ended_by_longest(bench: Bench) -> Row:
     """The device goes on and on, and ends when it is told to."""
-    said = frames()
+    true_frames = frames()
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run(), "--longest", LONGEST_S)
-    rig.begin(said)
-    for frame in said[1:41]:
+    rig.begin(true_frames)
+    for frame in true_frames[1:41]:
         rig.say(frame)
         time.sleep(0.02)
     rig.hear(Kind.STOP)
@@ -159,22 +159,22 @@ def ended_by_longest(bench: Bench) -> Row:
     rig.say(end)
     rig.hear(Kind.ACK)
     assert host.wait() == 0
-    info = check(bench, said)
-    assert bench.recorded() == b"".join([*said[:41], end]) and info["exit_status"] == "aborted"
+    info = check(bench, true_frames)
+    assert bench.recorded() == b"".join([*true_frames[:41], end]) and info["exit_status"] == "aborted"
     return row(bench, host)
 
 
 def clock_channel(bench: Bench) -> Row:
     """A channel of the device is called as the clock is."""
     channels = (*CHANNELS, Channel("time_s", "ms", "u16", 1.0))
-    said = [encode(Kind.HELLO, 0, hello(channels=channels).pack())]
+    true_frames = [encode(Kind.HELLO, 0, hello(channels=channels).pack())]
     payloads = [struct.pack("<IihH", number * STEP_US, number, number * 7, 7) for number in range(SAMPLES)]
-    said += [encode(Kind.SAMPLE, number, payload) for number, payload in enumerate(payloads, 1)]
-    said.append(encode(Kind.END, len(said), END.pack(SAMPLES, Reason.COMPLETE)))
+    true_frames += [encode(Kind.SAMPLE, number, payload) for number, payload in enumerate(payloads, 1)]
+    true_frames.append(encode(Kind.END, len(true_frames), END.pack(SAMPLES, Reason.COMPLETE)))
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    assert complete(bench, rig, host, said, said[1:]) == 0
-    check(bench, said)
+    assert complete(bench, rig, host, true_frames, true_frames[1:]) == 0
+    check(bench, true_frames)
     table, units = read_frames(bench.run() / "recording.frames")
     np.testing.assert_allclose(table["time_s"], np.arange(SAMPLES) / RATE_HZ, atol=1e-9)
     assert (table["device_time_s"] == 7).all() and "time_s" not in units

@@ -28,40 +28,40 @@ def _until_written(bench: Bench, size: int, number: int = 1) -> None:
 
 def killed(bench: Bench) -> Row:
     """The program is killed with SIGKILL; --recover finds all that it had read."""
-    said = frames()
-    came = b"".join(said[:41]) + said[41][:5]
+    true_frames = frames()
+    came = b"".join(true_frames[:41]) + true_frames[41][:5]
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    rig.begin(said)
-    rig.say(came[len(said[0]) :])
+    rig.begin(true_frames)
+    rig.say(came[len(true_frames[0]) :])
     _until_written(bench, len(came))
     host.process.kill()
     host.wait()
     assert bench.recorded() == came and not (bench.run() / "capture.json").exists()
     recovery = bench.capture("--recover", bench.run())
     assert recovery.wait() == 0 and bench.recorded() == came
-    info = check(bench, said)
+    info = check(bench, true_frames)
     assert info["exit_status"] == "recovered" and info["frames"]["tail_bytes"] == 5
     return row(bench, host, recovery, lost="nothing that had been read")
 
 
 def unplugged(bench: Bench) -> Row:
     """The cable is pulled and plugged in again: the run is a fault, the next one is whole."""
-    said, again = frames(), frames(nonce="00000002")
+    true_frames, again = frames(), frames(nonce="00000002")
     rig = bench.rig()
     port = link(rig, bench.folder / "PORT")
     first = bench.capture(port, bench.run(1))
-    rig.begin(said)
-    rig.say(*said[1:41])
-    _until_written(bench, len(b"".join(said[:41])))
+    rig.begin(true_frames)
+    rig.say(*true_frames[1:41])
+    _until_written(bench, len(b"".join(true_frames[:41])))
     rig.unplug()
     assert first.wait() == 1
     rig = bench.rig()
     link(rig, port)
     second = bench.capture(port, bench.run(2))
     assert complete(bench, rig, second, again, again[1:]) == 0
-    info = check(bench, said, 1)
-    assert bench.recorded(1) == b"".join(said[:41]) and info["exit_status"] == "fault"
+    info = check(bench, true_frames, 1)
+    assert bench.recorded(1) == b"".join(true_frames[:41]) and info["exit_status"] == "fault"
     check(bench, again, 2)
     assert bench.recorded(2) == b"".join(again)
     return row(bench, first, second, lost="what was sent while unplugged; how much, nobody said")
@@ -69,24 +69,24 @@ def unplugged(bench: Bench) -> Row:
 
 def stalled(bench: Bench) -> Row:
     """The host stands still for 2 s while a device with a small buffer goes on."""
-    said = frames(20_000)
+    true_frames = frames(20_000)
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    rig.begin(said)
-    rig.say(*said[1:100])
-    _until_written(bench, len(b"".join(said[:100])))
+    rig.begin(true_frames)
+    rig.say(*true_frames[1:100])
+    _until_written(bench, len(b"".join(true_frames[:100])))
     host.process.send_signal(signal.SIGSTOP)
     began_s = time.monotonic()
-    sent, rest = rig.say_what_fits(said[100:-1])
-    dropped = len(said) - 101 - len(sent)
+    sent, rest = rig.say_what_fits(true_frames[100:-1])
+    dropped = len(true_frames) - 101 - len(sent)
     assert dropped > 0  # or the stall was none
     time.sleep(max(0.0, 2.0 - (time.monotonic() - began_s)))
     host.process.send_signal(signal.SIGCONT)
-    rig.say(rest, said[-1])
+    rig.say(rest, true_frames[-1])
     rig.hear(Kind.ACK)
     assert host.wait() == 0
-    info = check(bench, said)
-    assert bench.recorded() == b"".join([*said[:100], *sent, said[-1]])
+    info = check(bench, true_frames)
+    assert bench.recorded() == b"".join([*true_frames[:100], *sent, true_frames[-1]])
     assert info["frames"]["lost"] == dropped and info["frames"]["bad"] == 0
     reported = f"{info['exit_status']}; lost: as many frames as the device dropped"
     return Row("all that the line's buffer held", reported, "what the device dropped, counted and located")
@@ -94,13 +94,13 @@ def stalled(bench: Bench) -> Row:
 
 def second_capture(bench: Bench) -> Row:
     """Another capture is started on the port in use: it is refused, the first goes on."""
-    said = frames()
+    true_frames = frames()
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    rig.begin(said)
-    rig.say(*said[1:31])
+    rig.begin(true_frames)
+    rig.say(*true_frames[1:31])
     second = bench.capture(rig.name, bench.run(2))
-    rest = b"".join(said[31:])
+    rest = b"".join(true_frames[31:])
     while second.process.poll() is None:  # the first goes on: it must not think the rig silent
         rig.say(rest[:1])
         rest = rest[1:]
@@ -109,57 +109,57 @@ def second_capture(bench: Bench) -> Row:
     rig.say(rest)
     rig.hear(Kind.ACK)
     assert host.wait() == 0
-    check(bench, said)
-    assert bench.recorded() == b"".join(said)
+    check(bench, true_frames)
+    assert bench.recorded() == b"".join(true_frames)
     return row(bench, host, second)
 
 
 def disk_full(bench: Bench) -> Row:
     """The disk is full in the middle of the run."""
-    said = frames()
-    size = len(b"".join(said[:41])) + 7
+    true_frames = frames()
+    size = len(b"".join(true_frames[:41])) + 7
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run(), limit=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
-    rig.begin(said)
-    rig.say(*said[1:])
+    rig.begin(true_frames)
+    rig.say(*true_frames[1:])
     assert host.wait() == 2 and "Traceback" not in host.said
-    assert bench.recorded() == b"".join(said)[:size] and not (bench.run() / "capture.json").exists()
+    assert bench.recorded() == b"".join(true_frames)[:size] and not (bench.run() / "capture.json").exists()
     recovery = bench.capture("--recover", bench.run())
     assert recovery.wait() == 0
-    info = check(bench, said)
+    info = check(bench, true_frames)
     assert info["exit_status"] == "recovered" and info["frames"]["tail_bytes"] == 7
     return row(bench, host, recovery, lost="what came after the disk was full; the END, so its number too, among it")
 
 
 def disk_full_at_the_end(bench: Bench) -> Row:
     """The disk is full when capture.json is to be written."""
-    said = frames(12)
-    size = len(b"".join(said))
+    true_frames = frames(12)
+    size = len(b"".join(true_frames))
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run(), limit=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
-    assert complete(bench, rig, host, said, said[1:]) == 2 and "Traceback" not in host.said
-    assert bench.recorded() == b"".join(said) and not (bench.run() / "capture.json").exists()
+    assert complete(bench, rig, host, true_frames, true_frames[1:]) == 2 and "Traceback" not in host.said
+    assert bench.recorded() == b"".join(true_frames) and not (bench.run() / "capture.json").exists()
     recovery = bench.capture("--recover", bench.run())
     assert recovery.wait() == 0
-    check(bench, said)
+    check(bench, true_frames)
     return row(bench, host, recovery)
 
 
 def killed_after_ack(bench: Bench) -> Row:
     """The program is killed when it has acknowledged the END and not yet written capture.json."""
-    said = frames()
+    true_frames = frames()
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    rig.begin(said)
-    rig.say(*said[1:])
+    rig.begin(true_frames)
+    rig.say(*true_frames[1:])
     rig.hear(Kind.ACK)
     host.process.kill()
     host.wait()
     (bench.run() / "capture.json").unlink(missing_ok=True)  # if it was as quick as that
     recovery = bench.capture("--recover", bench.run())
     assert recovery.wait() == 0
-    info = check(bench, said)
-    assert info["exit_status"] == "complete" and info["recovered"] and bench.recorded() == b"".join(said)
+    info = check(bench, true_frames)
+    assert info["exit_status"] == "complete" and info["recovered"] and bench.recorded() == b"".join(true_frames)
     return row(bench, recovery)
 
 
@@ -175,12 +175,12 @@ def into_the_parent(bench: Bench) -> Row:
 
 def bare_system(bench: Bench) -> Row:
     """The system has no fcntl, no termios, no pseudo-terminals of its own, no fdatasync."""
-    said = frames()
+    true_frames = frames()
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run(), bare=True)
-    assert complete(bench, rig, host, said, said[1:]) == 0
-    check(bench, said)
-    assert bench.recorded() == b"".join(said)
+    assert complete(bench, rig, host, true_frames, true_frames[1:]) == 0
+    check(bench, true_frames)
+    assert bench.recorded() == b"".join(true_frames)
     return row(bench, host)
 
 
@@ -196,13 +196,13 @@ def port_forbidden(bench: Bench) -> Row:
 def folder_forbidden(bench: Bench) -> Row:
     """The folder may not be written."""
     rig = bench.rig()
-    said = frames()
+    true_frames = frames()
     os.chmod(rig.name, 0o666)
     bench.run().parent.mkdir()
     bench.run().parent.chmod(0o555)
     host = bench.capture(rig.name, bench.run(), nobody=True)
     rig.hear(Kind.GREET)
-    rig.say(said[0])
+    rig.say(true_frames[0])
     assert host.wait() == 2 and "Traceback" not in host.said
     bench.run().parent.chmod(0o755)
     return refused(bench, host, arrived="a HELLO; the device was not started")
@@ -215,16 +215,16 @@ def truncated(bench: Bench) -> Row:
 
 def tampered(bench: Bench) -> Row:
     """A sample of a finished recording is replaced by another good frame."""
-    said = frames()
-    return _spoiled(bench, lambda data: data.replace(said[20], said[21]))
+    true_frames = frames()
+    return _spoiled(bench, lambda data: data.replace(true_frames[20], true_frames[21]))
 
 
 def _spoiled(bench: Bench, spoil) -> Row:
-    said = frames()
+    true_frames = frames()
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    assert complete(bench, rig, host, said, said[1:]) == 0
-    check(bench, said)
+    assert complete(bench, rig, host, true_frames, true_frames[1:]) == 0
+    check(bench, true_frames)
     path = bench.run() / "recording.frames"
     assert path.stat().st_mode & 0o222 == 0  # nobody does it by mistake
     read_frames(path)
@@ -243,22 +243,22 @@ def _spoiled(bench: Bench, spoil) -> Row:
 def a_day(bench: Bench) -> Row:
     """A day's frames at 10 Hz, as fast as they go; the device's clock wraps 20 times."""
     count = DAY_S * 10
-    said = frames(count, step_us=100_000)
+    true_frames = frames(count, step_us=100_000)
     rig = bench.rig()
     host = bench.capture(rig.name, bench.run())
-    rig.begin(said)
-    body = b"".join(said[1:])
+    rig.begin(true_frames)
+    body = b"".join(true_frames[1:])
     rig.say(body[: len(body) // 8])
     early = _memory_kb(host.process.pid)
-    rig.say(body[len(body) // 8 : -len(said[-1])])
+    rig.say(body[len(body) // 8 : -len(true_frames[-1])])
     late = _memory_kb(host.process.pid)
     assert late - early < 4000, (early, late)
-    rig.say(said[-1])
+    rig.say(true_frames[-1])
     rig.hear(Kind.ACK)
     assert host.wait(120) == 0
-    info = check(bench, said)
+    info = check(bench, true_frames)
     assert (info["samples"]["sent"], info["samples"]["received"]) == (count, count)
-    assert info["frames"]["received"] == count + len(MARKS) + 2 and info["bytes"] == len(said[0]) + len(body)
+    assert info["frames"]["received"] == count + len(MARKS) + 2 and info["bytes"] == len(true_frames[0]) + len(body)
     shutil.rmtree(bench.run())
     return Row(f"{info['frames']['received']} of {info['frames']['sent']} frames", "complete", "nothing")
 

@@ -38,7 +38,7 @@ def frames(
 
     `stamps` has those of some samples in us, instead of what a clock says.
     """
-    said = [encode(Kind.HELLO, 0, hello(nonce, protocol).pack(), protocol)]
+    encoded = [encode(Kind.HELLO, 0, hello(nonce, protocol).pack(), protocol)]
     samples = np.zeros(count, hello().sample_type)
     times_us = first_us + np.arange(count, dtype=np.int64) * step_us
     times_us[list(stamps or {})] = list((stamps or {}).values())
@@ -48,9 +48,9 @@ def frames(
     t_us, payloads, size = samples["t_us"].tolist(), samples.tobytes(), samples.itemsize
     for number in range(count):
         if number in MARKS:
-            said.append(encode(Kind.EVENT, len(said), EVENT.pack(t_us[number], *MARKS[number]), protocol))
-        said.append(encode(Kind.SAMPLE, len(said), payloads[number * size : (number + 1) * size], protocol))
-    return [*said, encode(Kind.END, len(said), END.pack(count, Reason.COMPLETE), protocol)]
+            encoded.append(encode(Kind.EVENT, len(encoded), EVENT.pack(t_us[number], *MARKS[number]), protocol))
+        encoded.append(encode(Kind.SAMPLE, len(encoded), payloads[number * size : (number + 1) * size], protocol))
+    return [*encoded, encode(Kind.END, len(encoded), END.pack(count, Reason.COMPLETE), protocol)]
 
 
 def received(data: bytes, faster: int) -> bytes:
@@ -59,14 +59,14 @@ def received(data: bytes, faster: int) -> bytes:
     for byte in data:
         bits += [0, *((byte >> at) & 1 for at in range(8)), 1]
     wave = [bit for bit in bits for _ in range(faster)]
-    found, at = bytearray(), 0
+    read_bytes, at = bytearray(), 0
     while at + 10 <= len(wave):
         if wave[at]:
             at += 1
             continue
-        found.append(sum(wave[at + 1 + bit] << bit for bit in range(8)))
+        read_bytes.append(sum(wave[at + 1 + bit] << bit for bit in range(8)))
         at += 10
-    return bytes(found)
+    return bytes(read_bytes)
 
 
 class Rig:
@@ -90,26 +90,26 @@ class Rig:
             left_s = until_s - time.monotonic()
             if left_s <= 0 or not select.select([self._ours], [], [], left_s)[0]:
                 raise TimeoutError(f"the host sent no {kind.name}")
-            self._heard += [one.frame for one in self._decoder.feed(os.read(self._ours, 4096))]
+            self._heard += [decoded.frame for decoded in self._decoder.feed(os.read(self._ours, 4096))]
 
     def unheard(self) -> list[Frame]:
         """Frames of the host's that came and were not waited for."""
         while select.select([self._ours], [], [], 0)[0]:
-            self._heard += [one.frame for one in self._decoder.feed(os.read(self._ours, 4096))]
-        found, self._heard = self._heard, []
-        return found
+            self._heard += [decoded.frame for decoded in self._decoder.feed(os.read(self._ours, 4096))]
+        unread, self._heard = self._heard, []
+        return unread
 
-    def say(self, *said: bytes) -> None:
+    def say(self, *chunks: bytes) -> None:
         """Send bytes, waiting for the host to take them."""
-        data = memoryview(b"".join(said))
+        data = memoryview(b"".join(chunks))
         while data:
             data = data[os.write(self._ours, data[:4096]) :]
 
-    def say_what_fits(self, said: list[bytes]) -> tuple[list[bytes], bytes]:
+    def say_what_fits(self, outgoing: list[bytes]) -> tuple[list[bytes], bytes]:
         """Send frames, dropping those that nobody takes: which were sent, and what of the last is still to be."""
         os.set_blocking(self._ours, False)
         sent, waiting = [], b""
-        for frame in said:
+        for frame in outgoing:
             with contextlib.suppress(BlockingIOError):
                 while waiting:  # a frame half of which is out is sent to its end
                     waiting = waiting[os.write(self._ours, waiting) :]
@@ -120,10 +120,10 @@ class Rig:
         os.set_blocking(self._ours, True)
         return sent, waiting
 
-    def begin(self, said: list[bytes]) -> None:
+    def begin(self, outgoing: list[bytes]) -> None:
         """Answer the host's GREET with HELLO, and wait for its START."""
         self.hear(Kind.GREET)
-        self.say(said[0])
+        self.say(outgoing[0])
         self.hear(Kind.START)
 
     def unplug(self) -> None:

@@ -18,7 +18,7 @@ def test_a_fault_does_what_the_table_says(name):
 def test_the_table_has_a_line_for_every_fault_and_no_other():
     text, _ = parts(PAGE.read_text())
     assert text.startswith(HEAD)
-    assert [one.split(" | ")[0].removeprefix("| ") for one in text.removeprefix(HEAD).splitlines()] == list(FAULTS)
+    assert [row.split(" | ")[0].removeprefix("| ") for row in text.removeprefix(HEAD).splitlines()] == list(FAULTS)
 
 
 def test_every_other_fault_names_a_test_that_is_there():

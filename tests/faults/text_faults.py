@@ -15,8 +15,8 @@ COLUMNS = "time_ms,motor_turns,displacement_mm"
 
 def lines(first: int, last: int, form: str = "{t},{turns:.2f},{mm:.1f}") -> bytes:
     """Printed samples from one number to another."""
-    said = [form.format(t=20 * n, turns=0.25 * n, mm=0.1 * n) for n in range(first, last)]
-    return "".join(one + "\r\n" for one in said).encode()
+    printed = [form.format(t=20 * n, turns=0.25 * n, mm=0.1 * n) for n in range(first, last)]
+    return "".join(line + "\r\n" for line in printed).encode()
 
 
 def _begin(bench: Bench, rig: Rig, beginning: bytes) -> Host:
@@ -30,10 +30,10 @@ def _begin(bench: Bench, rig: Rig, beginning: bytes) -> Host:
     return host
 
 
-def _end(bench: Bench, host: Host, said: bytes) -> int:
+def _end(bench: Bench, host: Host, printed: bytes) -> int:
     """Ctrl-C when all is recorded that was said; the exit status."""
     path, until_s = bench.run() / "recording.lines", time.monotonic() + 60
-    while not path.read_bytes().endswith(said):
+    while not path.read_bytes().endswith(printed):
         assert host.process.poll() is None and time.monotonic() < until_s, host.said
         time.sleep(0.02)
     host.process.send_signal(signal.SIGINT)
@@ -41,21 +41,21 @@ def _end(bench: Bench, host: Host, said: bytes) -> int:
 
 
 def _row(bench: Bench, *hosts: Host, arrived: str, lost: str = "nothing") -> Row:
-    said = re.sub(r"\d+ lines of text", "the lines of text", bench.plain(*hosts))
+    reported = re.sub(r"\d+ lines of text", "the lines of text", bench.plain(*hosts))
     if (bench.run() / "capture.json").exists():
         csv = (bench.run() / "recording.csv").read_bytes()
         assert hashlib.sha256(csv).hexdigest() == bench.info()["csv_sha256"]
         assert csv.count(b"\n") == bench.info()["samples"]["received"] + 1
-    return Row(arrived, said, lost)
+    return Row(arrived, reported, lost)
 
 
 def greeting(bench: Bench) -> Row:
     """A greeting before the header, messages between the numbers and a farewell."""
     rig = bench.rig()
     host = _begin(bench, rig, BOOT + HEADER)
-    said = lines(1, 31) + b"stroke 1 is done\r\n" + lines(31, 61) + b"bye, bye\r\n"
-    rig.say(said)
-    assert _end(bench, host, said) == 0
+    printed = lines(1, 31) + b"stroke 1 is done\r\n" + lines(31, 61) + b"bye, bye\r\n"
+    rig.say(printed)
+    assert _end(bench, host, printed) == 0
     assert (bench.info()["samples"]["received"], bench.info()["lines"]["bad"]) == (60, 0)
     return _row(bench, host, arrived="60 lines of numbers, a greeting and messages")
 
@@ -64,9 +64,9 @@ def decimal_commas(bench: Bench) -> Row:
     """Numbers with decimal commas between semicolons."""
     rig = bench.rig()
     host = _begin(bench, rig, HEADER.replace(b",", b";"))
-    said = lines(1, 61, "{t};{turns:.2f};{mm:.1f}").replace(b".", b",")
-    rig.say(said)
-    assert _end(bench, host, said) == 0
+    printed = lines(1, 61, "{t};{turns:.2f};{mm:.1f}").replace(b".", b",")
+    rig.say(printed)
+    assert _end(bench, host, printed) == 0
     assert bench.info()["lines"]["decimal_commas"] == 60
     assert (bench.run() / "recording.csv").read_text().splitlines()[-1] == "1200,15.00,6.0"
     return _row(bench, host, arrived="60 lines of numbers")
@@ -76,8 +76,8 @@ def commas_everywhere(bench: Bench) -> Row:
     """Decimal commas between commas: nobody can tell which is which."""
     rig = bench.rig()
     host = _begin(bench, rig, HEADER)
-    said = b"20,0,25,0,1\r\n" * 60
-    rig.say(said)
+    printed = b"20,0,25,0,1\r\n" * 60
+    rig.say(printed)
     until_s = time.monotonic() + 60
     while "warning: no line is read yet" not in host.said:  # while it records
         assert time.monotonic() < until_s, host.said
@@ -92,9 +92,9 @@ def swapped_columns(bench: Bench) -> Row:
     """After a reset another sketch names the columns in another order."""
     rig = bench.rig()
     host = _begin(bench, rig, HEADER)
-    said = lines(1, 31) + b"displacement_mm,motor_turns,time_ms\r\n" + lines(31, 61, "{mm:.1f},{turns:.2f},{t}")
-    rig.say(said)
-    assert _end(bench, host, said) == 0
+    printed = lines(1, 31) + b"displacement_mm,motor_turns,time_ms\r\n" + lines(31, 61, "{mm:.1f},{turns:.2f},{t}")
+    rig.say(printed)
+    assert _end(bench, host, printed) == 0
     assert (bench.run() / "recording.csv").read_bytes() == (HEADER + lines(1, 61)).replace(b"\r", b"")
     return _row(bench, host, arrived="60 lines of numbers under two headers")
 
@@ -103,9 +103,9 @@ def guessed_wrongly(bench: Bench) -> Row:
     """A banner of as many words as there are columns is taken for their names; --recover --columns names them anew."""
     rig = bench.rig()
     host = _begin(bench, rig, b"Real time rig\r\n")
-    said = lines(1, 61, "{t} {turns:.2f} {mm:.1f}")
-    rig.say(said)
-    assert _end(bench, host, said) == 0 and bench.info()["columns"] == ["Real", "time", "rig"]
+    printed = lines(1, 61, "{t} {turns:.2f} {mm:.1f}")
+    rig.say(printed)
+    assert _end(bench, host, printed) == 0 and bench.info()["columns"] == ["Real", "time", "rig"]
     recovery = bench.capture("--recover", bench.run(), "--columns", COLUMNS)
     assert recovery.wait() == 0 and bench.info()["exit_status"] == "ended"
     assert (bench.run() / "recording.csv").read_bytes() == (HEADER + lines(1, 61)).replace(b"\r", b"")

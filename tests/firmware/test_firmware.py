@@ -33,9 +33,9 @@ def board(tmp_path_factory) -> Path:
 def capture(port: str, folder: Path) -> tuple[int, str, Recording, dict]:
     """Exit status, what was said, what was recorded, and capture.json."""
     program = start("pipeline.capture", port, folder)
-    said, _ = program.communicate(timeout=120)
+    printed, _ = program.communicate(timeout=120)
     recorded = (folder / "recording.frames").read_bytes()
-    return program.returncode, said, read_recording(recorded), json.loads((folder / "capture.json").read_text())
+    return program.returncode, printed, read_recording(recorded), json.loads((folder / "capture.json").read_text())
 
 
 def assert_whole(recording: Recording, info: dict) -> None:
@@ -43,8 +43,8 @@ def assert_whole(recording: Recording, info: dict) -> None:
     assert info["exit_status"] == "complete"
     assert info["frames"]["lost"] == info["frames"]["bad"] == 0 and info["frames"]["tail_bytes"] == 0
     assert info["samples"]["sent"] == info["samples"]["received"] == len(recording.time_s)
-    told = [(event.code, event.value) for event in recording.events]
-    assert told == [(code, number) for number in (1, 2) for code in (Event.STROKE_START, Event.STROKE_END)]
+    events = [(event.code, event.value) for event in recording.events]
+    assert events == [(code, number) for number in (1, 2) for code in (Event.STROKE_START, Event.STROKE_END)]
     turns, measured_mm = recording.channels["motor_turns"], recording.channels["displacement_mm"]
     assert (turns.min(), turns.max()) == (0.0, TOP_TURNS)
     expected_mm = LENGTH_MM - np.sqrt(LENGTH_MM**2 - (2 * np.pi * turns * RADIUS_MM) ** 2)
@@ -55,8 +55,8 @@ def assert_whole(recording: Recording, info: dict) -> None:
 
 def test_it_compiles_for_the_uno_without_a_warning_and_fits(tmp_path):
     elf = for_the_uno(tmp_path / "rig.elf")
-    said = subprocess.run(["avr-size", "-A", str(elf)], capture_output=True, text=True, check=True).stdout
-    sizes = {name: int(size) for name, size in re.findall(r"^\.(\w+)\s+(\d+)", said, re.M)}
+    listing = subprocess.run(["avr-size", "-A", str(elf)], capture_output=True, text=True, check=True).stdout
+    sizes = {name: int(size) for name, size in re.findall(r"^\.(\w+)\s+(\d+)", listing, re.M)}
     flash, ram = sizes["text"] + sizes["data"], sizes["data"] + sizes["bss"]
     assert 0 < flash <= FLASH_BYTES and 0 < ram <= RAM_BYTES, f"{flash} bytes of flash, {ram} of RAM"
 
@@ -66,26 +66,26 @@ def test_on_the_simulated_uno_it_is_recorded_without_a_loss_and_cut_into_strokes
     elf, uno = for_the_uno(tmp_path / "rig.elf", *SMALL), simulator(tmp_path / "uno")
     folder, processed = tmp_path / "raw" / "uno-1", tmp_path / "processed"
     with running(uno, elf, PACE=2) as port:
-        status, said, recording, info = capture(port, folder)
-    assert status == 0, said
+        status, printed, recording, info = capture(port, folder)
+    assert status == 0, printed
     assert_whole(recording, info)
     assert info["hello"]["nonce"] == "00000001"  # counted in the EEPROM
     string = {"material": "UHMWPE", "radius_mm": RADIUS_MM, "length_mm": LENGTH_MM, "stiffness_n_per_mm": 30}
     (folder / "run.yaml").write_text(yaml.safe_dump({"run": "uno-1", "actuator": "twisted_pair", "string": string}))
     samples, strokes = processed / "samples.parquet", processed / "strokes.parquet"
     program = start("pipeline.stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
-    said, _ = program.communicate(timeout=120)
-    assert program.returncode == 0, said
-    found = schemas.read(strokes, schemas.STROKES)
-    assert found.loc[found["phase"] == "winding", "stroke"].tolist() == [1, 2]
-    assert found.loc[found["phase"] == "unwinding", "stroke"].tolist() == [1, 2]
+    printed, _ = program.communicate(timeout=120)
+    assert program.returncode == 0, printed
+    stroke_table = schemas.read(strokes, schemas.STROKES)
+    assert stroke_table.loc[stroke_table["phase"] == "winding", "stroke"].tolist() == [1, 2]
+    assert stroke_table.loc[stroke_table["phase"] == "unwinding", "stroke"].tolist() == [1, 2]
 
 
 def test_a_reset_of_the_simulated_uno_is_told_by_its_second_hello(tmp_path):
     elf, uno = for_the_uno(tmp_path / "rig.elf", *SMALL), simulator(tmp_path / "uno")
     with running(uno, elf, PACE=2, RESET_AFTER_STEPS=1000) as port:
-        status, said, recording, info = capture(port, tmp_path / "uno-1")
-    assert status == 1 and "the device was reset" in said
+        status, printed, recording, info = capture(port, tmp_path / "uno-1")
+    assert status == 1 and "the device was reset" in printed
     assert info["hello"]["nonce"] == "00000001" and info["frames"]["resets"] == 1
     assert len(recording.time_s) > 500 and info["frames"]["lost"] == 0
 
@@ -93,8 +93,8 @@ def test_a_reset_of_the_simulated_uno_is_told_by_its_second_hello(tmp_path):
 def test_the_protocols_code_is_recorded_without_a_loss_here_too(board, tmp_path):
     first_us = 2**32 - 3_000_000  # so that its clock wraps
     with running(board, PACE=8, FIRST_US=first_us) as port:
-        status, said, recording, info = capture(port, tmp_path / "pc-1")
-    assert status == 0, said
+        status, printed, recording, info = capture(port, tmp_path / "pc-1")
+    assert status == 0, printed
     assert_whole(recording, info)
     assert [channel["name"] for channel in info["hello"]["channels"]] == ["motor_turns", "displacement_mm", "load_n"]
 
@@ -105,7 +105,7 @@ def test_its_frames_are_those_of_our_encoder(board, tmp_path):
     data = (tmp_path / "pc-1" / "recording.frames").read_bytes()
     heard = Decoder().feed(data)
     assert len(heard[0].raw) > 255  # so that stuffing goes over a full group
-    assert b"".join(encode(one.frame.kind, one.frame.seq, one.frame.payload) for one in heard) == data
+    assert b"".join(encode(decoded.frame.kind, decoded.frame.seq, decoded.frame.payload) for decoded in heard) == data
 
 
 @pytest.mark.parametrize(
@@ -113,8 +113,8 @@ def test_its_frames_are_those_of_our_encoder(board, tmp_path):
 )
 def test_what_it_cannot_trust_ends_the_run_as_a_fault(board, tmp_path, setting, value):
     with running(board, PACE=8, **setting) as port:
-        status, said, recording, info = capture(port, tmp_path / "pc-1")
-    assert status == 1 and "reported a fault" in said
+        status, printed, recording, info = capture(port, tmp_path / "pc-1")
+    assert status == 1 and "reported a fault" in printed
     assert info["exit_status"] == "fault" and recording.account.end.reason == Reason.FAULT
     assert (recording.events[-1].code, recording.events[-1].value) == (Event.FAULT, value)
 
@@ -122,8 +122,8 @@ def test_what_it_cannot_trust_ends_the_run_as_a_fault(board, tmp_path, setting, 
 @pytest.mark.parametrize(("setting", "lost"), [("NO_ROOM_AT", 1), ("MISSED_AT", 3)])
 def test_what_it_cannot_send_is_counted_and_located(board, tmp_path, setting, lost):
     with running(board, PACE=8, **{setting: 900}) as port:
-        status, said, recording, info = capture(port, tmp_path / "pc-1")
-    assert status == 0 and info["exit_status"] == "complete", said
+        status, printed, recording, info = capture(port, tmp_path / "pc-1")
+    assert status == 0 and info["exit_status"] == "complete", printed
     assert info["frames"]["lost"] == lost == info["samples"]["sent"] - len(recording.time_s)
     (gap,) = info["gaps"]
     assert gap["frames"] == lost and gap["strokes"] == [1]
@@ -138,13 +138,13 @@ def test_a_run_that_is_stopped_ends_in_good_order_and_the_next_one_winds_back_fi
             assert program.poll() is None and time.monotonic() < until_s
             time.sleep(0.02)
         program.send_signal(signal.SIGINT)
-        said, _ = program.communicate(timeout=30)
+        printed, _ = program.communicate(timeout=30)
         info = json.loads((folder / "capture.json").read_text())
-        assert program.returncode == 0 and info["exit_status"] == "aborted" and info["frames"]["lost"] == 0, said
+        assert program.returncode == 0 and info["exit_status"] == "aborted" and info["frames"]["lost"] == 0, printed
         stopped_at = read_recording((folder / "recording.frames").read_bytes()).channels["motor_turns"][-1]
         assert stopped_at > 0.5
-        status, said, recording, info = capture(port, tmp_path / "pc-2")
-    assert status == 0, said
+        status, printed, recording, info = capture(port, tmp_path / "pc-2")
+    assert status == 0, printed
     assert info["frames"]["lost"] == 0 and recording.channels["motor_turns"][0] == pytest.approx(stopped_at, abs=0.2)
     assert [event.value for event in recording.events] == [1, 1, 2, 2]
     first = int(np.searchsorted(recording.time_s, recording.events[0].time_s))
@@ -165,11 +165,11 @@ class Talk:
 
     def hear(self, within_s: float) -> list[bytes]:
         """Frames that come within a time."""
-        found, until_s = [], time.monotonic() + within_s
+        raw_frames, until_s = [], time.monotonic() + within_s
         while (left_s := until_s - time.monotonic()) > 0:
             if select.select([self.end], [], [], left_s)[0]:
-                found += [one.raw for one in self.decoder.feed(os.read(self.end, 4096))]
-        return found
+                raw_frames += [decoded.raw for decoded in self.decoder.feed(os.read(self.end, 4096))]
+        return raw_frames
 
     def until(self, kind: int, within_s: float = 120.0) -> list[Frame]:
         """Frames up to the first of a kind; a simulated board may be far slower than life."""
@@ -178,15 +178,15 @@ class Talk:
             while self.came:
                 self.passed.append(self.came.pop(0))
                 if self.passed[-1].kind == kind:
-                    found, self.passed = self.passed, []
-                    return found
+                    passed, self.passed = self.passed, []
+                    return passed
             if select.select([self.end], [], [], 0.1)[0]:
-                self.came += [one.frame for one in self.decoder.feed(os.read(self.end, 4096))]
+                self.came += [decoded.frame for decoded in self.decoder.feed(os.read(self.end, 4096))]
         raise AssertionError(f"no frame of kind {kind:#x} came")
 
 
 def kinds(frames: list[bytes]) -> list[int]:
-    return [one.frame.kind for one in Decoder().feed(b"".join(frames))]
+    return [decoded.frame.kind for decoded in Decoder().feed(b"".join(frames))]
 
 
 def test_it_obeys_good_frames_only_and_says_end_until_it_is_acknowledged(board):
@@ -204,7 +204,7 @@ def test_it_obeys_good_frames_only_and_says_end_until_it_is_acknowledged(board):
         recorded += host.hear(1.0)
         heard = [frame for frame in recorded if kinds([frame]) == [Kind.END]]
         assert len(heard) >= 3 and len(set(heard)) == 1
-        (end,) = [one.frame for one in Decoder().feed(heard[0])]
+        (end,) = [decoded.frame for decoded in Decoder().feed(heard[0])]
         assert END.unpack(end.payload) == (kinds(recorded).count(Kind.SAMPLE), Reason.STOPPED)
         host.say(encode(Kind.ACK, end.seq + 1))
         assert set(kinds(host.hear(0.5))) == {Kind.END}

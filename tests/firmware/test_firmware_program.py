@@ -114,8 +114,8 @@ def test_it_follows_a_program_leg_by_leg(board, tmp_path):
     np.testing.assert_allclose(at, [leg.turns for leg in GOOD], atol=0.02)
     way = np.interp([4.5, 6.5], recording.time_s, recording.channels["motor_turns"])  # of 3 turns in 4 s, with ramps
     assert way[0] - way[1] == pytest.approx(2 * cruise(3.0, 4.0, 16.0), abs=0.01)
-    told = [(event.code, event.value) for event in recording.events]
-    assert told == [(code, number) for number in (1, 2) for code in (Event.STROKE_START, Event.STROKE_END)]
+    events = [(event.code, event.value) for event in recording.events]
+    assert events == [(code, number) for number in (1, 2) for code in (Event.STROKE_START, Event.STROKE_END)]
 
 
 def test_it_stops_when_the_host_goes_silent_and_says_where(board):
@@ -123,7 +123,9 @@ def test_it_stops_when_the_host_goes_silent_and_says_where(board):
         begun(host, [Leg(10.0, 5.0)])
         for _ in range(8):
             host.say(encode(Kind.BEAT, 2))
-            assert not [one for one in Decoder().feed(b"".join(host.hear(0.25))) if one.frame.kind == Kind.END]
+            assert not [
+                decoded for decoded in Decoder().feed(b"".join(host.hear(0.25))) if decoded.frame.kind == Kind.END
+            ]
         assert 0.1 < ended(host, Reason.SILENCE) < 2.5
 
 
@@ -144,8 +146,8 @@ def test_stop_stops_it_at_once_and_the_next_program_begins_where_it_stands(board
 def test_a_stall_stops_a_program_as_a_fault(board):
     with talk(board, STALL_TURNS=1.0) as host:
         begun(host, [Leg(2.0, 4.0), Leg(2.0, 0.0)])
-        told = [EVENT.unpack(one.payload)[1:] for one in host.until(Kind.END) if one.kind == Kind.EVENT]
-        assert told == [(Event.STROKE_START, 1), (Event.FAULT, 1)]
+        events = [EVENT.unpack(decoded.payload)[1:] for decoded in host.until(Kind.END) if decoded.kind == Kind.EVENT]
+        assert events == [(Event.STROKE_START, 1), (Event.FAULT, 1)]
         host.say(encode(Kind.GREET, 0))
         assert 1.2 < Hello.unpack(host.until(Kind.HELLO)[-1].payload).program.at_turns < 1.6
 

@@ -269,8 +269,8 @@ def test_every_field_that_a_person_left_empty_is_named_at_once(tmp_path):
     named = done.stderr.partition("map.yaml: ")[2].partition(": are empty")[0].split(", ")
     assert len(named) == text.count("fill in:"), done.stderr
     (tmp_path / "map.yaml").write_text(re.sub(r"^( *material):  # fill in.*$", r"\1: nylon", text, flags=re.M))
-    left = program("log.csv", "--map", "map.yaml", "--run", "a-1", cwd=tmp_path).stderr
-    assert "string.material" not in left and ", ".join(fields[1:]) in left
+    message = program("log.csv", "--map", "map.yaml", "--run", "a-1", cwd=tmp_path).stderr
+    assert "string.material" not in message and ", ".join(fields[1:]) in message
 
 
 def test_a_guessed_actuator_is_marked_and_a_load_of_nobody_is_to_be_filled_in(tmp_path):
@@ -350,8 +350,8 @@ def test_damaged_rows_are_named_by_their_lines_and_what_the_import_does_about_th
     lines[300], lines[400] = "75,0#;;7Ã9,;", "1,0;2"
     (tmp_path / "log.csv").write_text("\n".join(lines) + "\n")
     done = program("--guess", "log.csv", cwd=tmp_path)
-    said = "2 damaged lines, which the import leaves out: line 301, '75,0#;;7Ã9,;'; line 401, '1,0;2'\n"
-    assert done.returncode == 0 and said in done.stderr, done.stderr
+    message = "2 damaged lines, which the import leaves out: line 301, '75,0#;;7Ã9,;'; line 401, '1,0;2'\n"
+    assert done.returncode == 0 and message in done.stderr, done.stderr
     for row in range(500, 540):
         lines[row] = "1,0;off;2,0;0"
     (tmp_path / "log.csv").write_text("\n".join(lines) + "\n")

@@ -54,9 +54,9 @@ def test_a_force_in_the_unit_of_a_row_below_the_names_is_no_newton_without_a_wor
     log(tmp_path / "log.csv", "force", unit, row=True)
     file, channels = ["--file", "{skip_below: 1}"], ["--channels", "{load_n: force}"]
     done = new_run(tmp_path, *file, *channels)
-    said = {"lb": "lbf", "oz": "ozf"}.get(unit, unit)
+    named_unit = {"lb": "lbf", "oz": "ozf"}.get(unit, unit)
     assert done.returncode == 2 and not (tmp_path / "raw").exists()
-    assert f"channels.load_n.unit: is missing: the row of units below force says {said}, and" in done.stderr
+    assert f"channels.load_n.unit: is missing: the row of units below force says {named_unit}, and" in done.stderr
     done = new_run(tmp_path, *file, *option(done.stderr))
     assert done.returncode == 0 and load_n(tmp_path) == pytest.approx(20.0, rel=1e-3), done.stderr
 

@@ -48,31 +48,31 @@ def refused(done, folder, says):
 
 def struct_of(file, value):
     """A MATLAB 7.3 file as MATLAB writes it: a struct is a group, a list of structs one of references."""
-    with h5py.File(file, "w", userblock_size=512) as made:
-        references = made.create_group("#refs#")
+    with h5py.File(file, "w", userblock_size=512) as hdf5_file:
+        references = hdf5_file.create_group("#refs#")
 
-        def put(group, name, held):
-            if isinstance(held, dict):
+        def put(group, name, entry):
+            if isinstance(entry, dict):
                 inside = group.create_group(name)
                 inside.attrs["MATLAB_class"] = np.bytes_("struct")
-                for key, part in held.items():
+                for key, part in entry.items():
                     put(inside, key, part)
-            elif isinstance(held, list):
+            elif isinstance(entry, list):
                 inside = group.create_group(name)
-                for key in held[0]:
+                for key in entry[0]:
                     made_of = []
-                    for index, one in enumerate(held):
-                        put(references, f"{name}{key}{index}", one[key])
+                    for index, struct in enumerate(entry):
+                        put(references, f"{name}{key}{index}", struct[key])
                         made_of.append(references[f"{name}{key}{index}"].ref)
                     inside.create_dataset(key, data=np.array([made_of], dtype=h5py.ref_dtype))
-            elif isinstance(held, str):
-                codes = np.frombuffer(held.encode("utf-16-le"), np.uint16)
+            elif isinstance(entry, str):
+                codes = np.frombuffer(entry.encode("utf-16-le"), np.uint16)
                 group.create_dataset(name, data=codes[:, None]).attrs["MATLAB_class"] = np.bytes_("char")
             else:
-                group.create_dataset(name, data=np.atleast_2d(held))
+                group.create_dataset(name, data=np.atleast_2d(entry))
 
-        for name, held in value.items():
-            put(made, name, held)
+        for name, field in value.items():
+            put(hdf5_file, name, field)
     with open(file, "r+b") as opened:
         opened.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(124) + b"\x00\x02IM")
 

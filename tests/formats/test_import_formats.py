@@ -145,8 +145,8 @@ def test_the_surgical_tool_imports_through_its_committed_mapping(tmp_path):
         raw = pd.read_csv(file, header=None, comment="%", encoding="latin1")
         assert samples["jaw_deg"].to_numpy() == pytest.approx(raw[4].to_numpy() * 0.09)
         assert np.median(np.diff(samples["time_s"])) == pytest.approx(1e-3)
-        motor, one, torque = samples["motor_deg"], np.ones(len(samples)), samples["torque_nm"]
-        gear, _, compliance = np.linalg.lstsq(np.column_stack([motor, one, torque]), samples["jaw_deg"], rcond=None)[0]
+        motor, ones, torque = samples["motor_deg"], np.ones(len(samples)), samples["torque_nm"]
+        gear, _, compliance = np.linalg.lstsq(np.column_stack([motor, ones, torque]), samples["jaw_deg"], rcond=None)[0]
         assert 0.8 < gear < 1.0, "winding raises the motor angle, and with it the jaw"
         assert compliance < 0, "what resists holds the jaw back"
 

@@ -23,9 +23,9 @@ SHORT = {name: values[:: len(values) // 200] for name, values in SERIES.items()}
 
 
 def hdf5(file):
-    with h5py.File(file, "w") as made:
+    with h5py.File(file, "w") as hdf5_file:
         for name, values in SHORT.items():
-            made.create_dataset(f"data/{name}", data=values)
+            hdf5_file.create_dataset(f"data/{name}", data=values)
 
 
 MAKERS = {

@@ -15,35 +15,39 @@ NOTES = {"operator": "somebody", "gain": 3.0, "limits": np.arange(5.0)}
 @pytest.mark.parametrize("kind", ["vectors", "struct", "struct in a struct", "second of two structs"])
 def test_structs_of_both_versions_of_matlab_are_read_by_the_names_of_their_fields(tmp_path, version, kind):
     short = {name: values[:40] for name, values in SERIES.items()}
-    held = {
+    variables = {
         "vectors": SERIES,
         "struct": {"data": {**SERIES, **NOTES}},
         "struct in a struct": {"rig": {"log": SERIES, "note": NOTES}},
         "second of two structs": {"data": [short, SERIES]},
     }[kind]
-    save = (lambda file: scipy.io.savemat(file, held)) if version == "5" else (lambda file: struct_of(file, held))
+    save = (
+        (lambda file: scipy.io.savemat(file, variables))
+        if version == "5"
+        else (lambda file: struct_of(file, variables))
+    )
     save(tmp_path / "log.mat")
     channels = CHANNELS
     if kind == "second of two structs":
-        channels = {name: {**one, "column": f"data[1].{one['column']}"} for name, one in CHANNELS.items()}
+        channels = {name: {**channel, "column": f"data[1].{channel['column']}"} for name, channel in CHANNELS.items()}
     read_back(*imported(tmp_path / "log.mat", channels))
 
 
 def test_a_matrix_gives_its_columns_by_index(tmp_path):
     matrix = np.column_stack(list(SERIES.values()))
     scipy.io.savemat(tmp_path / "log.mat", {"data": matrix})
-    channels = {name: {**one, "column": f"data[{i}]"} for i, (name, one) in enumerate(CHANNELS.items())}
+    channels = {name: {**channel, "column": f"data[{i}]"} for i, (name, channel) in enumerate(CHANNELS.items())}
     read_back(*imported(tmp_path / "log.mat", channels))
 
 
 def test_plain_hdf5_is_read_with_its_groups(tmp_path):
     import h5py
 
-    with h5py.File(tmp_path / "log.h5", "w") as made:
+    with h5py.File(tmp_path / "log.h5", "w") as hdf5_file:
         for name, values in SERIES.items():
-            made.create_dataset(f"run/1/{name}", data=values, compression="gzip")
-        made["elsewhere"] = h5py.ExternalLink("secret.h5", "/x")
-        made["again"] = h5py.SoftLink("/run")
+            hdf5_file.create_dataset(f"run/1/{name}", data=values, compression="gzip")
+        hdf5_file["elsewhere"] = h5py.ExternalLink("secret.h5", "/x")
+        hdf5_file["again"] = h5py.SoftLink("/run")
     read_back(*imported(tmp_path / "log.h5"))
 
 
@@ -84,17 +88,17 @@ def bomb(file):
     """An HDF5 file that says that it holds much and holds nothing."""
     import h5py
 
-    with h5py.File(file, "w") as made:
-        made.create_dataset("time_cont", shape=(10**10,), dtype="f8", chunks=(10**6,))
+    with h5py.File(file, "w") as hdf5_file:
+        hdf5_file.create_dataset("time_cont", shape=(10**10,), dtype="f8", chunks=(10**6,))
 
 
 def broken_reference(file):
     import h5py
 
-    with h5py.File(file, "w") as made:
-        held = made.create_dataset("data", shape=(3,), dtype=h5py.ref_dtype)
-        made.create_dataset("time_cont", data=np.arange(9.0))
-        assert not held[0]
+    with h5py.File(file, "w") as hdf5_file:
+        references = hdf5_file.create_dataset("data", shape=(3,), dtype=h5py.ref_dtype)
+        hdf5_file.create_dataset("time_cont", data=np.arange(9.0))
+        assert not references[0]
 
 
 def cut(file):
@@ -107,15 +111,15 @@ def table_object(file):
     import h5py
 
     struct_of(file, {"unused": {"a": "b"}})
-    with h5py.File(file, "a") as made:
-        made.create_group("#subsystem#")
-        made.create_dataset("T", data=np.arange(6, dtype=np.uint32)).attrs["MATLAB_object_decode"] = 3
+    with h5py.File(file, "a") as hdf5_file:
+        hdf5_file.create_group("#subsystem#")
+        hdf5_file.create_dataset("T", data=np.arange(6, dtype=np.uint32)).attrs["MATLAB_object_decode"] = 3
 
 
 def huge(file):
-    with open(file, "wb") as made:
-        made.truncate(200_000_001)
-        made.write(b'[{"a": 1}')
+    with open(file, "wb") as json_file:
+        json_file.truncate(200_000_001)
+        json_file.write(b'[{"a": 1}')
 
 
 @pytest.mark.parametrize(

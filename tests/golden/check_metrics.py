@@ -55,23 +55,25 @@ def why_never(reports: Path) -> str:
 
 def complaints(reports: Path) -> list[str]:
     """What is wrong with the tables of material `synthetic`, a sentence each."""
-    found, relative = [], []
+    faults, relative = [], []
     for number in (1, 2):
         name = f"table_{number}.csv"
         published, now = read(PUBLISHED / name), read(reports / "synthetic" / name)
         if published.keys() != now.keys():
-            found.append(f"{name}: its rows are not the published ones")
+            faults.append(f"{name}: its rows are not the published ones")
             continue
         for (model, stroke), expected in published.items():
             for column, (then, value) in enumerate(zip(expected, now[model, stroke], strict=True)):
                 trained = TRAINED_MAXIMUM if column == 1 else TRAINED
                 band = EXACT if model in ("Traditional model", "Calibrated model") else trained
                 if abs(value - then) > band * then + 0.0006:
-                    found.append(f"{name}: {model}, {stroke}, {paper.METRICS[column]}: {value} was {then} ± {band:.1%}")
+                    faults.append(
+                        f"{name}: {model}, {stroke}, {paper.METRICS[column]}: {value} was {then} ± {band:.1%}"
+                    )
         for stroke in paper.STROKES:
             for theirs, ours in zip(paper.TABLES[number]["inn"][stroke], now["INN model", f"n={stroke}"], strict=True):
                 if ours >= theirs:
-                    found.append(f"{name}: INN model, n={stroke}: {ours} is not below the paper's {theirs}")
+                    faults.append(f"{name}: INN model, n={stroke}: {ours} is not below the paper's {theirs}")
             traditional = zip(
                 paper.TABLES[number]["traditional"][stroke], now["Traditional model", f"n={stroke}"], strict=True
             )
@@ -79,8 +81,8 @@ def complaints(reports: Path) -> list[str]:
     rms = (sum(value**2 for value in relative) / max(len(relative), 1)) ** 0.5
     if rms > PAPER_RMS or max(map(abs, relative), default=1.0) > PAPER_WORST:
         worst = max(map(abs, relative), default=1.0)
-        found.append(f"Traditional model: {rms:.1%} rms and {worst:.1%} worst from the paper's 18 numbers")
-    return found
+        faults.append(f"Traditional model: {rms:.1%} rms and {worst:.1%} worst from the paper's 18 numbers")
+    return faults
 
 
 def misdiagnosis(reports: Path) -> list[str]:
@@ -96,26 +98,26 @@ def misdiagnosis(reports: Path) -> list[str]:
         return [f"diagnosis: {path} is not there: {MAKES} makes it"]
     content = json.loads(path.read_text(encoding="utf-8"))
     named, fit = {entry["id"] for entry in content["mechanisms"]}, content["fit"]
-    held = [named, *map(set, content["alternatives"])] if content["verdict"] == "ambiguous" else [named]
-    found = []
-    if all(one - EFFECTS for one in held):
-        found += [f"diagnosis: the rig has no {name}" for name in sorted(named - EFFECTS)]
-    if len(held) > FEW:
-        found.append(f"diagnosis: {len(held)} explanations are held, more than {FEW}")
+    explanations = [named, *map(set, content["alternatives"])] if content["verdict"] == "ambiguous" else [named]
+    faults = []
+    if all(explanation - EFFECTS for explanation in explanations):
+        faults += [f"diagnosis: the rig has no {name}" for name in sorted(named - EFFECTS)]
+    if len(explanations) > FEW:
+        faults.append(f"diagnosis: {len(explanations)} explanations are held, more than {FEW}")
     if not named:
-        found.append(f"diagnosis: {content['verdict']}, although the rig has effects")
+        faults.append(f"diagnosis: {content['verdict']}, although the rig has effects")
     if fit["heldout"]["explained_mm"] > LEAVES * fit["noise_floor_mm"]:
-        left, floor = fit["heldout"]["explained_mm"], fit["noise_floor_mm"]
-        found.append(f"diagnosis: it leaves {left} mm of unseen strokes, whose noise is {floor} mm")
-    return found
+        leftover_mm, floor = fit["heldout"]["explained_mm"], fit["noise_floor_mm"]
+        faults.append(f"diagnosis: it leaves {leftover_mm} mm of unseen strokes, whose noise is {floor} mm")
+    return faults
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("reports", type=Path, help="the folder that the main job made")
-    given = parser.parse_args().reports
-    never = why_never(given)
-    wrong = [never] if never else complaints(given) + misdiagnosis(given)
+    reports_folder = parser.parse_args().reports
+    never = why_never(reports_folder)
+    wrong = [never] if never else complaints(reports_folder) + misdiagnosis(reports_folder)
     print(
         "\n".join(wrong)
         or "the tables are the published ones, within their bands, and the diagnosis names only what the rig has"

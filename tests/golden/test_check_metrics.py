@@ -70,14 +70,14 @@ def test_a_missing_row_is_named(reports):
 )
 def test_a_wrong_diagnosis_is_named(tmp_path, sets, explained_mm, says):
     fit = {"noise_floor_mm": 0.03, "heldout": {"explained_mm": explained_mm}}
-    first, *others = [one.split() for one in sets]
+    first, *others = [effect_names.split() for effect_names in sets]
     verdict = "ambiguous" if others else "explained"
     content = {"verdict": verdict, "mechanisms": [{"id": name} for name in first], "alternatives": others, "fit": fit}
     path = tmp_path / "diagnosis" / "synthetic-01" / "diagnosis.json"
     path.parent.mkdir(parents=True)
     path.write_text(json.dumps(content), encoding="utf-8")
-    found = misdiagnosis(tmp_path)
-    assert says in "\n".join(found) and len(found) == bool(says)
+    faults = misdiagnosis(tmp_path)
+    assert says in "\n".join(faults) and len(faults) == bool(says)
 
 
 def asked_of(reports: Path) -> tuple[int, str]:

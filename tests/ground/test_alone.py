@@ -16,9 +16,9 @@ def told(item: int, more: int) -> tuple[int, int]:
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_each_item_has_a_process_of_its_own_and_the_results_keep_their_order(jobs):
-    found = list(each_alone(told, [3, 1, 2], 10, jobs=jobs))
-    assert [value for _, value in found] == [13, 11, 12]
-    assert len({process for process, _ in found} | {os.getpid()}) == 4
+    answers = list(each_alone(told, [3, 1, 2], 10, jobs=jobs))
+    assert [value for _, value in answers] == [13, 11, 12]
+    assert len({process for process, _ in answers} | {os.getpid()}) == 4
 
 
 def test_one_item_costs_no_process():

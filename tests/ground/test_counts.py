@@ -20,17 +20,17 @@ def test_one_is_singular_and_all_else_plural():
     assert (strokes_at_least(1.7), strokes_at_most(1.7)) == ("1 stroke", "2 strokes")
 
 
-@pytest.mark.parametrize(("bad", "said"), [(1, "in 1 of 2300 rows, first in row 6"), (2, "in 2 of 2300 rows")])
-def test_rows_without_a_number_are_counted_in_right_words(tmp_path, bad, said):
+@pytest.mark.parametrize(("bad", "count_words"), [(1, "in 1 of 2300 rows, first in row 6"), (2, "in 2 of 2300 rows")])
+def test_rows_without_a_number_are_counted_in_right_words(tmp_path, bad, count_words):
     samples = recording()
     samples.loc[5 : 4 + bad, "displacement_mm"] = np.nan
-    with pytest.raises(BadInput, match=f"is not a number {said}"):
+    with pytest.raises(BadInput, match=f"is not a number {count_words}"):
         check_finite(samples, tmp_path / "recording.csv")
 
 
 @pytest.mark.parametrize(
-    ("unrecorded", "said"), [(1, "1 stroke that was not recorded"), (2, "2 strokes that were not recorded")]
+    ("unrecorded", "count_words"), [(1, "1 stroke that was not recorded"), (2, "2 strokes that were not recorded")]
 )
-def test_strokes_between_two_runs_are_counted_in_right_words(unrecorded, said):
+def test_strokes_between_two_runs_are_counted_in_right_words(unrecorded, count_words):
     jump = Jump("a-1", "a-2", 0.5, 0.01, unrecorded)
-    assert re.search(rf"with {said} in between", jump.sentence)
+    assert re.search(rf"with {count_words} in between", jump.sentence)

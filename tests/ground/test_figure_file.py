@@ -36,11 +36,11 @@ def drawn(by):
 
 @pytest.mark.parametrize("suffix", [".png", ".pdf"])
 def test_the_last_digits_of_a_layout_are_not_in_the_file(tmp_path, suffix):
-    made = []
+    page_bytes = []
     for by in (0.0, 1e-11, -3e-11):
         write_page(drawn(by), tmp_path / "page")
-        made.append((tmp_path / f"page{suffix}").read_bytes())
-    assert made[0] and made == [made[0]] * 3
+        page_bytes.append((tmp_path / f"page{suffix}").read_bytes())
+    assert page_bytes[0] and page_bytes == [page_bytes[0]] * 3
 
 
 def test_both_formats_have_the_same_layout(tmp_path):

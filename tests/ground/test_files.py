@@ -153,9 +153,9 @@ def test_no_flipped_bit_of_a_note_is_read_silently(tmp_path, name, empty):
 
 def no_damage(path):
     """What the start of the main job finds is raised."""
-    found = KnownFiles(path.with_name("known.json")).damaged([str(path)])
-    if found:
-        raise BadInput(path, "content", f"damaged: {found[str(path)]}", "mend it")
+    damage = KnownFiles(path.with_name("known.json")).damaged([str(path)])
+    if damage:
+        raise BadInput(path, "content", f"damaged: {damage[str(path)]}", "mend it")
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -183,8 +183,13 @@ def test_every_program_says_whether_its_out_is_a_file_or_a_folder_and_the_defaul
                 continue
             words = [word.value for word in call.args if isinstance(word, ast.Constant)]
             if call.func.attr == "add_argument" and "--out" in words:
-                said = next((ast.literal_eval(one.value) for one in call.keywords if one.arg == "help"), "")
-                assert re.search("file|folder", said) and re.search("; (required|default: .+)$", said), (path, said)
+                help_text = next(
+                    (ast.literal_eval(keyword.value) for keyword in call.keywords if keyword.arg == "help"), ""
+                )
+                assert re.search("file|folder", help_text) and re.search("; (required|default: .+)$", help_text), (
+                    path,
+                    help_text,
+                )
                 seen += 1
     assert seen > 30
 

@@ -23,15 +23,15 @@ def looked(tmp_path, monkeypatch):
     monkeypatch.setattr(fingerprint, "_imports_anew", lambda path: names.append(path.name) or anew(path))
 
     def process():
-        for known in (fingerprint._source, fingerprint._kept, fingerprint._imports, fingerprint._file_in):
-            known.cache_clear()
+        for cached in (fingerprint._source, fingerprint._kept, fingerprint._imports, fingerprint._file_in):
+            cached.cache_clear()
         names.clear()
         paths = {path.name for path in reachable("pipeline.a")}
         return set(names), paths
 
     yield house, process
-    for known in (fingerprint._source, fingerprint._kept, fingerprint._imports, fingerprint._file_in):
-        known.cache_clear()
+    for cached in (fingerprint._source, fingerprint._kept, fingerprint._imports, fingerprint._file_in):
+        cached.cache_clear()
 
 
 ALL = {"__init__.py", "a.py", "b.py", "c.py"}

@@ -74,10 +74,10 @@ def test_every_folder_that_rules_and_documents_name_is_reserved():
     "name", ["0" * 20, "run-" + "0" * 60, "ab" * 20, "spool" + "-3" * 25, "x" * 19, "ab" * 19, "a" * 30 + "b", "1" * 99]
 )
 def test_a_name_passes_where_snakemake_can_plan_it(name):
-    told = names.PERIODIC.search(name)
-    assert (told is None) == (PeriodicityDetector().is_periodic(name) is None)
+    repetition = names.PERIODIC.search(name)
+    assert (repetition is None) == (PeriodicityDetector().is_periodic(name) is None)
     for check in (names.run_name, names.material):
-        if told:
+        if repetition:
             with pytest.raises(
                 ValueError, match="20 times or more, which Snakemake plans no job for; use a shorter end"
             ):

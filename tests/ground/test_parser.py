@@ -19,7 +19,7 @@ def complaint(capsys, *words):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (
             ["--out", "a", "--tolerence", "3"],
@@ -31,9 +31,9 @@ def complaint(capsys, *words):
         (["--", "--uot"], "required: --out"),
     ],
 )
-def test_the_near_option_is_named_and_no_far_one(capsys, words, said):
+def test_the_near_option_is_named_and_no_far_one(capsys, words, message):
     last = complaint(capsys, *words)
-    assert said in last and ("did you mean" in said) == ("did you mean" in last)
+    assert message in last and ("did you mean" in message) == ("did you mean" in last)
 
 
 @pytest.mark.parametrize("name", list(PROGRAMS))

@@ -36,9 +36,9 @@ class Terminal(io.StringIO):
 
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
-    found = Clock()
-    monkeypatch.setattr(progress.time, "monotonic", found)
-    return found
+    fake_clock = Clock()
+    monkeypatch.setattr(progress.time, "monotonic", fake_clock)
+    return fake_clock
 
 
 def work(clock: Clock, step_s: float) -> None:
@@ -61,21 +61,21 @@ def test_a_log_gets_a_line_a_minute(clock: Clock, monkeypatch: pytest.MonkeyPatc
 def test_what_is_soon_done_says_nothing_in_a_log_and_little_on_a_terminal(
     clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for stream, said in ((io.StringIO(), ""), (Terminal(), "\rfit 1 of 3, 0 s so far\x1b[K\r\r\x1b[K")):
+    for stream, shown in ((io.StringIO(), ""), (Terminal(), "\rfit 1 of 3, 0 s so far\x1b[K\r\r\x1b[K")):
         monkeypatch.setattr(sys, "stderr", stream)
         work(clock, 0.001)
-        assert stream.getvalue() == said
+        assert stream.getvalue() == shown
 
 
 def test_a_terminal_has_one_line_that_is_gone_at_the_end(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
     screen = Terminal()
     monkeypatch.setattr(sys, "stderr", screen)
     work(clock, 1.0)
-    said = screen.getvalue()
-    assert "\n" not in said and said.startswith(
+    terminal_text = screen.getvalue()
+    assert "\n" not in terminal_text and terminal_text.startswith(
         "\rfit 1 of 3, 0 s so far\x1b[K\r\rfit 1 of 3, epoch 2 of 4, 1 s so far"
     )
-    assert "fit 3 of 3, epoch 4 of 4, 11 s so far" in said and said.endswith("\r\x1b[K")
+    assert "fit 3 of 3, epoch 4 of 4, 11 s so far" in terminal_text and terminal_text.endswith("\r\x1b[K")
 
 
 def test_work_that_fails_leaves_no_line_behind(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -94,7 +94,7 @@ def test_work_that_fails_leaves_no_line_behind(clock: Clock, monkeypatch: pytest
 def on_a_terminal(command: list[str]) -> str:
     """What a command writes to a terminal as its stderr."""
     ours, theirs = pty.openpty()
-    said: list[bytes] = []
+    pieces: list[bytes] = []
 
     def listen() -> None:
         while True:
@@ -104,7 +104,7 @@ def on_a_terminal(command: list[str]) -> str:
                 return
             if not piece:
                 return
-            said.append(piece)
+            pieces.append(piece)
 
     process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=theirs)
     os.close(theirs)
@@ -113,7 +113,7 @@ def on_a_terminal(command: list[str]) -> str:
     assert process.wait() == 0
     listener.join()
     os.close(ours)
-    return b"".join(said).decode()
+    return b"".join(pieces).decode()
 
 
 @pytest.mark.long
@@ -122,8 +122,12 @@ def test_lifespan_and_a_campaign_show_theirs(make_run, tmp_path: Path) -> None:
     words = {"lifespan": [str(folder), "--out", f"{tmp_path}/life"]}
     words["stages.campaign.points"] = [str(folder.parent), "--out", f"{tmp_path}/points.parquet"]
     for program in words:
-        said = on_a_terminal([sys.executable, "-m", f"pipeline.{program}", *words[program]])
-        assert re.search(r"\rstring 1 of 1", said) and "\n" not in said and said.endswith("\r\x1b[K")
+        terminal_text = on_a_terminal([sys.executable, "-m", f"pipeline.{program}", *words[program]])
+        assert (
+            re.search(r"\rstring 1 of 1", terminal_text)
+            and "\n" not in terminal_text
+            and terminal_text.endswith("\r\x1b[K")
+        )
 
 
 @pytest.mark.parametrize("program", ["predict", "stages.train"])
@@ -137,8 +141,8 @@ def test_a_program_shows_its_progress_on_a_terminal_and_nothing_in_a_log(program
     else:
         words += ["--split", "within", "--out-model", f"{tmp_path}/m", "--out-predictions", f"{tmp_path}/p.parquet"]
     command = [sys.executable, "-m", f"pipeline.{program}", f"{tmp_path}/dataset.parquet", *words]
-    said = on_a_terminal(command)
+    terminal_text = on_a_terminal(command)
     shown = r"\rfit 1 of 5, 0 s" if program == "predict" else r"\rlaw of growth \d+ of 18"
-    assert re.search(shown, said) and "\n" not in said and said.endswith("\r\x1b[K")
+    assert re.search(shown, terminal_text) and "\n" not in terminal_text and terminal_text.endswith("\r\x1b[K")
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")

@@ -50,8 +50,8 @@ def test_all_that_is_shipped_reads_as_before():
     ],
 )
 def test_plain_words_are_read_as_yaml_1_2_does(tmp_path, text, value):
-    found = read(tmp_path, text)
-    assert found == value and type(found) is type(value)
+    parsed = read(tmp_path, text)
+    assert parsed == value and type(parsed) is type(value)
 
 
 def test_a_piece_of_json_is_read_as_a_value_and_else_the_mend_says_what_it_needs(tmp_path):

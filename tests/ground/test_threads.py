@@ -43,10 +43,10 @@ def test_a_trained_model_has_the_same_bytes_whatever_the_variable(tmp_path: Path
     dataset = tmp_path / "dataset.parquet"
     schemas.write(made_dataset(300, 4), schemas.DATASET, dataset)
     for model, settings in (("spline", '{"steps": 4}'), ("polynomial", "{}")):
-        made = set()
+        outputs = set()
         for threads in (None, "1", "4"):
             out = tmp_path / str(threads)
             words = ("--model", model, "--settings", settings, "--split", "within", "--out-model", out / "model")
             run("-m", "pipeline.stages.train", dataset, *words, "--out-predictions", out / "p.parquet", threads=threads)
-            made.add(((out / "model").read_bytes(), (out / "p.parquet").read_bytes()))
-        assert len(made) == 1, model
+            outputs.add(((out / "model").read_bytes(), (out / "p.parquet").read_bytes()))
+        assert len(outputs) == 1, model

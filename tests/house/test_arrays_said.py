@@ -32,13 +32,13 @@ def sources() -> list[Path]:
 @cache
 def methods_of_classes() -> dict[str, str]:
     """What each class's methods say, under `Class.method`, of all classes: who fills one in need not say it again."""
-    said: dict[str, str] = {}
+    docstrings: dict[str, str] = {}
     for path in sources():
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
             if isinstance(node, ast.ClassDef):
-                each = [one for one in node.body if isinstance(one, ast.FunctionDef)]
-                said |= {f"{node.name}.{one.name}": ast.get_docstring(one) or "" for one in each}
-    return said
+                each = [method for method in node.body if isinstance(method, ast.FunctionDef)]
+                docstrings |= {f"{node.name}.{method.name}": ast.get_docstring(method) or "" for method in each}
+    return docstrings
 
 
 def functions(path: Path) -> list[tuple[ast.FunctionDef, str]]:
@@ -49,7 +49,7 @@ def functions(path: Path) -> list[tuple[ast.FunctionDef, str]]:
             listed.append((node, ""))
         elif isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
             own, bases = ast.get_docstring(node) or "", [ast.unparse(base) for base in node.bases]
-            for each in (one for one in node.body if isinstance(one, ast.FunctionDef)):
+            for each in (method for method in node.body if isinstance(method, ast.FunctionDef)):
                 above = " ".join(methods_of_classes().get(f"{base}.{each.name}", "") for base in bases)
                 listed.append((each, f"{own} {above}"))
     return [(node, own) for node, own in listed if not node.name.startswith("_")]
@@ -68,8 +68,8 @@ def arrays_of(path: Path) -> re.Pattern[str]:
     text = path.read_text(encoding="utf-8")
     own = set(ALIAS.findall(text))
     for node in (each for each in ast.walk(ast.parse(text)) if isinstance(each, ast.ImportFrom)):
-        given = aliases().get((node.module or "").rpartition(".")[2], set())
-        own |= {each.asname or each.name for each in node.names if each.name in given}
+        module_aliases = aliases().get((node.module or "").rpartition(".")[2], set())
+        own |= {each.asname or each.name for each in node.names if each.name in module_aliases}
     return re.compile(rf"\b({'|'.join(sorted(ARRAYS | own))})\b")
 
 
@@ -92,10 +92,10 @@ def unsaid(path: Path) -> list[str]:
     base, lacking = inherited(path), []
     for node, own in functions(path):
         if of_arrays(node, arrays_of(path)):
-            said = f"{ast.get_docstring(node) or ''} {own} {base.get(node.name, '')}"
-            if not SHAPE.search(" ".join(said.split())):
+            documentation = f"{ast.get_docstring(node) or ''} {own} {base.get(node.name, '')}"
+            if not SHAPE.search(" ".join(documentation.split())):
                 lacking.append(f"{node.name}: shape")
-            if not UNIT.search(" ".join(said.split())) and unit_of(node.name) == "1":
+            if not UNIT.search(" ".join(documentation.split())) and unit_of(node.name) == "1":
                 lacking.append(f"{node.name}: unit")
     return lacking
 
@@ -112,17 +112,17 @@ def unsaid_fields(path: Path) -> list[str]:
             if name.startswith("_") or not arrays_of(path).search(kind) or "Callable" in kind:
                 continue
             beside = text.splitlines()[(each.end_lineno or each.lineno) - 1].partition("#")[2]
-            said = " ".join(f"{ast.get_docstring(node)} {beside}".split())
-            if not SHAPE.search(said) and not re.search(r"\(\w[\w +-]*(, \w[\w +-]*)*,?\)", beside):
+            documentation = " ".join(f"{ast.get_docstring(node)} {beside}".split())
+            if not SHAPE.search(documentation) and not re.search(r"\(\w[\w +-]*(, \w[\w +-]*)*,?\)", beside):
                 lacking.append(f"{node.name}.{name}: shape")
-            if not UNIT.search(said) and unit_of(name) == "1":
+            if not UNIT.search(documentation) and unit_of(name) == "1":
                 lacking.append(f"{node.name}.{name}: unit")
     return lacking
 
 
 def test_a_public_array_of_a_dataclass_says_shape_and_unit() -> None:
     lacking = {str(path.relative_to(PIPELINE)): unsaid_fields(path) for path in sources()}
-    assert not {name: said for name, said in lacking.items() if said}
+    assert not {name: missing for name, missing in lacking.items() if missing}
 
 
 def test_a_field_that_says_neither_is_found(tmp_path: Path) -> None:
@@ -139,7 +139,7 @@ def test_a_field_that_says_neither_is_found(tmp_path: Path) -> None:
 
 def test_a_public_function_of_arrays_says_shape_and_unit() -> None:
     lacking = {str(path.relative_to(PIPELINE)): unsaid(path) for path in sources()}
-    assert not {name: said for name, said in lacking.items() if said}
+    assert not {name: missing for name, missing in lacking.items() if missing}
 
 
 def test_what_says_neither_is_found(tmp_path: Path) -> None:

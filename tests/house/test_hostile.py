@@ -53,8 +53,10 @@ def test_settings_are_refused_in_words_whatever_they_are() -> None:
         model = str(rng.choice(names()))
         kind = settings_of(model)
         keys = [*(kind.__dataclass_fields__ if kind else []), "depth", ""]
-        told = ", ".join(f'"{rng.choice(keys)}": {rng.choice(STRANGE)}' for _ in range(rng.integers(1, 3)))
-        text = rng.choice([f"{{{told}}}", f"{{{told}", told, str(rng.choice(STRANGE))], p=[0.7, 0.1, 0.1, 0.1])
+        json_pairs = ", ".join(f'"{rng.choice(keys)}": {rng.choice(STRANGE)}' for _ in range(rng.integers(1, 3)))
+        text = rng.choice(
+            [f"{{{json_pairs}}}", f"{{{json_pairs}", json_pairs, str(rng.choice(STRANGE))], p=[0.7, 0.1, 0.1, 0.1]
+        )
         try:
             configured(model, str(text))
         except BadInput as error:
@@ -102,9 +104,9 @@ def test_a_truncated_network_and_a_box_of_nan_are_refused(saved: Path, tmp_path:
     shutil.copytree(saved / "spline", tmp_path / "spline")
     cinn, spline = tmp_path / "cinn" / "within-0.model", tmp_path / "spline" / "within-0.model"
     cinn.write_bytes(seal.sealed(bytes(seal.opened(cinn.read_bytes()))[:-500]))
-    told = json.loads(bytes(seal.opened(spline.read_bytes())))
-    told["box"]["low"]["motor_turns"] = float("nan")
-    spline.write_bytes(seal.sealed(json.dumps(told).encode()))
+    spline_content = json.loads(bytes(seal.opened(spline.read_bytes())))
+    spline_content["box"]["low"]["motor_turns"] = float("nan")
+    spline.write_bytes(seal.sealed(json.dumps(spline_content).encode()))
     for path in (cinn, spline):
         for kind in ("c", "onnx"):
             code, complaint = ended("pipeline.export.__main__", [str(path), "--format", kind], tmp_path)

@@ -88,23 +88,27 @@ def test_hostile_names_and_paths_are_refused_in_words(program, tmp_path, monkeyp
     monkeypatch.chdir(home)
     main = importlib.import_module(program).main
     monkeypatch.setattr(sys, "argv", [program])
-    actions = [one for one in parser_of(main, monkeypatch)._actions if one.dest != "help"]
-    asked = [one for one in actions if one.type in (None, Path) and one.nargs != 0 and not one.choices]
+    actions = [option for option in parser_of(main, monkeypatch)._actions if option.dest != "help"]
+    free_options = [
+        option for option in actions if option.type in (None, Path) and option.nargs != 0 and not option.choices
+    ]
     device = os.stat("/dev/full")
-    for action in asked:
+    for action in free_options:
         for value in HOSTILE:
-            needed = [one for one in actions if one is not action and (one.required or not one.option_strings)]
-            line = [word for one in needed if one.nargs != "?" for word in words(one, harmless(one))]
+            needed = [
+                option for option in actions if option is not action and (option.required or not option.option_strings)
+            ]
+            line = [word for option in needed if option.nargs != "?" for word in words(option, harmless(option))]
             monkeypatch.setattr(sys, "argv", [program, *line, *words(action, value)])
             with pytest.raises(SystemExit) as end:
                 command(main)()
-            said = capsys.readouterr().err
+            complaint = capsys.readouterr().err
             status = end.value.code
-            assert status in (0, 2), (action.dest, value, said)
+            assert status in (0, 2), (action.dest, value, complaint)
             if action.type is Path:  # which may lead there
                 remove(tmp_path / "x")
             assert not (tmp_path / "x").exists(), (action.dest, value)
-            assert status == 0 or "error: " in said, (action.dest, value, said)
+            assert status == 0 or "error: " in complaint, (action.dest, value, complaint)
     assert not list(tmp_path.rglob("PWNED")) and (home / "file").read_text() == "kept"
     assert os.stat("/dev/full").st_rdev == device.st_rdev
 
@@ -223,18 +227,22 @@ def test_each_word_of_a_command_line_is_spoilt_in_turn_and_refused_in_words(
     monkeypatch.setattr(port.Port.__init__, "__defaults__", (0.0,))  # capture waits 10 s for a port that is not there
     above, kept = {*work.parents[1].rglob("*")}, of_files(work)
     good = shlex.split(line)
-    status, said = ended(f"pipeline.{program}", good, work)
-    assert (status, said.count("error: ")) == (0, 0) if ends == 0 else status == 2 and ends in said, said
+    status, complaint = ended(f"pipeline.{program}", good, work)
+    assert (status, complaint.count("error: ")) == (0, 0) if ends == 0 else status == 2 and ends in complaint, complaint
     for at, word in enumerate(good):
         for value in values if not word.startswith("--") else ():
             remove_new(work.parents[1], above)
             words = [*good[:at], value, *good[at + 1 :]]
             try:
                 with bounded():
-                    status, said = ended(f"pipeline.{program}", words, work)
+                    status, complaint = ended(f"pipeline.{program}", words, work)
             except BaseException as error:
                 raise AssertionError(f"{program} {words}"[:500]) from error
-            assert status in (0, 2) and "Traceback" not in said, (words, said[:2000])
-            assert status == 0 or ("error: " in said and len(said) < 2000), (words, len(said), said[:2000])
+            assert status in (0, 2) and "Traceback" not in complaint, (words, complaint[:2000])
+            assert status == 0 or ("error: " in complaint and len(complaint) < 2000), (
+                words,
+                len(complaint),
+                complaint[:2000],
+            )
             assert {path: path.read_bytes() for path in kept} == kept, words
     assert not list(work.rglob("PWNED")) and (work / "pipe").is_fifo() and Path("/dev/full").is_char_device()

@@ -26,12 +26,12 @@ def imports(module):
 @cache
 def reach(module):
     """Modules of ours that a module imports, directly or not."""
-    found, waiting = set(), [module]
+    reached, waiting = set(), [module]
     while waiting:
-        for name in imports(waiting.pop()) - found:
-            found.add(name)
+        for name in imports(waiting.pop()) - reached:
+            reached.add(name)
             waiting.append(name)
-    return found
+    return reached
 
 
 def part(module):
@@ -93,7 +93,7 @@ def test_the_ground_knows_no_room():
 
 
 @pytest.mark.parametrize(
-    ("one", "others"),
+    ("package", "others"),
     [
         ("rig", {"models", "diagnosis", "report", "stages"}),
         ("models", {"rig", "diagnosis", "report", "capture"}),
@@ -104,9 +104,9 @@ def test_the_ground_knows_no_room():
         ("lifespan", {"rig", "proof", "diagnosis", "models", "report", "capture", "stages"}),
     ],
 )
-def test_neighbours_do_not_reach_into_each_other(one, others):
+def test_neighbours_do_not_reach_into_each_other(package, others):
     for module in MODULES:
-        if part(module) == one:
+        if part(module) == package:
             allowed = module.startswith((*BESIDE_THE_DIAGNOSIS, *DIAGNOSED))
             never = others - {"diagnosis"} if allowed else others
             assert not {part(name) for name in reach(module)} & never, module
@@ -328,8 +328,10 @@ def careless_writes(tree):
     for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
         if not isinstance(call.func, ast.Attribute) or call.func.attr not in WRITERS:
             continue
-        owner, given = ast.unparse(call.func.value), {ast.unparse(argument) for argument in call.args}
-        harmless = "temporary" in owner or any("temporary" in one for one in given) or bool(given & memory)
+        owner, arguments = ast.unparse(call.func.value), {ast.unparse(argument) for argument in call.args}
+        harmless = (
+            "temporary" in owner or any("temporary" in argument for argument in arguments) or bool(arguments & memory)
+        )
         harmless |= call.func.attr == "to_csv" and not call.args
         harmless |= call.func.attr == "write_text" and owner.endswith("files")
         harmless |= call.func.attr == "save" and owner in ("model", "self")  # ours, looked at where it writes

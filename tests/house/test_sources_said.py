@@ -40,8 +40,8 @@ METHODS = [
 
 def source(path: Path) -> str:
     """What a module says of its source, in one line."""
-    said = re.search(r"\nSource: (.+)", ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or "", re.S)
-    return " ".join(said[1].split()) if said else ""
+    match = re.search(r"\nSource: (.+)", ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or "", re.S)
+    return " ".join(match[1].split()) if match else ""
 
 
 @pytest.mark.parametrize("path", [*MODELS, *COMPARED], ids=lambda path: path.stem)

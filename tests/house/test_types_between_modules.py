@@ -29,8 +29,8 @@ def holds_anything(annotation: ast.AST | None, aliases: set[str]) -> bool:
 
 def aliases_of(body: list[ast.stmt]) -> set[str]:
     """Names that a module gives to such a type."""
-    given = [node for node in body if isinstance(node, ast.Assign) and holds_anything(node.value, set())]
-    return {target.id for node in given for target in node.targets if isinstance(target, ast.Name)}
+    assignments = [node for node in body if isinstance(node, ast.Assign) and holds_anything(node.value, set())]
+    return {target.id for node in assignments for target in node.targets if isinstance(target, ast.Name)}
 
 
 def bare(source: str, others: set[str] = frozenset()) -> set[str]:
@@ -43,8 +43,14 @@ def bare(source: str, others: set[str] = frozenset()) -> set[str]:
         for part in parts:
             types: list[ast.AST | None] = []
             if isinstance(part, ast.FunctionDef | ast.AsyncFunctionDef) and not part.name.startswith("_"):
-                given = part.args
-                arguments = [*given.posonlyargs, *given.args, *given.kwonlyargs, given.vararg, given.kwarg]
+                parameters = part.args
+                arguments = [
+                    *parameters.posonlyargs,
+                    *parameters.args,
+                    *parameters.kwonlyargs,
+                    parameters.vararg,
+                    parameters.kwarg,
+                ]
                 types = [part.returns, *(each.annotation for each in arguments if each)]
             elif isinstance(node, ast.ClassDef) and isinstance(part, ast.AnnAssign):
                 types = [part.annotation]
@@ -59,12 +65,15 @@ def handed_on() -> set[str]:
     sources = {name.removesuffix(".__init__"): path for name, path in sources.items()}
     sources = {name: path for name, path in sources.items() if not f"{name}.".startswith(STRANGERS)}
     texts = {name: path.read_text("utf-8") for name, path in sources.items()}
-    takes = {name: {given.removeprefix("pipeline.") for given in imported(path)} for name, path in sources.items()}
+    takes = {
+        name: {imported_name.removeprefix("pipeline.") for imported_name in imported(path)}
+        for name, path in sources.items()
+    }
     hidden = {f"{name}.{alias}" for name, text in texts.items() for alias in aliases_of(ast.parse(text).body)}
     full = {
         f"{name}.{each}"
         for name, text in texts.items()
-        for each in bare(text, {given.rpartition(".")[2] for given in takes[name] & hidden})
+        for each in bare(text, {imported_name.rpartition(".")[2] for imported_name in takes[name] & hidden})
     }
     used = set()
     for name, text in texts.items():

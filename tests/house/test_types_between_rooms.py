@@ -42,8 +42,8 @@ def bare(source: str, others: frozenset[str] = frozenset()) -> set[str]:
 
 def aliases(source: str) -> set[str]:
     """Names that a module gives to a dictionary without a type."""
-    given = [node for node in ast.parse(source).body if isinstance(node, ast.Assign)]
-    return {ast.unparse(node.targets[0]) for node in given if BARE.match(ast.unparse(node.value))}
+    assignments = [node for node in ast.parse(source).body if isinstance(node, ast.Assign)]
+    return {ast.unparse(node.targets[0]) for node in assignments if BARE.match(ast.unparse(node.value))}
 
 
 def types_of(node: ast.FunctionDef) -> list[str]:
@@ -60,11 +60,14 @@ def room(module: str) -> str:
 def handed_on(sources: dict[str, Path]) -> dict[str, set[str]]:
     """What rooms hand each other in bare dictionaries, each with the modules that take it."""
     texts = {name: path.read_text("utf-8") for name, path in sources.items()}
-    takes = {name: {given.removeprefix("pipeline.") for given in imported(path)} for name, path in sources.items()}
+    takes = {
+        name: {imported_name.removeprefix("pipeline.") for imported_name in imported(path)}
+        for name, path in sources.items()
+    }
     hidden = {f"{name}.{alias}" for name, text in texts.items() for alias in aliases(text)}
     handed = set()
     for name, text in texts.items():
-        others = frozenset(given.rpartition(".")[2] for given in takes[name] & hidden)
+        others = frozenset(imported_name.rpartition(".")[2] for imported_name in takes[name] & hidden)
         handed |= {f"{name}.{each}" for each in bare(text, others)}
     used: dict[str, set[str]] = {}
     for name, text in texts.items():

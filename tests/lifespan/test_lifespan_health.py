@@ -16,7 +16,7 @@ from pipeline.string.from_raw import read
 
 
 @pytest.fixture(scope="module")
-def one(tmp_path_factory):
+def worn_string(tmp_path_factory):
     return strings([folder(tmp_path_factory.mktemp("raw"), "a-1", samples(20, 0.004))])[0]
 
 
@@ -24,15 +24,15 @@ def slope(table, name):
     return float(np.polyfit(table["stroke"], table[name], 1)[0])
 
 
-def test_every_complete_stroke_is_there(one):
-    assert one.strokes["stroke"].tolist() == list(range(1, 21)) and not one.left_out
-    assert one.string == "a-1" and one.runs == ["a-1"]
+def test_every_complete_stroke_is_there(worn_string):
+    assert worn_string.strokes["stroke"].tolist() == list(range(1, 21)) and not worn_string.left_out
+    assert worn_string.string == "a-1" and worn_string.runs == ["a-1"]
     for name in INDICATORS:
-        assert (one.strokes[f"{name}_error"].dropna() > 0).all()
+        assert (worn_string.strokes[f"{name}_error"].dropna() > 0).all()
 
 
-def test_indicators_follow_what_was_made(one):
-    table = one.strokes
+def test_indicators_follow_what_was_made(worn_string):
+    table = worn_string.strokes
     full_mm = table["stroke_mm"].iloc[0]
     assert slope(table, "stroke_mm") == pytest.approx(-0.004 * full_mm, rel=0.05)
     assert slope(table, "rest_mm") == pytest.approx(-0.05, rel=0.15)
@@ -40,15 +40,15 @@ def test_indicators_follow_what_was_made(one):
     assert table["model_error_mm"].iloc[:3].max() < 0.3 < 1.0 < table["model_error_mm"].iloc[-1]
 
 
-def test_errors_are_as_large_as_the_scatter(one):
-    table = one.strokes
+def test_errors_are_as_large_as_the_scatter(worn_string):
+    table = worn_string.strokes
     for name in ("stroke_mm", "rest_mm", "loop_mm"):
         line = np.polyval(np.polyfit(table["stroke"], table[name], 1), table["stroke"])
         assert 0.3 < np.std(table[name] - line) / table[f"{name}_error"].median() < 2.0, name
 
 
-def test_stiffness_is_absent_where_the_load_stands(one):
-    assert one.strokes["stiffness_n_per_mm"].isna().all()
+def test_stiffness_is_absent_where_the_load_stands(worn_string):
+    assert worn_string.strokes["stiffness_n_per_mm"].isna().all()
 
 
 def test_stiffness_is_the_load_s_slope(tmp_path):
@@ -91,12 +91,14 @@ def test_cutting_the_table_is_cutting_the_recording(tmp_path):
 def test_strokes_of_another_range_are_left_out(tmp_path):
     table = samples(12, 0.0)
     short = table["motor_turns"].where(~table.index.isin(range(114 * 6, 114 * 7)), table["motor_turns"] * 0.8)
-    found = strings([folder(tmp_path, "a-1", table.assign(motor_turns=short))])[0]
-    assert found.left_out == [7] and len(found.strokes) == 11
-    low, high = found.range_turns
-    assert "\n  1 stroke winds over another range than" in sentences(found, [], 0.9)
-    assert f"{low:.3g} to {high:.3g} turns, the median of the first 3, within 5% of it" in sentences(found, [], 0.9)
-    assert f", wound to {high:.3g} turns. Then name all runs" in sentences(found, [], 0.9)
+    string_health = strings([folder(tmp_path, "a-1", table.assign(motor_turns=short))])[0]
+    assert string_health.left_out == [7] and len(string_health.strokes) == 11
+    low, high = string_health.range_turns
+    assert "\n  1 stroke winds over another range than" in sentences(string_health, [], 0.9)
+    assert f"{low:.3g} to {high:.3g} turns, the median of the first 3, within 5% of it" in sentences(
+        string_health, [], 0.9
+    )
+    assert f", wound to {high:.3g} turns. Then name all runs" in sentences(string_health, [], 0.9)
 
 
 def test_other_rigs_are_refused(tmp_path):
@@ -108,17 +110,17 @@ def test_other_rigs_are_refused(tmp_path):
 
 def shortened(table, stroke, share):
     """The recording with one stroke's top cut off by a share of its range."""
-    here = segment(table, "motor_turns", "made").set_index("stroke").loc[[stroke]]
-    rows = slice(int(here["first_sample"].min()), int(here["last_sample"].max()))
+    segments = segment(table, "motor_turns", "made").set_index("stroke").loc[[stroke]]
+    rows = slice(int(segments["first_sample"].min()), int(segments["last_sample"].max()))
     table.loc[rows, "motor_turns"] = table.loc[rows, "motor_turns"].clip(upper=20.0 * (1.0 - share))
     return table
 
 
 @pytest.mark.parametrize("stroke", [2, 15])
 def test_a_stroke_that_ends_a_little_short_does_not_silence_the_others(tmp_path, stroke):
-    one = strings([folder(tmp_path, "a-1", shortened(samples(24, 0.004), stroke, 0.046))])[0]
-    assert one.strokes["stroke_mm"].isna().sum() == 1 and not one.left_out
-    for answer in (stroke_loss(one, 0.5), model_error(one, 50.0)):
+    string_health = strings([folder(tmp_path, "a-1", shortened(samples(24, 0.004), stroke, 0.046))])[0]
+    assert string_health.strokes["stroke_mm"].isna().sum() == 1 and not string_health.left_out
+    for answer in (stroke_loss(string_health, 0.5), model_error(string_health, 50.0)):
         assert np.isfinite(answer.values).all() and answer.left.reason == "" and len(answer.left.when)
 
 
@@ -128,5 +130,5 @@ def test_strokes_of_no_common_range_are_refused(tmp_path):
 
 
 def test_the_strokes_that_there_are_are_counted_right(tmp_path):
-    one = strings([folder(tmp_path, "a-1", samples(2, 0.004))])[0]
-    assert "2 strokes are too few" in model_error(one, 1.0).left.reason
+    string_health = strings([folder(tmp_path, "a-1", samples(2, 0.004))])[0]
+    assert "2 strokes are too few" in model_error(string_health, 1.0).left.reason

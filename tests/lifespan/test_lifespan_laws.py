@@ -23,23 +23,23 @@ TRUE = {
 @pytest.mark.parametrize("name", TRUE)
 def test_a_law_recovers_its_own_parameters(name):
     values, nonlinear = TRUE[name]
-    found = fit(LAW[name], N, values + 1e-4 * np.random.default_rng(0).standard_normal(len(N)))
+    fitted = fit(LAW[name], N, values + 1e-4 * np.random.default_rng(0).standard_normal(len(N)))
     for key, value in nonlinear.items():
-        assert found.parameters()[key] == pytest.approx(value, rel=0.3)
-    assert np.abs(found.curve(N) - values).max() < 2e-3
-    mean, variance = found.moments(N)
+        assert fitted.parameters()[key] == pytest.approx(value, rel=0.3)
+    assert np.abs(fitted.curve(N) - values).max() < 2e-3
+    mean, variance = fitted.moments(N)
     assert np.abs(mean - values).max() < 1e-3 and (variance < 1e-5).all()
-    drawn = found.draws(N, 400, np.random.default_rng(0))
+    drawn = fitted.draws(N, 400, np.random.default_rng(0))
     assert np.abs(drawn.mean(axis=0) - mean).max() < 5e-4
-    assert found.noise == pytest.approx(1e-4, rel=1.0)
+    assert fitted.noise == pytest.approx(1e-4, rel=1.0)
 
 
 def test_a_line_s_uncertainty_is_that_of_least_squares():
     generator = np.random.default_rng(1)
     off = []
     for _ in range(300):
-        found = fit(LAW["linear"], N, 0.001 * N + 0.01 * generator.standard_normal(len(N)))
-        mean, variance = found.moments(np.array([240.0]))
+        fitted = fit(LAW["linear"], N, 0.001 * N + 0.01 * generator.standard_normal(len(N)))
+        mean, variance = fitted.moments(np.array([240.0]))
         off.append((mean[0] - 0.24) / np.sqrt(variance[0]))
     assert 0.8 < np.std(off) < 1.1
 
@@ -63,21 +63,21 @@ def test_too_few_strokes_give_no_fit():
 )
 def test_the_law_that_forecasts_is_chosen(name, alike):
     values, _ = TRUE[name]
-    found = choose(N, values + 3e-4 * np.random.default_rng(2).standard_normal(len(N)))
-    weights = dict(zip((one.law.name for one in found.fits), found.weights, strict=True))
-    assert sum(weights[one] for one in alike) > 0.6, weights
-    assert found.weights.sum() == pytest.approx(1.0)
+    choice = choose(N, values + 3e-4 * np.random.default_rng(2).standard_normal(len(N)))
+    weights = dict(zip((law_fit.law.name for law_fit in choice.fits), choice.weights, strict=True))
+    assert sum(weights[law_name] for law_name in alike) > 0.6, weights
+    assert choice.weights.sum() == pytest.approx(1.0)
 
 
 def test_the_choice_is_by_forecast_and_not_by_fit():
     """A string that turned in its last strokes: what fits all of them best did not foretell them."""
     generator = np.random.default_rng(3)
     values = 0.02 * np.log1p(N) + 2e-4 * generator.standard_normal(len(N))
-    found = choose(N, values)
-    by_fit = np.array([one.noise for one in found.fits])
-    assert found.errors[int(np.argmax(found.weights))] <= 1.5 * found.errors.min()
-    assert found.errors[[one.law.name for one in found.fits].index("linear")] > 5 * found.errors.min()
-    assert by_fit.shape == found.weights.shape == found.growth.shape
+    choice = choose(N, values)
+    by_fit = np.array([law_fit.noise for law_fit in choice.fits])
+    assert choice.errors[int(np.argmax(choice.weights))] <= 1.5 * choice.errors.min()
+    assert choice.errors[[law_fit.law.name for law_fit in choice.fits].index("linear")] > 5 * choice.errors.min()
+    assert by_fit.shape == choice.weights.shape == choice.growth.shape
 
 
 def test_close_laws_share_the_weight():

@@ -63,9 +63,9 @@ def test_the_program_ends_well(done):
 
 
 def test_json_says_what_is_documented(done):
-    told = json.loads((done[1] / "lifespan.json").read_text())
-    assert told["string"] == "a-1" and told["strokes_seen"] == 24 and told["level"] == 0.9
-    loss, error = told["questions"]["stroke_loss"], told["questions"]["model_error"]
+    saved = json.loads((done[1] / "lifespan.json").read_text())
+    assert saved["string"] == "a-1" and saved["strokes_seen"] == 24 and saved["level"] == 0.9
+    loss, error = saved["questions"]["stroke_loss"], saved["questions"]["model_error"]
     assert loss["state"] in ("interval", "one-sided") and loss["unit"] == "1" and loss["limit"] == 0.1
     # 0.2 % a stroke against the mean of the first three: the limit is passed at stroke 52
     assert loss["strokes_left"]["low"] < 28 < (loss["strokes_left"]["high"] or np.inf)
@@ -73,10 +73,10 @@ def test_json_says_what_is_documented(done):
     assert sum(law["weight"] for law in loss["laws"]) == pytest.approx(1.0, abs=0.05)
     assert {"name", "formula", "weight", "left_out_rms", "parameters"} == set(loss["laws"][0])
     assert error["state"] == "passed" or error["horizon_strokes"] > 0
-    assert "stiffness_n_per_mm" in told["absent"]
-    assert len(told["indicators"]["stroke_mm"]) == len(told["indicators"]["stroke_mm_error"]) == 24
+    assert "stiffness_n_per_mm" in saved["absent"]
+    assert len(saved["indicators"]["stroke_mm"]) == len(saved["indicators"]["stroke_mm_error"]) == 24
     docs = (ROOT / "docs" / "lifespan.md").read_text()
-    for key in (*told, *loss):
+    for key in (*saved, *loss):
         assert f"`{key}`" in docs, key
 
 
@@ -125,12 +125,12 @@ def test_the_axis_reaches_as_far_as_the_words_and_both_bounds_are_the_same_whole
     """The words said 197 strokes and beyond 240 where the axis ended after 96, and 9.52 strokes were `at least 10`."""
     for when in ([*[9.52] * 20, *[197.3] * 20, *[np.inf] * 160], [*[197.9] * 30, *[np.inf] * 170]):
         answer, axes = drawn.answer(*when), drawn(*when)
-        said = " ".join(sentence(answer, 0.9))
-        (least,) = re.findall(r"at least ([0-9]+) strokes left in 90 % of the futures", said)
+        claim_text = " ".join(sentence(answer, 0.9))
+        (least,) = re.findall(r"at least ([0-9]+) strokes left in 90 % of the futures", claim_text)
         assert int(least) == int(answer.left.span(0.9).low)
         assert [f"at least {least} strokes left in 90 % of the futures"] == [text.get_text() for text in axes.texts]
         axes.figure.canvas.draw()
-        (furthest,) = re.findall(r"does not look further than ([0-9]+) strokes", said)
+        (furthest,) = re.findall(r"does not look further than ([0-9]+) strokes", claim_text)
         assert axes.get_xlim()[1] == 24 + int(furthest)
         (begins,) = [line.get_xdata()[0] for line in axes.get_lines() if line.get_marker() == "|"]
         assert int(begins) == 24 + int(least) < axes.get_xlim()[1]
@@ -178,8 +178,13 @@ def test_the_picture_says_what_its_lines_are_and_a_loop_below_0(tmp_path, monkey
     monkeypatch.setattr(plt, "close", lambda figure: None)
     for sign in (1.0, -1.0):
         table = health.strokes.assign(loop_mm=sign * health.strokes["loop_mm"].abs())
-        one = replace(health, strokes=table)
-        page(one, [stroke_loss(one, 0.1), model_error(one, 4.0)], 0.9, tmp_path / "page.png")
+        changed_health = replace(health, strokes=table)
+        page(
+            changed_health,
+            [stroke_loss(changed_health, 0.1), model_error(changed_health, 4.0)],
+            0.9,
+            tmp_path / "page.png",
+        )
         heads = [axes.get_title(loc="left") for axes in plt.gcf().axes]
         assert any("shorter while it unwinds" in head for head in heads) == (sign < 0.0)
         assert not any("unwinds" in text.get_text() for axes in plt.gcf().axes for text in axes.texts), (
@@ -251,8 +256,10 @@ def test_the_picture_marks_where_each_further_recording_begins(tmp_path, monkeyp
     health = strings([folder(tmp_path, "a-1", samples(14, 0.002))])[0]
     table = health.strokes.assign(run=["a-1"] * 8 + ["a-2"] * 6)
     monkeypatch.setattr(plt, "close", lambda figure: None)
-    one = replace(health, strokes=table, runs=["a-1", "a-2"])
-    page(one, [stroke_loss(one, 0.1), model_error(one, 4.0)], 0.9, tmp_path / "page.png")
+    changed_health = replace(health, strokes=table, runs=["a-1", "a-2"])
+    page(
+        changed_health, [stroke_loss(changed_health, 0.1), model_error(changed_health, 4.0)], 0.9, tmp_path / "page.png"
+    )
     drawn = plt.gcf().axes
     dotted = [[line.get_xdata()[0] for line in axes.lines if line.get_linestyle() == ":"] for axes in drawn]
     assert len(drawn) > 3 and dotted == [[8.5]] * len(drawn)
@@ -275,12 +282,14 @@ def test_too_few_strokes_are_said_and_no_error(tmp_path):
     model = "a model calibrated on the first 3 strokes is off by"
     assert re.search(rf"So far: {model} [0-9.]+ mm \(.* 2 strokes\)\.\n  Until {model} 1 mm: no forecast", text)
     assert "synthetic" not in text and "Advice" not in text
-    made = folder(tmp_path, "a-2", samples(5, 0.002))
-    path = made / "run.yaml"
+    run_folder = folder(tmp_path, "a-2", samples(5, 0.002))
+    path = run_folder / "run.yaml"
     path.write_text(re.sub(r'("?material"?:\s*)"?\w+"?', r'\1"example"', path.read_text()))
-    assert "\n  Only if you record the synthetic rig (" in joined(program(made, "--out", tmp_path / "other").stdout)
-    told = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
-    assert told["first"] is None and told["questions"]["stroke_loss"]["strokes_left"]["low"] is None
+    assert "\n  Only if you record the synthetic rig (" in joined(
+        program(run_folder, "--out", tmp_path / "other").stdout
+    )
+    saved = json.loads((tmp_path / "out" / "a-1" / "lifespan.json").read_text())
+    assert saved["first"] is None and saved["questions"]["stroke_loss"]["strokes_left"]["low"] is None
 
 
 def test_a_single_stroke_is_no_error(tmp_path):
@@ -295,8 +304,8 @@ def test_a_single_stroke_is_no_error(tmp_path):
 @pytest.mark.parametrize("strokes", [1, 3, 11, 12])
 def test_no_panel_is_empty_and_one_without_a_forecast_says_how_many_strokes_it_needs(tmp_path, monkeypatch, strokes):
     health = strings([folder(tmp_path, "a-1", samples(strokes, 0.004))])[0]
-    with monkeypatch.context() as held:
-        held.setattr(plt, "close", lambda figure: None)
+    with monkeypatch.context() as patch:
+        patch.setattr(plt, "close", lambda figure: None)
         page(health, [stroke_loss(health, 0.1), model_error(health, 1.0)], 0.9, tmp_path / "page.png")
     panels = plt.gcf().axes
     for axes in panels:
@@ -304,8 +313,8 @@ def test_no_panel_is_empty_and_one_without_a_forecast_says_how_many_strokes_it_n
                      if len(line.get_xdata()) == len(line.get_ydata()) > 0 and line.get_marker() == ".")  # fmt: skip
         assert points or any("12" in text.get_text() for text in axes.texts)
     needed = [axes.get_title(loc="left") for axes in panels[:2]]
-    told = f"no forecast yet: {strokes} strokes, 12 needed".replace(" 1 strokes", " 1 stroke")
-    assert (told in "\n".join(needed).split("\n")) == (strokes < 12)
+    notice = f"no forecast yet: {strokes} strokes, 12 needed".replace(" 1 strokes", " 1 stroke")
+    assert (notice in "\n".join(needed).split("\n")) == (strokes < 12)
     plt.close("all")
 
 
@@ -323,10 +332,10 @@ def test_help_the_page_and_the_rig_say_how_many_strokes_a_forecast_needs():
 
 def said_of(drawn_when, state):
     """One question's sentence for futures that pass their limit when a test says."""
-    left = Left(when=np.sort(np.array(drawn_when, float)), horizon=120.0, choice=SimpleNamespace(
+    forecast = Left(when=np.sort(np.array(drawn_when, float)), horizon=120.0, choice=SimpleNamespace(
         best=SimpleNamespace(law=SimpleNamespace(name="linear")), weights=np.array([0.6, 0.4])))  # fmt: skip
-    assert left.span(0.9).state == state
-    return sentence(Answer("stroke_loss", "", "1", np.array([12.0]), np.zeros(1), np.zeros(1), 0.1, left), 0.9)
+    assert forecast.span(0.9).state == state
+    return sentence(Answer("stroke_loss", "", "1", np.array([12.0]), np.zeros(1), np.zeros(1), 0.1, forecast), 0.9)
 
 
 def test_the_sentence_says_what_is_sure_and_what_half_of_the_futures_do():
@@ -358,37 +367,39 @@ def test_the_sentence_says_what_is_sure_and_what_half_of_the_futures_do():
 
 def test_the_advice_says_why_it_comes_long_before_half_of_the_futures_pass_the_limit():
     """ "Calibrate again after about 7 strokes" stood beside "half stay below the limit for all 480"."""
-    for when, said in (
+    for when, worst_share in (
         ([7.2] * 11 + [np.inf] * 89, "10 %"),
         ([7.2] * 6 + [60.0] * 94, "5 %"),
         ([50.0] * 99 + [90.0], ""),
     ):
-        left = Left(when=np.sort(np.array(when)), horizon=120.0)
-        lines = rests_on([Answer("model_error", "", "mm", np.arange(12.0), np.zeros(12), np.zeros(12), 1.0, left)])
-        both = f"The advice is for the worst {said} of the futures, which pass 1 mm by then; that half of them stay"
-        assert (both in lines[0]) == bool(said), lines
+        forecast = Left(when=np.sort(np.array(when)), horizon=120.0)
+        lines = rests_on([Answer("model_error", "", "mm", np.arange(12.0), np.zeros(12), np.zeros(12), 1.0, forecast)])
+        both = (
+            f"The advice is for the worst {worst_share} of the futures, which pass 1 mm by then; that half of them stay"
+        )
+        assert (both in lines[0]) == bool(worst_share), lines
 
 
 def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
     """Of two ends each leaves 5 % of the futures outside; an end that stands alone leaves 10 %."""
     when = np.arange(1.0, 201.0)
-    said = said_of(when[:190].tolist() + [119.0] * 10, "interval")
-    assert "(5 % pass it sooner, 5 % later)" in said[0] and np.mean(np.sort(when) < 10.0) < 0.05
+    lines = said_of(when[:190].tolist() + [119.0] * 10, "interval")
+    assert "(5 % pass it sooner, 5 % later)" in lines[0] and np.mean(np.sort(when) < 10.0) < 0.05
     alone = Left(when=np.concatenate([when[:100], np.full(100, np.inf)]), horizon=120.0).span(0.9)
     assert np.mean(when[:100] <= alone.low) * 100 / 200 == 0.10
 
 
 @pytest.mark.parametrize(
-    ("value", "limit", "said"),
+    ("value", "limit", "digits"),
     [(1.031, 1.0, "1.03"), (0.9961, 1.0, "0.996"), (0.84, 1.0, "0.84"), (10.04, 10.0, "10.04"), (1.0, 1.0, "1")],
 )
-def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, limit, said):
+def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, limit, digits):
     """ "The model is off by 1 mm" stood beside a limit of 1 mm that was "passed already"."""
-    assert beside_limit(value, limit) == said
+    assert beside_limit(value, limit) == digits
 
 
 @pytest.mark.parametrize(
-    ("off_mm", "noise_mm", "said"),
+    ("off_mm", "noise_mm", "size_words"),
     [
         (0.0, 0.0071, "less than the noise of a stroke, 0.0071 mm"),
         (0.0, 0.0, "nothing measurable"),
@@ -396,10 +407,12 @@ def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, li
         (0.02, 0.0071, "0.02 mm"),
     ],
 )
-def test_a_model_that_is_off_by_less_than_its_noise_is_not_off_by_0_mm(off_mm, noise_mm, said):
+def test_a_model_that_is_off_by_less_than_its_noise_is_not_off_by_0_mm(off_mm, noise_mm, size_words):
     values, noise = np.full(12, off_mm), np.full(12, noise_mm)
-    told = so_far(Answer("model_error", "", "mm", np.arange(1.0, 13.0), values, noise, 1.0, Left("why")))
-    assert told.startswith(f"So far: a model calibrated on the first 3 strokes is off by {said} (median of")
+    so_far_text = so_far(Answer("model_error", "", "mm", np.arange(1.0, 13.0), values, noise, 1.0, Left("why")))
+    assert so_far_text.startswith(
+        f"So far: a model calibrated on the first 3 strokes is off by {size_words} (median of"
+    )
 
 
 def ageless(strokes):
@@ -439,23 +452,34 @@ def test_the_picture_says_why_its_shade_holds_fewer_futures_than_its_arrow_promi
 
 def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
     """A stroke that grew by 1.5 % was said to have lost a negative share."""
-    n, left = np.arange(1.0, 13.0), Left("why")
-    for last, said in ((-0.015, "the stroke grew by 1.5 %; nothing is lost"), (0.02, "2 % of the stroke is lost")):
+    n, forecast = np.arange(1.0, 13.0), Left("why")
+    for last, loss_words in (
+        (-0.015, "the stroke grew by 1.5 %; nothing is lost"),
+        (0.02, "2 % of the stroke is lost"),
+    ):
         values = np.linspace(0.0, last, 12)
         values[-3:] = last
         against = "(the last 3 strokes against the first 3)."
-        assert so_far(Answer("stroke_loss", "", "1", n, values, values, 0.1, left)) == f"So far: {said} {against}"
-    grown = Answer("stroke_loss", "", "1", n, np.full(12, -0.014), np.full(12, -0.014), 0.1, left)
+        assert (
+            so_far(Answer("stroke_loss", "", "1", n, values, values, 0.1, forecast))
+            == f"So far: {loss_words} {against}"
+        )
+    grown = Answer("stroke_loss", "", "1", n, np.full(12, -0.014), np.full(12, -0.014), 0.1, forecast)
     rests = pd.DataFrame({"rest_mm": np.repeat([9.0, 8.4, 7.8], 4), "rest_mm_error": 0.01})
-    told = so_far(grown, longer_at_rest(rests))
-    assert "the stroke grew by 1.4 %; nothing is lost, but the string is 1.2 mm longer at rest (the last" in told
+    so_far_text = so_far(grown, longer_at_rest(rests))
+    assert "the stroke grew by 1.4 %; nothing is lost, but the string is 1.2 mm longer at rest (the last" in so_far_text
     assert longer_at_rest(rests.assign(rest_mm_error=1.0)) == longer_at_rest(rests[:5]) == "", "within the noise"
     for least in (np.full(12, 1.1e-16), np.full(12, -1.1e-16)):
-        told = so_far(Answer("stroke_loss", "", "1", n, least, least, 0.1, left))
-        assert told == "So far: nothing measurable of the stroke is lost (the last 3 strokes against the first 3)."
+        so_far_text = so_far(Answer("stroke_loss", "", "1", n, least, least, 0.1, forecast))
+        assert (
+            so_far_text == "So far: nothing measurable of the stroke is lost (the last 3 strokes against the first 3)."
+        )
     off = np.full(12, 0.841)
-    told = so_far(Answer("model_error", "", "mm", n, off, off, 1.0, left))
-    assert told == "So far: a model calibrated on the first 3 strokes is off by 0.84 mm (median of the last 3 strokes)."
+    so_far_text = so_far(Answer("model_error", "", "mm", n, off, off, 1.0, forecast))
+    assert (
+        so_far_text
+        == "So far: a model calibrated on the first 3 strokes is off by 0.84 mm (median of the last 3 strokes)."
+    )
 
 
 def test_the_chance_of_a_sudden_end_in_words_is_the_one_in_the_futures():
@@ -471,7 +495,7 @@ def test_the_chance_of_a_sudden_end_in_words_is_the_one_in_the_futures():
 def test_both_questions_look_ahead_by_the_same_number_of_strokes(tmp_path):
     """It was 240 for the stroke and 210 for the model, which has no error over the first three strokes."""
     health = strings([folder(tmp_path, "a-1", samples(24, 0.002))])[0]
-    assert [one.left.horizon for one in (stroke_loss(health, 0.1), model_error(health, 4.0))] == [240.0, 240.0]
+    assert [answer.left.horizon for answer in (stroke_loss(health, 0.1), model_error(health, 4.0))] == [240.0, 240.0]
 
 
 def test_beside_a_claim_stands_how_often_its_kind_held_as_the_page_has_it():
@@ -483,30 +507,30 @@ def test_beside_a_claim_stands_how_often_its_kind_held_as_the_page_has_it():
     names = {"stroke_loss": "10 % of the stroke lost", "model_error": "model off by 1 mm"}
     words_ = {"one-sided": "at least", "interval": "from … to"}
     assert len(page_) == len(HELD)
-    for (what, state), known in HELD.items():
+    for (what, state), held_share in HELD.items():
         all_, late = page_[names[what], words_[state]]
-        assert all_.startswith(f"{known.percent} % (")
-        assert late.startswith("too few" if known.late_percent is None else f"{known.late_percent} % (")
-        assert f"held in {known.percent:.0f} of 100 cases" in measured(what, state)
+        assert all_.startswith(f"{held_share.percent} % (")
+        assert late.startswith("too few" if held_share.late_percent is None else f"{held_share.late_percent} % (")
+        assert f"held in {held_share.percent:.0f} of 100 cases" in measured(what, state)
     assert "asked at 75 % of the life in 93" in measured("stroke_loss", "interval")
     assert measured("stroke_loss", "one-sided").endswith("that could be judged: so the bound is cautious.")
     assert "cautious" not in measured("model_error", "interval")
     assert "too few" in measured("stroke_loss", "censored")
-    for (_, state), known in HELD.items():
-        assert known.percent > 89.5, f"{state}: what is called 90 % holds less often"
+    for (_, state), held_share in HELD.items():
+        assert held_share.percent > 89.5, f"{state}: what is called 90 % holds less often"
 
 
 def claim(question, *when, passed=np.nan):
-    left = Left("" if len(when) else "why", passed, np.sort(np.array(when, float)), horizon=240.0)
+    forecast = Left("" if len(when) else "why", passed, np.sort(np.array(when, float)), horizon=240.0)
     unit = "1" if question == "stroke_loss" else "mm"
-    return Answer(question, "", unit, np.arange(1.0, 25.0), np.zeros(24), np.zeros(24), 0.1, left)
+    return Answer(question, "", unit, np.arange(1.0, 25.0), np.zeros(24), np.zeros(24), 0.1, forecast)
 
 
 FIRST = "a model calibrated on the first 3 strokes"
 
 
 @pytest.mark.parametrize(
-    ("drift", "said", "why", "again"),
+    ("drift", "advised", "why", "again"),
     [
         ([9.5] * 50 + [np.inf] * 50, "calibrate your model again after about 9 strokes, at stroke 33. Ask again after "
          "4 strokes, at stroke 28.", f"{FIRST} may be off by 0.1 mm by then", "at least 9 strokes are left"),
@@ -520,21 +544,21 @@ FIRST = "a model calibrated on the first 3 strokes"
          f"nothing is foretold of {FIRST}", "the strokes seen have doubled then."),
     ],
 )  # fmt: skip
-def test_the_advice_says_what_to_do_next_and_what_that_rests_on(drift, said, why, again):
+def test_the_advice_says_what_to_do_next_and_what_that_rests_on(drift, advised, why, again):
     answers = [claim("stroke_loss", *[150.0] * 50, *[np.inf] * 50), claim("model_error", *drift)]
-    assert advice(answers) == f"Advice: {said}"
+    assert advice(answers) == f"Advice: {advised}"
     reasons = rests_on(answers)
-    heading = "Why no calibration" if said.startswith(("no reason", "your model need not")) else "Why calibrate"
+    heading = "Why no calibration" if advised.startswith(("no reason", "your model need not")) else "Why calibrate"
     assert reasons[0].startswith(f"{heading}: {why}") and reasons[1].startswith(f"Why ask again: {again}")
     assert len(reasons) == 2, "a sentence said that both follow from all strokes, which helped nobody"
 
 
 def test_the_page_s_example_has_the_program_s_own_reasons():
     """Two of its sentences were of another recording, and one was said no more."""
-    said = rests_on([claim("stroke_loss", *[197.0] * 50), claim("model_error", *[9.5] * 50, *[18.2] * 150)])
+    reasons = rests_on([claim("stroke_loss", *[197.0] * 50), claim("model_error", *[9.5] * 50, *[18.2] * 150)])
     example = joined((ROOT / "docs" / "lifespan.md").read_text().split("```")[5])
     assert [line.strip() for line in example.splitlines() if line.strip().startswith("Why ")] == [
-        reason.replace("by 0.1 mm", "by 1 mm") for reason in said
+        reason.replace("by 0.1 mm", "by 1 mm") for reason in reasons
     ]
 
 
@@ -547,19 +571,19 @@ def test_a_model_that_is_off_already_is_to_be_calibrated_again_now():
 
 def test_the_advice_gives_the_command_and_says_why_it_stays_after_a_calibration(tmp_path):
     """ "Calibrate the model again" stood there without a command, and stayed there once it was done."""
-    said = []
+    printed = []
     for place in (tmp_path / "a b", tmp_path / "raw"):
         place.mkdir()
         run = folder(place, "a-1", samples(24, 0.004))
         ran = programs.run("pipeline.lifespan", run, "--out", tmp_path / "out", cwd=tmp_path)
         assert ran.returncode == 0, ran.stderr
-        said.append(ran.stdout)
+        printed.append(ran.stdout)
     elsewhere, paste = f"--out {tmp_path / 'out' / 'calibrated'}", "    Calibrate it by this command (it"
     own = f"\n      python -m pipeline.diagnose '{tmp_path}/a b/a-1' {elsewhere}\n"
-    assert f"{paste} calibrates the simulator's dimensions on these runs):{own}" in said[0]
+    assert f"{paste} calibrates the simulator's dimensions on these runs):{own}" in printed[0]
     own = "\n      snakemake --cores 2 -- processed/UHMWPE/spline/within-0.model\n"
-    assert f"{paste} fits the spline of UHMWPE to all of its runs in raw/):{own}" in said[1]
-    for text in said:
+    assert f"{paste} fits the spline of UHMWPE to all of its runs in raw/):{own}" in printed[1]
+    for text in printed:
         assert "After a calibration name only the runs recorded since: a forecast" in joined(text)
 
 
@@ -573,18 +597,21 @@ def bedded(strokes, first):
 
 
 def test_one_recording_under_two_names_is_refused(tmp_path):
-    one = {"string": {**content("x")["string"], "id": "s"}}
-    runs = [folder(tmp_path, name, bedded(8, 1), **one) for name in ("a-1", "a-2")]
+    string_entry = {"string": {**content("x")["string"], "id": "s"}}
+    runs = [folder(tmp_path, name, bedded(8, 1), **string_entry) for name in ("a-1", "a-2")]
     ran = program(*runs, "--out", tmp_path / "out")
     assert ran.returncode == 2 and not (tmp_path / "out" / "s").exists()
     assert "a-2: recording: has the same samples as a-1. Mend: name one of the two" in ran.stderr
 
 
 def test_a_run_that_begins_as_the_string_began_is_told_as_perhaps_another_string(tmp_path):
-    one = {"string": {**content("x")["string"], "id": "s"}}
-    runs = [folder(tmp_path, "a-1", bedded(8, 1), **one), folder(tmp_path, "a-2", bedded(8, 9), **one)]
+    string_entry = {"string": {**content("x")["string"], "id": "s"}}
+    runs = [
+        folder(tmp_path, "a-1", bedded(8, 1), **string_entry),
+        folder(tmp_path, "a-2", bedded(8, 9), **string_entry),
+    ]
     other = bedded(8, 1)  # of another string, and no copy
-    runs.append(folder(tmp_path, "a-3", other.assign(displacement_mm=other["displacement_mm"] + 1e-4), **one))
+    runs.append(folder(tmp_path, "a-3", other.assign(displacement_mm=other["displacement_mm"] + 1e-4), **string_entry))
     assert strings(runs[:2])[0].anew == [] and strings(runs)[0].anew == ["a-3"]
     ran = program(*runs, "--out", tmp_path / "out")
     assert "a-3 begins as this string began" in ran.stdout and "a-2 begins" not in ran.stdout, ran.stderr
@@ -598,8 +625,8 @@ def test_bad_input_is_named(tmp_path, monkeypatch, capsys):
         monkeypatch.setattr(sys, "argv", ["lifespan", str(run), "--out", str(tmp_path / "out"), *arguments])
         with pytest.raises(SystemExit) as ended:
             main()
-        said = capsys.readouterr().err
-        assert ended.value.code == 2 and arguments[0] in said and "Mend" in said
+        complaint = capsys.readouterr().err
+        assert ended.value.code == 2 and arguments[0] in complaint and "Mend" in complaint
     assert not (tmp_path / "out").exists()
 
 
@@ -610,8 +637,8 @@ def test_a_run_named_twice_is_refused(tmp_path):
 
 
 def test_of_limits_that_were_passed_the_earlier_is_first(tmp_path):
-    (one,) = strings([folder(tmp_path, "a-1", samples(24, 0.006))])
-    late, early = stroke_loss(one, 0.10), stroke_loss(one, 0.05)
+    (health,) = strings([folder(tmp_path, "a-1", samples(24, 0.006))])
+    late, early = stroke_loss(health, 0.10), stroke_loss(health, 0.05)
     assert early.left.passed_at < late.left.passed_at
     assert first([late, early]) is early and first([early, late]) is early
 
@@ -627,15 +654,17 @@ def test_a_life_is_scored_against_its_truth(tmp_path):
     assert lost["left"].iloc[0] + lost["seen"].iloc[0] == 52 and not lost["censored"].any()
     assert set(lost["cut"]) == {"25% of the life", "50% of the life", "75% of the life", "15 strokes", "30 strokes"}
     assert lost.groupby("method").size().nunique() == 1
-    said = words(rows)
-    assert "| this forecast |" in said and "| one-sided, 75% of the life |" in said.replace("interval,", "one-sided,")
+    score_text = words(rows)
+    assert "| this forecast |" in score_text and "| one-sided, 75% of the life |" in score_text.replace(
+        "interval,", "one-sided,"
+    )
 
 
 def test_censored_lives_count_only_where_they_tell():
-    left = Left(when=np.linspace(10.0, 20.0, 1001), horizon=100.0)
-    assert held(left, 0.9, 15.0, False) == 1.0 and held(left, 0.9, 20.0, False) == 0.0
-    assert held(left, 0.9, 20.0, True) == 0.0  # it went on beyond the upper end
-    assert np.isnan(held(left, 0.9, 15.0, True)) and np.isnan(held(left, 0.9, 5.0, True))
+    forecast = Left(when=np.linspace(10.0, 20.0, 1001), horizon=100.0)
+    assert held(forecast, 0.9, 15.0, False) == 1.0 and held(forecast, 0.9, 20.0, False) == 0.0
+    assert held(forecast, 0.9, 20.0, True) == 0.0  # it went on beyond the upper end
+    assert np.isnan(held(forecast, 0.9, 15.0, True)) and np.isnan(held(forecast, 0.9, 5.0, True))
     open_ended = Left(when=np.concatenate([np.linspace(10.0, 20.0, 500), np.full(500, np.inf)]), horizon=100.0)
     assert held(open_ended, 0.9, 15.0, True) == 1.0 and np.isnan(held(open_ended, 0.9, 5.0, True))
     assert np.isnan(held(Left("why"), 0.9, 5.0, False))

@@ -28,13 +28,13 @@ def under(table: pd.DataFrame, load_n: float, begins_s: float) -> pd.DataFrame:
 
 def lives(place: Path, *parts: tuple[int, float]) -> list[Path]:
     """Runs of one string that does not age, each of so many strokes under a load."""
-    made = []
+    runs = []
     for number, (strokes, load_n) in enumerate(parts):
         table = samples(strokes, 0.0)
         ageless = table["displacement_mm"] + 0.05 * np.minimum(np.arange(len(table)) // 114, strokes - 1)
         table = under(table.assign(displacement_mm=ageless), load_n, 1e4 * number)
-        made.append(folder(place, f"a-{number + 1}", table, string=string(id="a")))
-    return made
+        runs.append(folder(place, f"a-{number + 1}", table, string=string(id="a")))
+    return runs
 
 
 def asked(place: Path, *parts: tuple[int, float]) -> tuple[str, dict]:
@@ -46,7 +46,7 @@ def asked(place: Path, *parts: tuple[int, float]) -> tuple[str, dict]:
 
 def test_a_change_of_load_is_no_ageing(tmp_path: Path) -> None:
     """It said that a model was off by 2 mm and to be calibrated now, of a string that had not aged at all."""
-    text, told = asked(tmp_path, (13, 20.0), (5, 40.0))
+    text, saved = asked(tmp_path, (13, 20.0), (5, 40.0))
     assert "calibrate your model again now" not in text and "passed already" not in text
     assert text.startswith("a: 13 strokes seen under 20 N, the last one stroke 13.\n")
     assert (
@@ -56,20 +56,20 @@ def test_a_change_of_load_is_no_ageing(tmp_path: Path) -> None:
     since = "The string did 5 strokes more since: strokes left are counted from stroke 13, the last one under 20 N."
     assert since in text
     assert "Beware: zero not compared between a-1 and a-2: a-1 rests last at 20 N, a-2 begins at 40 N." in text
-    assert told["load_n"] == pytest.approx(20.0) and told["strokes_of_another_load"] == [14, 15, 16, 17, 18]
-    assert told["strokes_seen"] == 13 and len(told["zeros_not_compared"]) == 1
-    assert max(told["indicators"]["model_error_mm"]) < 0.1
+    assert saved["load_n"] == pytest.approx(20.0) and saved["strokes_of_another_load"] == [14, 15, 16, 17, 18]
+    assert saved["strokes_seen"] == 13 and len(saved["zeros_not_compared"]) == 1
+    assert max(saved["indicators"]["model_error_mm"]) < 0.1
     docs = (Path(__file__).parents[2] / "docs" / "lifespan.md").read_text()
     assert all("A change of load is no ageing" in words for words in (text, docs))
 
 
 def test_of_as_many_strokes_those_of_the_last_load_count_and_more_of_them_are_asked_for(tmp_path: Path) -> None:
-    text, told = asked(tmp_path, (7, 20.0), (7, 40.0))
+    text, saved = asked(tmp_path, (7, 20.0), (7, 40.0))
     text = " ".join(text.split())
     assert text.startswith("a: no forecast yet: 7 strokes seen under 40 N; at least 12 under one load are needed, 5")
     assert re.search(r"Record 5 or more further strokes of this very string under 40 N as a new run \(.* a-2\)", text)
     assert "passed" not in text and "The string did" not in text
-    assert told["strokes_of_another_load"] == [1, 2, 3, 4, 5, 6, 7] and told["last_stroke"] == 14
+    assert saved["strokes_of_another_load"] == [1, 2, 3, 4, 5, 6, 7] and saved["last_stroke"] == 14
 
 
 def test_strokes_of_one_load_are_compared_across_those_of_another(tmp_path: Path) -> None:
@@ -80,9 +80,9 @@ def test_strokes_of_one_load_are_compared_across_those_of_another(tmp_path: Path
 
 
 def test_a_load_that_is_hung_amid_a_run_is_seen_by_stroke(tmp_path: Path) -> None:
-    one, other = samples(8, 0.0), samples(4, 0.0)
-    ended = float(one["time_s"].iloc[-1]) + 0.1
-    both = pd.concat([one, under(other, 40.0, ended)], ignore_index=True)
+    first_part, other = samples(8, 0.0), samples(4, 0.0)
+    ended = float(first_part["time_s"].iloc[-1]) + 0.1
+    both = pd.concat([first_part, under(other, 40.0, ended)], ignore_index=True)
     (health,) = strings([folder(tmp_path, "a-1", both)])
     assert health.loads.kept == list(range(1, 9)) and [numbers for _, numbers in health.loads.others] == [
         [9, 10, 11, 12]

@@ -49,9 +49,9 @@ def test_calibrated_recovers_a_mismeasured_radius_and_zero(points: pd.DataFrame)
     # Other dimensions trade a little against the radius, within what 0.03 mm of noise can tell apart.
     assert move["radius_mm"] == pytest.approx(0.04 * 0.4, abs=0.004)
     assert move["zero_mm"] == pytest.approx(-0.7, abs=0.1)
-    known = points.assign(displacement_mm=np.nan)
+    questions = points.assign(displacement_mm=np.nan)
     truth = exact(points, zero_mm=-0.7, radius_mm=0.4 * 1.04)["displacement_mm"]
-    assert np.sqrt(np.mean((model.forward(known) - truth) ** 2)) < 0.032
+    assert np.sqrt(np.mean((model.forward(questions) - truth) ** 2)) < 0.032
 
 
 def test_calibrated_stays_within_three_sigma(points: pd.DataFrame) -> None:
@@ -92,8 +92,8 @@ def test_strings_are_calibrated_apart_and_an_unknown_one_is_nominal(points: pd.D
 def test_calibrated_inverse_undoes_its_forward(points: pd.DataFrame) -> None:
     model = Calibrated()
     model.fit(exact(points, zero_mm=0.4, radius_mm=0.41), 0)
-    there = points.assign(displacement_mm=model.forward(points))
-    np.testing.assert_allclose(model.inverse(there), points["motor_turns"], atol=1e-9)
+    predicted = points.assign(displacement_mm=model.forward(points))
+    np.testing.assert_allclose(model.inverse(predicted), points["motor_turns"], atol=1e-9)
 
 
 def test_a_loaded_model_needs_no_tolerance(points: pd.DataFrame, tmp_path: Path) -> None:

@@ -22,24 +22,26 @@ def under_loads(loads_n: tuple[float, ...], strokes: int) -> pd.DataFrame:
     return points.assign(displacement_mm=points["displacement_mm"] - given_mm)
 
 
-def asked_between(folder: Path, loads_n: tuple[float, ...], given: str = "motor_turns") -> tuple[pd.DataFrame, str]:
+def asked_between(
+    folder: Path, loads_n: tuple[float, ...], given_column: str = "motor_turns"
+) -> tuple[pd.DataFrame, str]:
     """Answers of the program about the strokes under 20 N, which it never saw, with what was measured."""
     points = under_loads(loads_n, 12)
     truth = points[points["load_n"] == ASKED_N].iloc[::5].reset_index(drop=True)
     dataset, questions, answers = folder / "dataset.parquet", folder / "questions.csv", folder / "answers.csv"
     schemas.write(points[points["load_n"] != ASKED_N].reset_index(drop=True), schemas.DATASET, dataset)
-    truth[["stroke", "direction", given, "load_n"]].to_csv(questions, index=False)
+    truth[["stroke", "direction", given_column, "load_n"]].to_csv(questions, index=False)
     done = programs.run("pipeline.predict", dataset, questions, "--out", answers, "--model", "polynomial")
     assert done.returncode == 0, done.stderr
-    wanted = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}[given]
-    found = pd.read_csv(answers)
-    return found.assign(
-        held=truth[wanted].between(found[f"{wanted}_low"], found[f"{wanted}_high"]),
-        half=(found[f"{wanted}_high"] - found[f"{wanted}_low"]) / 2.0,
+    wanted = {"motor_turns": "displacement_mm", "displacement_mm": "motor_turns"}[given_column]
+    table = pd.read_csv(answers)
+    return table.assign(
+        held=truth[wanted].between(table[f"{wanted}_low"], table[f"{wanted}_high"]),
+        half=(table[f"{wanted}_high"] - table[f"{wanted}_low"]) / 2.0,
     ), done.stdout
 
 
-@pytest.mark.parametrize("given", ["motor_turns", "displacement_mm"])
+@pytest.mark.parametrize("given_column", ["motor_turns", "displacement_mm"])
 @pytest.mark.parametrize(
     ("loads_n", "why"),
     [
@@ -50,13 +52,13 @@ def asked_between(folder: Path, loads_n: tuple[float, ...], given: str = "motor_
     ids=["two", "three", "four"],
 )
 def test_a_load_that_was_held_out_lies_in_the_intervals(
-    tmp_path: Path, loads_n: tuple[float, ...], why: str, given: str
+    tmp_path: Path, loads_n: tuple[float, ...], why: str, given_column: str
 ) -> None:
-    found, out = asked_between(tmp_path, loads_n, given)
-    inside = found["inside"]
-    assert inside.mean() > 0.9 and found["held"][inside].mean() >= 0.9
+    table, out = asked_between(tmp_path, loads_n, given_column)
+    inside = table["inside"]
+    assert inside.mean() > 0.9 and table["held"][inside].mean() >= 0.9
     sentence = f"no load between 8 and {loads_n[2]:g} N was recorded, so no error was measured there; {why}"
-    assert (found["why"][inside] == sentence).all()
+    assert (table["why"][inside] == sentence).all()
     assert f"  {numbered((1 + np.flatnonzero(inside)).tolist())}: {sentence}" in out
 
 
@@ -66,6 +68,6 @@ def test_under_a_recorded_load_the_interval_stays_as_narrow(tmp_path: Path) -> N
     questions.write_text("stroke,direction,motor_turns,load_n\n4,1,12,28\n4,1,12,18\n4,1,12,8\n")
     done = programs.run("pipeline.predict", dataset, questions, "--out", answers, "--model", "polynomial")
     assert done.returncode == 0, done.stderr
-    found = pd.read_csv(answers)
-    half = (found["displacement_mm_high"] - found["displacement_mm_low"]) / 2.0
+    table = pd.read_csv(answers)
+    half = (table["displacement_mm_high"] - table["displacement_mm_low"]) / 2.0
     assert half[0] == pytest.approx(half[2]) and half[1] > 1.3 * half[0] and half[0] < 0.1

@@ -22,10 +22,10 @@ def campaign() -> pd.DataFrame:
 
 
 def test_only_what_varies_is_a_condition(campaign: pd.DataFrame) -> None:
-    found = Conditions.of(campaign)
-    assert set(found.names) == {"radius_mm", "load_n"} and found.materials == ("aramid", "nylon")
-    assert found.size == 3 == found.table(campaign).shape[1]
-    scaled = found.table(campaign)[:, :2]
+    conditions = Conditions.of(campaign)
+    assert set(conditions.names) == {"radius_mm", "load_n"} and conditions.materials == ("aramid", "nylon")
+    assert conditions.size == 3 == conditions.table(campaign).shape[1]
+    scaled = conditions.table(campaign)[:, :2]
     assert np.allclose(scaled.mean(axis=0), 0) and np.allclose(scaled.std(axis=0), 1)
 
 
@@ -36,15 +36,15 @@ def test_a_load_cells_noise_is_no_condition(points: pd.DataFrame) -> None:
 
 
 def test_a_strange_material_counts_as_the_first(campaign: pd.DataFrame) -> None:
-    found = Conditions.of(campaign)
-    of_first = found.table(campaign.assign(material="aramid"))
-    np.testing.assert_array_equal(found.table(campaign.assign(material="steel")), of_first)
-    np.testing.assert_array_equal(found.table(campaign.drop(columns="material")), of_first)
+    conditions = Conditions.of(campaign)
+    of_first = conditions.table(campaign.assign(material="aramid"))
+    np.testing.assert_array_equal(conditions.table(campaign.assign(material="steel")), of_first)
+    np.testing.assert_array_equal(conditions.table(campaign.drop(columns="material")), of_first)
 
 
 def test_conditions_come_back_from_a_file(campaign: pd.DataFrame) -> None:
-    found = Conditions.of(campaign)
-    assert Conditions.from_saved(json.loads(json.dumps(found.saved()))) == found
+    conditions = Conditions.of(campaign)
+    assert Conditions.from_saved(json.loads(json.dumps(conditions.saved()))) == conditions
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,7 @@ def test_it_is_five_times_better_than_better_dimensions(case: tuple[Diagnosed, p
     calibrated.fit(train, 0)
     for column, map_ in (("displacement_mm", "forward"), ("motor_turns", "inverse")):
         hidden = test.assign(**{column: np.nan})
-        error, plain = (rmse(getattr(one, map_)(hidden) - test[column]) for one in (model, calibrated))
+        error, plain = (rmse(getattr(candidate, map_)(hidden) - test[column]) for candidate in (model, calibrated))
         assert error < plain / 5.0, (map_, error, plain)
 
 
@@ -63,8 +63,8 @@ def test_at_points_with_holes_between_drivers_are_those_of_the_whole_motion() ->
     whole = along(run, motion.evenly(motion.step_s), float(motion.time_s[0])).drivers
     drivers = holed(run, seen[SAMPLES], frozenset()).drivers
     for name in ("rate", "moved", "path"):
-        known = np.interp(drivers.elapsed_s, whole.elapsed_s, getattr(whole, name))
-        np.testing.assert_array_equal(getattr(drivers, name), known, err_msg=name)
+        expected = np.interp(drivers.elapsed_s, whole.elapsed_s, getattr(whole, name))
+        np.testing.assert_array_equal(getattr(drivers, name), expected, err_msg=name)
 
 
 def test_events_are_timed_from_the_start_that_is_given() -> None:
@@ -83,8 +83,8 @@ def test_it_predicts_its_training_points_as_its_fit_did(case: tuple[Diagnosed, p
 
 def test_its_inverse_undoes_its_forward(case: tuple[Diagnosed, pd.DataFrame, pd.DataFrame]) -> None:
     model, _, test = case
-    there = test.assign(displacement_mm=model.forward(test), motor_turns=np.nan)
-    error = model.inverse(there) - test["motor_turns"]
+    predicted = test.assign(displacement_mm=model.forward(test), motor_turns=np.nan)
+    error = model.inverse(predicted) - test["motor_turns"]
     assert rmse(error) < 0.003 and np.abs(error).max() < 0.03  # turns
 
 
@@ -128,7 +128,7 @@ def test_too_few_points_for_a_diagnosis_are_calibrated_and_hardly_any_are_nomina
     (simulator,) = model.simulators.values()
     assert "cannot be told from what comes with the motion" in simulator.verdict and not simulator.acts
     seen = points.iloc[:40]
-    error, nominal = (rmse(one.forward(seen) - seen["displacement_mm"]) for one in (model, Traditional()))
+    error, nominal = (rmse(candidate.forward(seen) - seen["displacement_mm"]) for candidate in (model, Traditional()))
     assert error < 0.5 * nominal and np.isfinite(model.inverse(points)).all()
 
 

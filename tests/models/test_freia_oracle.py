@@ -36,13 +36,13 @@ def test_a_block_is_freias_both_ways(size: int, conditions: int, clamp: float) -
         block = Coupling(size, 16, 2, clamp, conditions).double()
         for weights in block.parameters():
             weights.normal_(0.0, 0.5)
-        x, given = torch.randn(50, size).double(), torch.randn(50, conditions).double() if conditions else None
-    oracle, told = theirs(block, conditions), [given] if conditions else []
-    (expected,), _ = oracle([x], told, rev=False)
-    (back,), _ = oracle([x], told, rev=True)
-    torch.testing.assert_close(block(x, given), expected, rtol=1e-12, atol=1e-12)
-    torch.testing.assert_close(block.inverse(x, given), back, rtol=1e-12, atol=1e-12)
-    assert (block(x, given) - x).abs().max() > 0.1
+        x, condition = torch.randn(50, size).double(), torch.randn(50, conditions).double() if conditions else None
+    oracle, condition_list = theirs(block, conditions), [condition] if conditions else []
+    (expected,), _ = oracle([x], condition_list, rev=False)
+    (back,), _ = oracle([x], condition_list, rev=True)
+    torch.testing.assert_close(block(x, condition), expected, rtol=1e-12, atol=1e-12)
+    torch.testing.assert_close(block.inverse(x, condition), back, rtol=1e-12, atol=1e-12)
+    assert (block(x, condition) - x).abs().max() > 0.1
 
 
 @torch.no_grad()

@@ -119,8 +119,8 @@ def test_a_string_that_is_answered_alone_is_named_beside_its_range(dataset: Path
 
 
 def test_what_hardly_differs_or_comes_of_one_string_is_the_materials(dataset: Path) -> None:
-    one = string("A", (15.0, 30.0), 1)
-    assert list(measures(one, 3)) == [""]
+    single_string = string("A", (15.0, 30.0), 1)
+    assert list(measures(single_string, 3)) == [""]
     jittered = string("B", (15.0,), 2).assign(load_n=15.1)
     by_string = measures(pd.concat([string("A", (15.0,), 1), jittered], ignore_index=True), 3)
     assert by_string["A"].box.high["load_n"] == by_string[""].box.high["load_n"], "15.1 N is what its cell reads"

@@ -39,14 +39,14 @@ def grid(train: pd.DataFrame, per_side: int = 400) -> pd.DataFrame:
 
 
 def test_the_round_trip_on_the_data(model: Model, train: pd.DataFrame) -> None:
-    there = train.assign(displacement_mm=model.forward(train))
-    assert np.abs(model.inverse(there) - train["motor_turns"]).max() <= ON_DATA_TURNS
+    predicted = train.assign(displacement_mm=model.forward(train))
+    assert np.abs(model.inverse(predicted) - train["motor_turns"]).max() <= ON_DATA_TURNS
 
 
 def test_the_round_trip_over_the_whole_box(model: Model, train: pd.DataFrame) -> None:
     whole = grid(train)
-    there = whole.assign(displacement_mm=model.forward(whole))
-    assert np.abs(model.inverse(there) - whole["motor_turns"]).max() <= IN_BOX_TURNS
+    predicted = whole.assign(displacement_mm=model.forward(whole))
+    assert np.abs(model.inverse(predicted) - whole["motor_turns"]).max() <= IN_BOX_TURNS
 
 
 def test_it_rises_with_the_twist(model: Model, train: pd.DataFrame) -> None:
@@ -72,8 +72,8 @@ def test_the_box_names_what_lies_outside(train: pd.DataFrame, name: str, wrong: 
     box, points = Box.of(train), train.astype({"stroke": float}).copy()
     value = {"below": box.low[name] - 0.5, "above": box.high[name] + 0.5, "nan": np.nan, "infinite": np.inf}[wrong]
     points.iloc[7, points.columns.get_loc(name)] = value
-    found = box.outside(points, "motor_turns")
-    assert list(found) == [name] and np.flatnonzero(found[name]).tolist() == [7]
+    outside = box.outside(points, "motor_turns")
+    assert list(outside) == [name] and np.flatnonzero(outside[name]).tolist() == [7]
 
 
 def test_the_box_asks_nothing_of_the_answer_and_knows_materials(train: pd.DataFrame) -> None:

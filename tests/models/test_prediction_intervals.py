@@ -21,40 +21,40 @@ def fitted(points):
 
 
 @pytest.fixture(scope="module")
-def one():
+def string_fit():
     """One string, its intervals fitted without its last two strokes."""
     points = made_string(0)
     return points, fitted(points)
 
 
 @pytest.fixture(scope="module")
-def asked():
+def forecasts():
     """Every string's points of the strokes to come, with their intervals, of both maps."""
     rows = []
     for number in range(STRINGS):
         points = made_string(number, seed=5)
         intervals, ahead = fitted(points), points[points["stroke"] > KNOWN]
         for map_, column in MAPS.items():
-            found = getattr(intervals, map_)(ahead.assign(**{column: np.nan}), LEVEL)
-            rows.append(found.assign(map=map_, truth=ahead[column].to_numpy(), string=number))
+            bounds = getattr(intervals, map_)(ahead.assign(**{column: np.nan}), LEVEL)
+            rows.append(bounds.assign(map=map_, truth=ahead[column].to_numpy(), string=number))
     return pd.concat(rows, ignore_index=True)
 
 
-def held(found, factor=1.0):
+def held(bounds, factor=1.0):
     """Share of the points inside the box within the interval, its half width taken times a factor."""
-    some = found[found["inside"]]
-    half = factor * (some["high"] - some["value"])
-    return float(((some["truth"] - some["value"]).abs() <= half).mean())
+    inside_rows = bounds[bounds["inside"]]
+    half = factor * (inside_rows["high"] - inside_rows["value"])
+    return float(((inside_rows["truth"] - inside_rows["value"]).abs() <= half).mean())
 
 
 @pytest.mark.long  # 48 strings; test_more_strokes_ahead_... looks at eight
 @pytest.mark.parametrize("map_", MAPS)
-def test_of_strokes_to_come_nine_in_ten_are_held(asked, map_):
-    some = asked[asked["map"] == map_]
-    assert some["inside"].mean() > 0.9
-    assert held(some) == pytest.approx(LEVEL, abs=0.02)
-    assert held(some, 0.8) < LEVEL - 0.02  # so intervals a fifth too narrow would be seen
-    assert held(some, 1.25) > LEVEL + 0.02
+def test_of_strokes_to_come_nine_in_ten_are_held(forecasts, map_):
+    map_forecasts = forecasts[forecasts["map"] == map_]
+    assert map_forecasts["inside"].mean() > 0.9
+    assert held(map_forecasts) == pytest.approx(LEVEL, abs=0.02)
+    assert held(map_forecasts, 0.8) < LEVEL - 0.02  # so intervals a fifth too narrow would be seen
+    assert held(map_forecasts, 1.25) > LEVEL + 0.02
 
 
 def test_more_strokes_ahead_and_higher_levels_are_wider():
@@ -63,25 +63,25 @@ def test_more_strokes_ahead_and_higher_levels_are_wider():
         points = made_string(number, walk_mm=0.05)
         intervals = fitted(points)
         last = points[points["stroke"] == KNOWN].assign(displacement_mm=np.nan)
-        found = [intervals.forward(last.assign(stroke=KNOWN + ahead), LEVEL) for ahead in range(AHEAD + 1)]
+        bounds_ahead = [intervals.forward(last.assign(stroke=KNOWN + ahead), LEVEL) for ahead in range(AHEAD + 1)]
         beyond = intervals.forward(last.assign(stroke=KNOWN + AHEAD + 1), LEVEL)
         assert np.isinf(beyond["high"]).all() and not beyond["inside"].any() and np.isfinite(beyond["value"]).all()
-        widths.append([float((one["high"] - one["low"]).median()) for one in found])
+        widths.append([float((bounds["high"] - bounds["low"]).median()) for bounds in bounds_ahead])
         assert np.isfinite(widths[-1]).all() and (np.diff(widths[-1]) >= -1e-12).all()  # a sum is rounded
         narrow, wide = (intervals.inverse(points[points["stroke"] == 8], level) for level in (0.5, 0.95))
         inside = wide["inside"] & narrow["inside"]
-        held = wide["inside"] & ~narrow["inside"]  # contractions beyond both ends by more than the narrower width
-        assert held.sum() < 5 and set(narrow["value"][held]) <= set(np.ravel(intervals.turns(points[:1])))
+        wide_only = wide["inside"] & ~narrow["inside"]  # contractions beyond both ends by more than the narrower width
+        assert wide_only.sum() < 5 and set(narrow["value"][wide_only]) <= set(np.ravel(intervals.turns(points[:1])))
         assert inside.sum() > 50 and (wide["high"] > narrow["high"])[inside].all()
         assert (wide["low"] < narrow["low"])[inside].all()
     middle = np.median(widths, axis=0)
     assert middle[AHEAD] > 1.3 * middle[0]
 
 
-def test_among_seen_strokes_the_width_is_that_of_the_noise(one):
-    points, intervals = one
-    found = intervals.forward(points[points["stroke"] == 4], LEVEL)
-    assert float((found["high"] - found["value"]).median()) == pytest.approx(1.645 * NOISE_MM, rel=0.2)
+def test_among_seen_strokes_the_width_is_that_of_the_noise(string_fit):
+    points, intervals = string_fit
+    bounds = intervals.forward(points[points["stroke"] == 4], LEVEL)
+    assert float((bounds["high"] - bounds["value"]).median()) == pytest.approx(1.645 * NOISE_MM, rel=0.2)
 
 
 @pytest.mark.parametrize(
@@ -89,29 +89,29 @@ def test_among_seen_strokes_the_width_is_that_of_the_noise(one):
     [{"motor_turns": 30.0}, {"load_n": 25.0}, {"radius_mm": 0.5}, {"stroke": 0}, {"motor_turns": np.nan}],
     ids=lambda strange: f"{next(iter(strange))} {next(iter(strange.values()))}",
 )
-def test_what_lies_outside_the_box_is_flagged_and_gets_no_interval(one, strange):
-    points, intervals = one
-    asked = points[points["stroke"] == 3].reset_index(drop=True)
+def test_what_lies_outside_the_box_is_flagged_and_gets_no_interval(string_fit, strange):
+    points, intervals = string_fit
+    questions = points[points["stroke"] == 3].reset_index(drop=True)
     for name, value in strange.items():
-        asked[name] = asked[name].mask(asked.index < 5, value)
-    found = intervals.forward(asked, LEVEL)
-    assert not found["inside"][:5].any() and found["inside"][5:].all()
+        questions[name] = questions[name].mask(questions.index < 5, value)
+    bounds = intervals.forward(questions, LEVEL)
+    assert not bounds["inside"][:5].any() and bounds["inside"][5:].all()
     if not np.isnan(next(iter(strange.values()))):
-        assert np.isneginf(found["low"][:5]).all() and np.isposinf(found["high"][:5]).all()
-    assert np.isfinite(found[5:][["low", "high"]]).all().all()
+        assert np.isneginf(bounds["low"][:5]).all() and np.isposinf(bounds["high"][:5]).all()
+    assert np.isfinite(bounds[5:][["low", "high"]]).all().all()
 
 
-def test_a_contraction_never_reached_and_one_that_is_missing_are_flagged(one):
-    points, intervals = one
-    asked = points[points["stroke"] == 3].assign(motor_turns=np.nan).reset_index(drop=True)
-    asked.loc[:4, "displacement_mm"] = [500.0, -500.0, np.inf, -np.inf, np.nan]
-    found = intervals.inverse(asked, LEVEL)
-    assert not found["inside"][:5].any() and found["inside"][5:].all()
-    assert np.isneginf(found["low"][:2]).all() and np.isposinf(found["high"][:2]).all()
+def test_a_contraction_never_reached_and_one_that_is_missing_are_flagged(string_fit):
+    points, intervals = string_fit
+    questions = points[points["stroke"] == 3].assign(motor_turns=np.nan).reset_index(drop=True)
+    questions.loc[:4, "displacement_mm"] = [500.0, -500.0, np.inf, -np.inf, np.nan]
+    bounds = intervals.inverse(questions, LEVEL)
+    assert not bounds["inside"][:5].any() and bounds["inside"][5:].all()
+    assert np.isneginf(bounds["low"][:2]).all() and np.isposinf(bounds["high"][:2]).all()
 
 
-def test_the_same_points_give_the_same_intervals(one):
-    points, intervals = one
+def test_the_same_points_give_the_same_intervals(string_fit):
+    points, intervals = string_fit
     again, ahead = fitted(points), points[points["stroke"] > KNOWN]
     for map_ in MAPS:
         pd.testing.assert_frame_equal(getattr(intervals, map_)(ahead, LEVEL), getattr(again, map_)(ahead, LEVEL))
@@ -122,8 +122,8 @@ def test_of_too_few_strokes_nothing_is_said_about_those_to_come():
     few = points[points["stroke"] <= 3].reset_index(drop=True)
     intervals = Intervals(lambda: make_model("polynomial"))
     intervals.fit(few, 0)
-    found = intervals.forward(points[points["stroke"] == 4], LEVEL)
-    assert np.isposinf(found["high"]).all() and np.isneginf(found["low"]).all()
+    bounds = intervals.forward(points[points["stroke"] == 4], LEVEL)
+    assert np.isposinf(bounds["high"]).all() and np.isneginf(bounds["low"]).all()
     assert np.isfinite(intervals.forward(few, LEVEL)[["low", "high"]]).all().all()
 
 
@@ -132,11 +132,11 @@ def test_strokes_are_counted_for_each_string_and_an_unseen_string_gets_no_interv
     points = pd.concat([long[long["stroke"] <= 8], short[short["stroke"] <= 5]], ignore_index=True)
     intervals = Intervals(lambda: make_model("polynomial"))
     intervals.fit(points, 0)
-    asked = long[long["stroke"] == 8].assign(displacement_mm=np.nan)
+    questions = long[long["stroke"] == 8].assign(displacement_mm=np.nan)
     seen, ahead, unseen = (
-        intervals.forward(asked.assign(string=string), LEVEL) for string in ("made-002", "made-003", "other")
+        intervals.forward(questions.assign(string=string), LEVEL) for string in ("made-002", "made-003", "other")
     )
-    half = [float((found["high"] - found["value"]).median()) for found in (seen, ahead)]
+    half = [float((bounds["high"] - bounds["value"]).median()) for bounds in (seen, ahead)]
     assert half[1] == pytest.approx(
         half[0] * intervals.quantile("displacement_mm", 3, LEVEL) / intervals.quantile("displacement_mm", 0, LEVEL)
     )
@@ -146,13 +146,13 @@ def test_strokes_are_counted_for_each_string_and_an_unseen_string_gets_no_interv
 def test_each_strings_own_last_strokes_are_foreseen():
     points = pd.concat([made_string(2), made_string(3, strokes=5), made_string(4, strokes=3)], ignore_index=True)
     ahead = parts_of(points)[-AHEAD:]
-    for number, (known, rest) in enumerate(ahead, start=1):
+    for number, (seen, rest) in enumerate(ahead, start=1):
         assert set(rest["string"]) == ({"made-002", "made-003"} if number == 1 else {"made-002"})
         for string, rows in rest.groupby("string"):
             last = points.loc[points["string"] == string, "stroke"].max()
             assert (rows["stroke"] == last).all()
-            assert known.loc[known["string"] == string, "stroke"].max() == last - number
-        assert (known["string"] == "made-004").sum() == (points["string"] == "made-004").sum()
+            assert seen.loc[seen["string"] == string, "stroke"].max() == last - number
+        assert (seen["string"] == "made-004").sum() == (points["string"] == "made-004").sum()
 
 
 def test_points_of_one_block_are_refused():

@@ -29,9 +29,9 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def ask(dataset: Path, rows: list[str], *words: str, given: str = "motor_turns") -> tuple[pd.DataFrame, str]:
+def ask(dataset: Path, rows: list[str], *words: str, given_column: str = "motor_turns") -> tuple[pd.DataFrame, str]:
     questions, answers = dataset.with_name("questions.csv"), dataset.with_name("answers.csv")
-    questions.write_text("\n".join([f"stroke,direction,{given},load_n", *rows]) + "\n")
+    questions.write_text("\n".join([f"stroke,direction,{given_column},load_n", *rows]) + "\n")
     done = programs.run("pipeline.predict", dataset, questions, "--out", answers, *words)
     assert done.returncode == 0, done.stderr
     return pd.read_csv(answers, keep_default_na=False, na_values={"motor_turns_low": [""]}), done.stdout
@@ -81,7 +81,7 @@ def test_a_contraction_that_only_more_twist_than_was_recorded_gives_is_outside(
 ) -> None:
     forward, _ = ask(dataset, ["6,1,15,30", "6,1,19,30"], *words)
     rows = [f"6,1,{value},30" for value in forward["displacement_mm"]]
-    table, _ = ask(dataset, rows, *words, given="displacement_mm")
+    table, _ = ask(dataset, rows, *words, given_column="displacement_mm")
     assert table["inside"].tolist() == [True, False] and "recorded around load 30 N" in table["why"][1]
     assert table["motor_turns"][0] == pytest.approx(15.0, abs=0.1)
     assert table["motor_turns"][1] == pytest.approx(19.0 if words[0] == "--saved" else 16.4, abs=0.4)
@@ -91,15 +91,15 @@ def test_a_contraction_that_only_more_twist_than_was_recorded_gives_is_outside(
 @pytest.fixture
 def fitted_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first fit of a test, to the same points, is that of its later questions as well: it takes seconds."""
-    made: list[tuple[pd.DataFrame, dict[str, object]]] = []
+    fits: list[tuple[pd.DataFrame, dict[str, object]]] = []
     fit = Intervals.fit
 
     def fit_once(self: Intervals, points: pd.DataFrame, seed: int) -> None:
-        if not made:
+        if not fits:
             fit(self, points, seed)
-            made.append((points, dict(vars(self))))
-        pd.testing.assert_frame_equal(points, made[0][0])
-        vars(self).update(made[0][1])
+            fits.append((points, dict(vars(self))))
+        pd.testing.assert_frame_equal(points, fits[0][0])
+        vars(self).update(fits[0][1])
 
     monkeypatch.setattr(Intervals, "fit", fit_once)
 
@@ -110,13 +110,15 @@ def test_held_is_said_as_soon_as_the_answer_gives_another_contraction(dataset: P
     top, _ = ask(dataset, ["3,1,27.1,20"], "--model", "spline")
     half = top["displacement_mm_high"][0] - top["displacement_mm"][0]
     asked_mm = top["displacement_mm"][0] + np.linspace(-0.2, 0.4, 25)
-    table, _ = ask(dataset, [f"3,1,{value},20" for value in asked_mm], "--model", "spline", given="displacement_mm")
+    table, _ = ask(
+        dataset, [f"3,1,{value},20" for value in asked_mm], "--model", "spline", given_column="displacement_mm"
+    )
     back, _ = ask(dataset, [f"3,1,{turns},20" for turns in table["motor_turns"]], "--model", "spline")
     off = np.abs(back["displacement_mm"] - asked_mm) > half
-    held = table["why"].str.startswith("HELD")
-    assert table["why"][held].str.endswith(" at this stroke, direction and load").all()
-    assert held.tolist() == off.tolist() and 0 < held.sum() < len(held)
-    assert (table["inside"] == ~held).all() and half < 0.3
+    is_held = table["why"].str.startswith("HELD")
+    assert table["why"][is_held].str.endswith(" at this stroke, direction and load").all()
+    assert is_held.tolist() == off.tolist() and 0 < is_held.sum() < len(is_held)
+    assert (table["inside"] == ~is_held).all() and half < 0.3
 
 
 def test_the_pairs_are_a_hull_with_room_and_a_column_that_hardly_varies_has_none() -> None:

@@ -69,12 +69,12 @@ def test_the_strokes_under_a_load_are_a_hull_and_go_on_ahead_under_the_last_load
     first, last = under.strokes(loads, np.full(3, 10.0))
     np.testing.assert_allclose(first + 0.5, [7.0, 4.0, 1.0], atol=0.5)  # a little of the room of the load
     np.testing.assert_allclose(last - 1.0, [15.0, 10.5, 6.0], atol=0.5)
-    one, other = made_dataset(20, 4), made_dataset(20, 6).assign(string="b", load_n=30.0)
-    apart = Under.of(pd.concat([one, other]), 1)
-    asked = pd.DataFrame({"load_n": [20.0, 20.0, 30.0, 30.0, 50.0], "stroke": [5.0, 7.0, 7.0, 90.0, 3.0]})
+    light_string, other = made_dataset(20, 4), made_dataset(20, 6).assign(string="b", load_n=30.0)
+    apart = Under.of(pd.concat([light_string, other]), 1)
+    questions = pd.DataFrame({"load_n": [20.0, 20.0, 30.0, 30.0, 50.0], "stroke": [5.0, 7.0, 7.0, 90.0, 3.0]})
     assert apart is not None
-    assert [bool(reason) for reason in apart.never(asked, np.full(5, 10.0))] == [False, True, False, False, False]
-    assert Under.of(one, 1) is None
+    assert [bool(reason) for reason in apart.never(questions, np.full(5, 10.0))] == [False, True, False, False, False]
+    assert Under.of(light_string, 1) is None
 
 
 def test_a_stroke_counts_under_a_load_only_as_far_as_it_was_wound_there() -> None:
@@ -86,8 +86,8 @@ def test_a_stroke_counts_under_a_load_only_as_far_as_it_was_wound_there() -> Non
     points.loc[points["stroke"] == 3, "load_n"] = np.where(points["motor_turns"][points["stroke"] == 3] < 9, 40.0, 30.0)
     under = Under.of(points, 1)
     assert under is not None
-    asked = pd.DataFrame({"load_n": 40.0, "stroke": [6.0, 6.0, 7.0, 3.0, 3.0, 2.0, 13.0, 5.0]})
-    why = under.never(asked, np.array([0.0, 26.0, 26.0, 5.0, 20.0, 0.0, 26.0, 5.0]))
+    questions = pd.DataFrame({"load_n": 40.0, "stroke": [6.0, 6.0, 7.0, 3.0, 3.0, 2.0, 13.0, 5.0]})
+    why = under.never(questions, np.array([0.0, 26.0, 26.0, 5.0, 20.0, 0.0, 26.0, 5.0]))
     assert [bool(reason) for reason in why] == [False, True, False, False, True, True, False, False]
     assert why[1] == "stroke 6 was not recorded under load 40 N as far as 26 turns: the first there is 7"
     assert why[5] == "stroke 2 was not recorded under load 40 N: the first there is 3"

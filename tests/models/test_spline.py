@@ -77,9 +77,9 @@ def test_the_damped_least_squares_finds_what_scipys_does() -> None:
         return p[0] * fallen - measured, np.column_stack([fallen, -p[0] * time * fallen])
 
     ridge = np.array([0.2, 0.1])
-    found = least_squares(problem, np.array([1.0, 0.1]), ridge, 50)
+    solution = least_squares(problem, np.array([1.0, 0.1]), ridge, 50)
     expected = optimize.least_squares(lambda p: np.append(problem(p)[0], np.sqrt(ridge) * p), [1.0, 0.1], xtol=1e-12).x
-    np.testing.assert_allclose(found, expected, rtol=1e-4)
+    np.testing.assert_allclose(solution, expected, rtol=1e-4)
 
 
 def test_a_fit_that_starts_at_nothing_finite_is_refused() -> None:
@@ -99,13 +99,13 @@ SOON = ("saturating",)  # the others take long
 
 def oracle_turns(test: pd.DataFrame, law: str) -> np.ndarray:
     """E[θ | x, n, direction] by the made data's own truth and noise: no model foresees the twist better."""
-    grid, found = np.linspace(0.0, TOP_TURNS, 4001), np.empty(len(test))
+    grid, turns = np.linspace(0.0, TOP_TURNS, 4001), np.empty(len(test))
     for (stroke, way), rows in test.reset_index(drop=True).groupby(["stroke", "direction"]):
         curve = true_mm(grid, np.full(len(grid), way), np.full(len(grid), stroke), law)
         far = (rows["displacement_mm"].to_numpy()[:, None] - curve) / NOISE_MM
         weight = np.exp(-0.5 * (far**2 - (far**2).min(axis=1, keepdims=True)))
-        found[rows.index] = (weight @ grid) / weight.sum(axis=1)
-    return found
+        turns[rows.index] = (weight @ grid) / weight.sum(axis=1)
+    return turns
 
 
 def rmse(error: object) -> float:

@@ -40,18 +40,18 @@ def test_the_first_stroke_after_a_break_is_held_by_a_wider_interval_that_says_so
     recovered: Intervals, wanted: str
 ) -> None:
     points = two_runs()
-    found = with_intervals(recovered, points.assign(**{wanted: np.nan}), GIVEN[wanted], LEVEL)
-    found["why"] = found["why"].map(str)
-    low, high = found[f"{wanted}_low"], found[f"{wanted}_high"]
-    held = points[wanted].between(low, high)[found["inside"]]
+    answers = with_intervals(recovered, points.assign(**{wanted: np.nan}), GIVEN[wanted], LEVEL)
+    answers["why"] = answers["why"].map(str)
+    low, high = answers[f"{wanted}_low"], answers[f"{wanted}_high"]
+    covered = points[wanted].between(low, high)[answers["inside"]]
     first = points["stroke"] == FIRST
-    assert found["inside"].mean() > 0.98 and held[first].mean() >= LEVEL - 0.03 and held[~first].mean() >= LEVEL
+    assert answers["inside"].mean() > 0.98 and covered[first].mean() >= LEVEL - 0.03 and covered[~first].mean() >= LEVEL
     winding = first & (points["direction"] > 0)
-    (why,) = set(found["why"][winding & found["inside"]])
+    (why,) = set(answers["why"][winding & answers["inside"]])
     before, factor = why.split("its interval is ")
     assert before == f"stroke {FIRST}, the first after a break, errs more winding than others: "
     assert factor.endswith(" times as wide") and float(factor.split()[0]) > 1.3
-    assert set(found["why"][points["stroke"].isin([FIRST - 2, FIRST + 2]) & found["inside"]]) == {""}
+    assert set(answers["why"][points["stroke"].isin([FIRST - 2, FIRST + 2]) & answers["inside"]]) == {""}
     usual = getattr(recovered, MAPS[wanted])(points[winding].assign(stroke=FIRST + 2), LEVEL)
     times = np.nanmedian((high - low)[winding].to_numpy() / (usual["high"] - usual["low"]).to_numpy())
     assert times == pytest.approx(float(factor.split()[0]), rel=0.06)

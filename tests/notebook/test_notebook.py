@@ -29,24 +29,24 @@ def nylon() -> tb.Recording:
 
 
 @pytest.fixture(scope="module")
-def found(nylon: tb.Recording) -> tuple[tb.Diagnosis, bytes]:
+def diagnosed_pair(nylon: tb.Recording) -> tuple[tb.Diagnosis, bytes]:
     """Its diagnosis, and what that was made from, which the program can be given again."""
-    made: list[bytes] = []
+    pickles: list[bytes] = []
 
-    def diagnosed(*asked):
-        content, study = in_memory.diagnosed(*asked)
+    def diagnosed(*arguments):
+        content, study = in_memory.diagnosed(*arguments)
         study.problem._terms.clear()  # functions, which cannot be written down
-        made.append(pickle.dumps((content, study)))
+        pickles.append(pickle.dumps((content, study)))
         return content, study
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(in_a_notebook, "diagnosed", diagnosed)
-        return tb.Diagnosis.of(nylon), made[0]
+        return tb.Diagnosis.of(nylon), pickles[0]
 
 
 @pytest.fixture(scope="module")
-def diagnosis(found: tuple[tb.Diagnosis, bytes]) -> tb.Diagnosis:
-    return found[0]
+def diagnosis(diagnosed_pair: tuple[tb.Diagnosis, bytes]) -> tb.Diagnosis:
+    return diagnosed_pair[0]
 
 
 def test_importing_the_package_imports_none_of_its_rooms_and_every_public_name_is_there() -> None:
@@ -76,13 +76,13 @@ def test_columns_of_other_names_and_units_become_channels(nylon: tb.Recording) -
         "motor_turns": {"column": "rad", "unit": "rad"},
         "displacement_mm": {"column": "laser", "scale": -1, "offset": 5},
     }
-    made = tb.Recording.of(foreign, {**DESCRIPTION, "channels": channels})
-    np.testing.assert_allclose(made.samples[["time_s", "motor_turns", "displacement_mm"]],
+    converted = tb.Recording.of(foreign, {**DESCRIPTION, "channels": channels})
+    np.testing.assert_allclose(converted.samples[["time_s", "motor_turns", "displacement_mm"]],
                                nylon.samples[["time_s", "motor_turns", "displacement_mm"]], atol=1e-9)  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("change", "column", "said"),
+    ("change", "column", "field"),
     [
         ({"string": {**DESCRIPTION["string"], "radius_mm": -1}}, None, "radius_mm"),
         ({"nonsense": 1}, None, "nonsense"),
@@ -90,17 +90,19 @@ def test_columns_of_other_names_and_units_become_channels(nylon: tb.Recording) -
         ({}, "motor_turns", "motor_turns"),
     ],
 )
-def test_what_cannot_be_right_is_refused_with_its_field(change, column, said) -> None:
+def test_what_cannot_be_right_is_refused_with_its_field(change, column, field) -> None:
     samples = recording(6)
-    with pytest.raises(tb.BadInput, match=said):
+    with pytest.raises(tb.BadInput, match=field):
         tb.Recording.of(samples.drop(columns=column) if column else samples, {**DESCRIPTION, **change})
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("anew", [False, pytest.param(True, marks=pytest.mark.long)])
-def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, found, tmp_path: Path, monkeypatch, anew) -> None:
+def test_a_diagnosis_is_that_of_the_program(
+    nylon: tb.Recording, diagnosed_pair, tmp_path: Path, monkeypatch, anew
+) -> None:
     """The program diagnoses anew, or is given what the diagnosis in memory was made from."""
-    diagnosis, made_from = found
+    diagnosis, made_from = diagnosed_pair
     folder = nylon.save(tmp_path / "raw")
     words = ["pipeline.diagnose", str(folder), "--out", str(tmp_path / "out")]
     if anew:
@@ -118,9 +120,9 @@ def test_a_diagnosis_is_that_of_the_program(nylon: tb.Recording, found, tmp_path
 
 
 def test_a_diagnosis_gives_its_parts_as_objects_and_shows_itself(diagnosis: tb.Diagnosis, tmp_path: Path) -> None:
-    told = json.loads(diagnosis.to_json())
-    assert diagnosis.verdict == told["verdict"] and [one.id for one in diagnosis.mechanisms] == [
-        entry["id"] for entry in told["mechanisms"]
+    json_content = json.loads(diagnosis.to_json())
+    assert diagnosis.verdict == json_content["verdict"] and [mechanism.id for mechanism in diagnosis.mechanisms] == [
+        entry["id"] for entry in json_content["mechanisms"]
     ]
     assert diagnosis.mechanisms, "the made recording no longer has an effect to name"
     size = diagnosis.mechanisms[0].size
@@ -160,10 +162,13 @@ def test_a_planned_motion_is_simulated_as_the_program_does(nylon, diagnosis, tmp
     words = ["--simulation", tmp_path / "diagnosis.json", "--motion", plan, "--out", tmp_path / "out.parquet"]
     done = programs.run("pipeline.simulate", folder, *words)
     assert done.returncode == 0, done.stderr
-    made = nylon.simulate(diagnosis, motion)
-    pd.testing.assert_frame_equal(made, pd.read_parquet(tmp_path / "out.parquet"))
-    inside = made[made["outside"] == 0.0]
-    assert len(inside) > len(made) / 2 and inside["displacement_mm"].between(inside["low_mm"], inside["high_mm"]).all()
+    simulated = nylon.simulate(diagnosis, motion)
+    pd.testing.assert_frame_equal(simulated, pd.read_parquet(tmp_path / "out.parquet"))
+    inside = simulated[simulated["outside"] == 0.0]
+    assert (
+        len(inside) > len(simulated) / 2
+        and inside["displacement_mm"].between(inside["low_mm"], inside["high_mm"]).all()
+    )
     with pytest.raises(tb.BadInput, match="motor_turns"):
         nylon.simulate(diagnosis, motion.drop(columns="motor_turns"))
 
@@ -250,17 +255,17 @@ def test_the_example_of_the_reference_runs(
 def test_questions_are_answered_as_the_program_answers_them(nylon: tb.Recording, tmp_path: Path) -> None:
     points = tb.points([nylon])
     questions = pd.DataFrame({"stroke": 3, "direction": [1, -1, 1, 5], "motor_turns": [5.0, 10.0, 90.0, 1.0]})
-    made = tb.answers(points, questions.set_axis(list("abcd")), "polynomial", degree=4)
-    assert made["inside"].tolist() == [True, True, False, False]
-    assert (made["displacement_mm_low"][:2] < made["displacement_mm"][:2]).all()
-    assert made.loc[2:, ["displacement_mm_low", "displacement_mm_high"]].isna().all(axis=None)
-    assert "90 turns is above" in made["why"][2] and "neither 1 nor -1" in made["why"][3]
+    answers = tb.answers(points, questions.set_axis(list("abcd")), "polynomial", degree=4)
+    assert answers["inside"].tolist() == [True, True, False, False]
+    assert (answers["displacement_mm_low"][:2] < answers["displacement_mm"][:2]).all()
+    assert answers.loc[2:, ["displacement_mm_low", "displacement_mm_high"]].isna().all(axis=None)
+    assert "90 turns is above" in answers["why"][2] and "neither 1 nor -1" in answers["why"][3]
     schemas.write(points, schemas.DATASET, tmp_path / "dataset.parquet")
     questions.to_csv(tmp_path / "questions.csv", index=False)
     words = ["--model", "polynomial", "--settings", '{"degree": 4}', "--out", tmp_path / "answers.csv"]
     done = programs.run("pipeline.predict", tmp_path / "dataset.parquet", tmp_path / "questions.csv", *words)
     assert done.returncode == 2 and "in row 4" in done.stderr, "a bad row costs itself alone"
-    assert (tmp_path / "answers.csv").read_text() == made.to_csv(index=False, float_format="%.6g")
+    assert (tmp_path / "answers.csv").read_text() == answers.to_csv(index=False, float_format="%.6g")
 
 
 def test_points_have_the_models_zero_and_the_recording_says_by_how_much_it_is_moved(nylon: tb.Recording) -> None:

@@ -24,10 +24,10 @@ def test_bad_input_names_what_it_holds() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "schema"),
+    ("documented", "schema"),
     [(tb.Recording.strokes, schemas.STROKES), (tb.points, schemas.DATASET)],
     ids=["strokes", "points"],
 )
-def test_a_table_names_its_columns(given: object, schema: object) -> None:
+def test_a_table_names_its_columns(documented: object, schema: object) -> None:
     columns = set(schema.names)  # type: ignore[attr-defined]
-    assert columns <= named(given.__doc__), columns - named(given.__doc__)
+    assert columns <= named(documented.__doc__), columns - named(documented.__doc__)

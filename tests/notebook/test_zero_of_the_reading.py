@@ -39,12 +39,12 @@ def rubbing_and_creeping(zero_mm: float) -> pd.DataFrame:
 @pytest.mark.long
 def test_the_zero_of_a_sensor_moves_no_dimension_and_no_name():
     """A laser that read -120 mm where the string began moved the length by 6 mm, to its bound, and the gain with it."""
-    said = []
+    diagnoses = []
     for zero_mm in (0.0, -120.0):
         content = twistbench.Diagnosis.of(twistbench.Recording.of(rubbing_and_creeping(zero_mm), PAIR)).content
         values = {name: entry["value"] for name, entry in content["parameters"].items() if not name.startswith("zero")}
-        said.append((values, [entry["id"] for entry in content["mechanisms"]], content["alternatives"]))
-    (first, *names), (other, *same) = said
+        diagnoses.append((values, [entry["id"] for entry in content["mechanisms"]], content["alternatives"]))
+    (first, *names), (other, *same) = diagnoses
     assert names == same
     assert abs(first["length_mm"] - 300.0) < 2.0, "its length is right"
     for name, value in first.items():

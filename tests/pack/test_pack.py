@@ -95,11 +95,11 @@ def unpacked(path, folder):
 
 def state(folder):
     """Every file and link below a folder, with its content and its time."""
-    found = {}
+    entries = {}
     for path in sorted(folder.rglob("*")):
         content = os.readlink(path) if path.is_symlink() else path.read_bytes() if path.is_file() else b""
-        found[str(path.relative_to(folder))] = content, path.lstat().st_mtime_ns if path.is_file() else 0
-    return found
+        entries[str(path.relative_to(folder))] = content, path.lstat().st_mtime_ns if path.is_file() else 0
+    return entries
 
 
 @pytest.mark.long
@@ -110,9 +110,9 @@ def test_another_folder_has_nothing_to_do_and_what_changes_there_is_made_again(f
     assert "Nothing to be done" in snakemake(lab, "--dry-run")
     for name in ("processed", "reports", "raw"):
         for path in (finished / name).rglob("*"):
-            there = lab / path.relative_to(finished)
+            counterpart = lab / path.relative_to(finished)
             own = path.name in ("notes.txt", ".hidden", "my notes")
-            assert own or path.is_dir() or there.read_bytes() == path.read_bytes(), path
+            assert own or path.is_dir() or counterpart.read_bytes() == path.read_bytes(), path
     assert not (lab / "raw/nylon-01/notes.txt").exists() and not (lab / "reports/diagnosis/nylon-01/.hidden").exists()
     assert stat.S_IMODE((lab / "raw/nylon-01/recording.csv").stat().st_mode) == 0o444
     changed = SNAKEFILE.replace('code="1"', 'code="2"')
@@ -130,8 +130,8 @@ def test_a_material_alone_leaves_what_is_made_of_all_and_the_same_gives_the_same
     assert "processed/logs/samples.log" in names and "reports/diagnosis/nylon-01/.snakemake_timestamp" in names
     lab = bare(tmp_path / "lab")
     assert unpacked(tmp_path / "a.zip", lab).returncode == 0
-    said = snakemake(lab, "--dry-run")
-    assert "rule index" in said and "rule samples" not in said and "rule table" not in said
+    dry_run = snakemake(lab, "--dry-run")
+    assert "rule index" in dry_run and "rule samples" not in dry_run and "rule table" not in dry_run
 
 
 @pytest.mark.long
@@ -158,15 +158,15 @@ def other_disk():
 
 
 def test_raw_and_processed_may_lie_on_another_disk(archive, other_disk, tmp_path):
-    lab, here = bare(tmp_path / "lab"), bare(tmp_path / "here")
-    assert unpacked(archive, here).returncode == 0
+    lab, plain_lab = bare(tmp_path / "lab"), bare(tmp_path / "here")
+    assert unpacked(archive, plain_lab).returncode == 0
     for name in ("raw", "processed"):
         (other_disk / name).mkdir()
         (lab / name).symlink_to(other_disk / name)
     done = unpacked(archive, lab)
     assert done.returncode == 0, done.stderr
     for name in ("raw", "processed", "reports"):
-        assert state((lab / name).resolve()) == state(here / name)
+        assert state((lab / name).resolve()) == state(plain_lab / name)
     assert stat.S_IMODE((lab / "raw/nylon-01/recording.csv").stat().st_mode) == 0o444
     assert "Nothing to be done" in snakemake(lab, "--dry-run")
 
@@ -254,7 +254,9 @@ OUTSIDE = [
 def test_a_name_that_leads_out_of_its_place_is_refused(archive, tmp_path, name):
     lab = bare(tmp_path / "lab")
     added = {name: b"evil"} if name else {}
-    path = rewritten(archive, tmp_path / "x.zip", lambda said: said["files"].update({name: said_of(b"evil")}), added)
+    path = rewritten(
+        archive, tmp_path / "x.zip", lambda manifest: manifest["files"].update({name: said_of(b"evil")}), added
+    )
     before, around = state(lab), state(tmp_path)
     done = unpacked(path, lab)
     assert done.returncode == 2 and "error: " in done.stderr and len(done.stderr.splitlines()) == 1, done.stderr
@@ -263,21 +265,21 @@ def test_a_name_that_leads_out_of_its_place_is_refused(archive, tmp_path, name):
 
 TABLE = "reports/nylon/table.csv"
 FORGED = {
-    "no manifest of ours": lambda said: said.update(format=2),
-    "a manifest of other things": lambda said: said.update(evil=1),
-    "a missing list": lambda said: said.pop("files"),
-    "a file more than there is": lambda said: said["files"].update({"reports/more": said_of(b"")}),
-    "a file that is not named": lambda said: said["files"].pop(TABLE),
-    "a wrong digest": lambda said: said["files"][TABLE].update(sha256="0" * 64),
-    "a digest that is none": lambda said: said["files"][TABLE].update(sha256="evil"),
-    "too few bytes": lambda said: said["files"][TABLE].update(bytes=3),
-    "too many bytes": lambda said: said["files"][TABLE].update(bytes=10**6),
-    "more than the disk holds": lambda said: said["files"][TABLE].update(bytes=1 << 60),
-    "a time that is none": lambda said: said["files"][TABLE].update(time_ns=-1),
-    "a time without end": lambda said: said["files"][TABLE].update(time_ns=1 << 80),
-    "a number that is a text": lambda said: said["files"][TABLE].update(bytes="3"),
-    "runs that are numbers": lambda said: said["materials"].update(nylon=[1]),
-    "a configuration of two lines": lambda said: said.update(configuration=["a\nb"]),
+    "no manifest of ours": lambda manifest: manifest.update(format=2),
+    "a manifest of other things": lambda manifest: manifest.update(evil=1),
+    "a missing list": lambda manifest: manifest.pop("files"),
+    "a file more than there is": lambda manifest: manifest["files"].update({"reports/more": said_of(b"")}),
+    "a file that is not named": lambda manifest: manifest["files"].pop(TABLE),
+    "a wrong digest": lambda manifest: manifest["files"][TABLE].update(sha256="0" * 64),
+    "a digest that is none": lambda manifest: manifest["files"][TABLE].update(sha256="evil"),
+    "too few bytes": lambda manifest: manifest["files"][TABLE].update(bytes=3),
+    "too many bytes": lambda manifest: manifest["files"][TABLE].update(bytes=10**6),
+    "more than the disk holds": lambda manifest: manifest["files"][TABLE].update(bytes=1 << 60),
+    "a time that is none": lambda manifest: manifest["files"][TABLE].update(time_ns=-1),
+    "a time without end": lambda manifest: manifest["files"][TABLE].update(time_ns=1 << 80),
+    "a number that is a text": lambda manifest: manifest["files"][TABLE].update(bytes="3"),
+    "runs that are numbers": lambda manifest: manifest["materials"].update(nylon=[1]),
+    "a configuration of two lines": lambda manifest: manifest.update(configuration=["a\nb"]),
 }
 
 
@@ -297,7 +299,7 @@ def test_a_link_a_file_below_a_file_and_a_file_that_comes_twice_are_refused(arch
     assert "is a link" in unpacked(link, lab).stderr
     name = f"{TABLE}/x"
     below = rewritten(
-        archive, tmp_path / "below.zip", lambda said: said["files"].update({name: said_of(b"x")}), {name: b"x"}
+        archive, tmp_path / "below.zip", lambda manifest: manifest["files"].update({name: said_of(b"x")}), {name: b"x"}
     )
     assert "lies below a file" in unpacked(below, lab).stderr
     twice = shutil.copy(archive, tmp_path / "twice.zip")

@@ -24,21 +24,23 @@ def ended(*words: object, cwd: Path) -> subprocess.CompletedProcess[str]:
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of programs of a new environment, after one `pip install` of the project and its required packages."""
-    made = tmp_path_factory.mktemp("clean")
-    source = made / "source"
+    work_folder = tmp_path_factory.mktemp("clean")
+    source = work_folder / "source"
     source.mkdir()
     for name in PROJECT:
         if (ROOT / name).is_dir():
             shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
         else:
             shutil.copy(ROOT / name, source)
-    venv.create(made / "env", with_pip=True)
-    python = made / "env" / "bin" / "python"
-    reached = ended(python, "-m", "pip", "download", "-q", "--no-deps", "-d", made, "typing_extensions", cwd=made)
+    venv.create(work_folder / "env", with_pip=True)
+    python = work_folder / "env" / "bin" / "python"
+    reached = ended(
+        python, "-m", "pip", "download", "-q", "--no-deps", "-d", work_folder, "typing_extensions", cwd=work_folder
+    )
     if reached.returncode:
         assert not os.environ.get("CI"), f"CI has a registry: {reached.stderr}"
         pytest.skip(f"pip reaches no package registry: {reached.stderr.strip().splitlines()[-1]}")
-    done = ended(python, "-m", "pip", "install", "-q", "--no-compile", source, cwd=made)  # half the time
+    done = ended(python, "-m", "pip", "install", "-q", "--no-compile", source, cwd=work_folder)  # half the time
     assert done.returncode == 0, done.stderr
     return python.parent
 

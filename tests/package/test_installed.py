@@ -47,34 +47,36 @@ def ended(*words: object, cwd: Path) -> subprocess.CompletedProcess[str]:
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An environment with the wheel, which finds the packages of others in the project's; nothing is downloaded."""
-    made = tmp_path_factory.mktemp("package")
-    source = made / "source"
+    work_folder = tmp_path_factory.mktemp("package")
+    source = work_folder / "source"
     shutil.copytree(ROOT / "pipeline", source / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, source)
     offline = ("--no-deps", "--no-index", "-q")
     pip = (sys.executable, "-m", "pip")
-    done = ended(*pip, "wheel", "--no-build-isolation", *offline, "-w", made, ".", cwd=source)
+    done = ended(*pip, "wheel", "--no-build-isolation", *offline, "-w", work_folder, ".", cwd=source)
     assert done.returncode == 0, done.stdout + done.stderr
-    (wheel,) = made.glob("*.whl")
-    venv.create(made / "env", symlinks=True)
-    python = made / "env" / "bin" / "python"
-    done = ended(*pip, "--python", python, "install", *offline, wheel, cwd=made)
+    (wheel,) = work_folder.glob("*.whl")
+    venv.create(work_folder / "env", symlinks=True)
+    python = work_folder / "env" / "bin" / "python"
+    done = ended(*pip, "--python", python, "install", *offline, wheel, cwd=work_folder)
     assert done.returncode == 0, done.stdout + done.stderr
-    packages = ended(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))", cwd=made).stdout.strip()
+    packages = ended(
+        python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))", cwd=work_folder
+    ).stdout.strip()
     Path(packages, "others.pth").write_text(sysconfig.get_path("purelib") + "\n")
-    return made / "env"
+    return work_folder / "env"
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where a person works: a recording of his own and a mapping for it."""
-    here = tmp_path_factory.mktemp("work")
-    recording(strokes=4).rename(columns={"motor_turns": "theta"}).to_csv(here / "log.csv", index=False)
+    user_folder = tmp_path_factory.mktemp("work")
+    recording(strokes=4).rename(columns={"motor_turns": "theta"}).to_csv(user_folder / "log.csv", index=False)
     named = {"motor_turns": {"column": "theta", "unit": "turns"}}
     mapping = {key: value for key, value in content("x", channels=named).items() if key != "run"}
-    (here / "map.yaml").write_text(yaml.safe_dump(mapping))
-    return here
+    (user_folder / "map.yaml").write_text(yaml.safe_dump(mapping))
+    return user_folder
 
 
 @pytest.fixture(scope="module")
@@ -102,8 +104,8 @@ def test_the_environment_has_twistbench_and_no_module_called_pipeline(place: Pat
 
 @pytest.mark.long
 def test_the_command_lists_its_programs_and_each_fits_a_screen(place: Path, folder: Path, twistbench: Command) -> None:
-    said = good(twistbench("--help"))
-    assert all(re.search(rf"^  {name} +\w", said, re.M) for name in PROGRAMS) and len(said.splitlines()) <= SCREEN
+    printed = good(twistbench("--help"))
+    assert all(re.search(rf"^  {name} +\w", printed, re.M) for name in PROGRAMS) and len(printed.splitlines()) <= SCREEN
     assert good(twistbench("--version")) == f"twistbench {__version__}\n"
     done = ended(place / "bin" / "python", "-c", EVERY_HELP, *PROGRAMS, cwd=folder)
     for name, shown in zip(PROGRAMS, good(done).split("\f"), strict=True):
@@ -115,16 +117,16 @@ def test_the_command_lists_its_programs_and_each_fits_a_screen(place: Path, fold
 
 @pytest.mark.long
 def test_a_run_is_made_diagnosed_and_simulated(twistbench: Command, folder: Path) -> None:
-    said = good(twistbench("import-run", "log.csv", "--map", "map.yaml", "--run", "imported"))
-    assert "twistbench diagnose raw/imported" in said
-    told = {"radius": 0.4, "length": 400, "torsion-zone": 150, "separator": 8}
-    sizes = [word for name, value in told.items() for word in (f"--{name}-mm", value)]
+    printed = good(twistbench("import-run", "log.csv", "--map", "map.yaml", "--run", "imported"))
+    assert "twistbench diagnose raw/imported" in printed
+    sizes_mm = {"radius": 0.4, "length": 400, "torsion-zone": 150, "separator": 8}
+    sizes = [word for name, value in sizes_mm.items() for word in (f"--{name}-mm", value)]
     columns = ("--channels", "{motor_turns: {column: theta, unit: turns}}")
-    said = good(twistbench("new-run", "made", "--material", "UHMWPE", *sizes, *columns, "--recording", "log.csv"))
-    assert "twistbench diagnose raw/made" in said
+    printed = good(twistbench("new-run", "made", "--material", "UHMWPE", *sizes, *columns, "--recording", "log.csv"))
+    assert "twistbench diagnose raw/made" in printed
     good(twistbench("diagnose", "raw/made", "--out", "out"))
-    found = json.loads((folder / "out" / "made" / "diagnosis.json").read_text())
-    assert found["run"] == "made" and found["code"]
+    diagnosis = json.loads((folder / "out" / "made" / "diagnosis.json").read_text())
+    assert diagnosis["run"] == "made" and diagnosis["code"]
     assert not re.search(r"\bpipeline\b|snakemake", (folder / "out" / "made" / "verdict.txt").read_text())
     simulation = ("--simulation", "out/made/diagnosis.json")
     good(twistbench("simulate", "raw/imported", *simulation, "--out", "sim.parquet"))

@@ -30,23 +30,25 @@ SOURCES = [path for path in sorted((ROOT / "pipeline").rglob("*.py")) if package
 
 
 def requirements(lines: list[str]) -> dict[str, Requirement]:
-    found = [Requirement(line) for line in lines]
-    return {one.name.lower().replace("_", "-"): one for one in found}
+    parsed = [Requirement(line) for line in lines]
+    return {requirement.name.lower().replace("_", "-"): requirement for requirement in parsed}
 
 
 def test_the_list_holds_every_package_of_the_rooms_that_are_shipped() -> None:
-    there = {package(path) for path in (ROOT / "pipeline").rglob("__init__.py")}
+    packages = {package(path) for path in (ROOT / "pipeline").rglob("__init__.py")}
     behind = tuple(f"pipeline.{room}." for room in {"rig", *LEFT_BEHIND})
-    rooms = {name for name in there if not f"{name}.".startswith(behind)}
+    rooms = {name for name in packages if not f"{name}.".startswith(behind)}
     assert rooms | OF_THE_RIG == SHIPPED
 
 
 def test_what_is_shipped_imports_nothing_that_is_left_behind() -> None:
     every = {".".join(path.relative_to(ROOT).with_suffix("").parts) for path in (ROOT / "pipeline").rglob("*.py")}
-    here = {".".join(path.relative_to(ROOT).with_suffix("").parts) for path in SOURCES}
+    shipped_modules = {".".join(path.relative_to(ROOT).with_suffix("").parts) for path in SOURCES}
     for path in SOURCES:
         wanted = {name for name in imported(path) if name in every or f"{name}.__init__" in every}
-        assert not {name for name in wanted if name not in here and f"{name}.__init__" not in here}, path
+        assert not {
+            name for name in wanted if name not in shipped_modules and f"{name}.__init__" not in shipped_modules
+        }, path
 
 
 def test_what_is_shipped_names_its_own_modules_by_leading_dots() -> None:
@@ -60,8 +62,8 @@ def test_every_package_of_others_is_named_and_those_of_an_extra_are_not_needed_w
     extras = {name: set(requirements(project["optional-dependencies"][name])) for name in EXTRAS.values()}
     assert {name: extra for extra, names in extras.items() for name in names} == EXTRAS
     tops = {name.split(".")[0] for path in SOURCES for name in imported(path)} - set(sys.stdlib_module_names)
-    found = {NAMED.get(name, name.replace("_", "-")) for name in tops - {"pipeline", ""}}
-    assert found == base | set(EXTRAS)
+    distributions = {NAMED.get(name, name.replace("_", "-")) for name in tops - {"pipeline", ""}}
+    assert distributions == base | set(EXTRAS)
 
 
 def test_every_bound_holds_what_the_lock_pins() -> None:
@@ -70,8 +72,8 @@ def test_every_bound_holds_what_the_lock_pins() -> None:
     pins = dict(line.lower().replace("_", "-").split("==") for line in lines if "==" in line and line[0] != "#")
     named = [*project["dependencies"], *PROJECT["build-system"]["requires"]]
     named += [line for name in set(EXTRAS.values()) for line in project["optional-dependencies"][name]]
-    for name, one in requirements(named).items():
-        assert one.specifier and one.specifier.contains(pins[name]), one
+    for name, requirement in requirements(named).items():
+        assert requirement.specifier and requirement.specifier.contains(pins[name]), requirement
 
 
 def test_the_version_stands_in_one_place_and_is_told_elsewhere() -> None:

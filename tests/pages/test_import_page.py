@@ -38,8 +38,10 @@ def program(command, folder):
 
 
 def test_the_pages_example_is_imported_and_says_what_comes_next(tmp_path):
-    made = recording()
-    numbers = np.column_stack([made["time_s"] * 1e3, made["motor_turns"] * 360, 12 - made["displacement_mm"]])
+    original = recording()
+    numbers = np.column_stack(
+        [original["time_s"] * 1e3, original["motor_turns"] * 360, 12 - original["displacement_mm"]]
+    )
     rows = [";".join(f"{value:.6f}" for value in row).replace(".", ",") for row in numbers]
     opening = part("log.csv").splitlines()[:3]
     (tmp_path / "log.csv").write_text("\n".join([*opening, *rows]) + "\n", encoding="cp1252")
@@ -55,7 +57,7 @@ def test_the_pages_example_is_imported_and_says_what_comes_next(tmp_path):
     folder = tmp_path / "raw" / "nylon-20261126-01"
     _, samples = read_samples(folder)
     for name in ("time_s", "motor_turns", "displacement_mm"):
-        assert samples[name].to_numpy() == pytest.approx(made[name].to_numpy(), abs=1e-5), name
+        assert samples[name].to_numpy() == pytest.approx(original[name].to_numpy(), abs=1e-5), name
     first, second, *_ = (folder / "run.yaml").read_text().splitlines()
     digest = hashlib.sha256((tmp_path / "log.csv").read_bytes()).hexdigest()
     assert first == f"# imported from 'log.csv', sha256 {digest}"
@@ -80,8 +82,8 @@ def struct(file):
 
 def log(file):
     rows = zip(T.tolist(), TURNS.tolist(), MM.tolist(), strict=True)
-    told = [{"t_ms": 1e3 * t, "motor": {"pos": 4096 * turns}, "x": [mm, 0]} for t, turns, mm in rows]
-    file.write_text("\n".join(map(json.dumps, told)))
+    entries = [{"t_ms": 1e3 * t, "motor": {"pos": 4096 * turns}, "x": [mm, 0]} for t, turns, mm in rows]
+    file.write_text("\n".join(map(json.dumps, entries)))
 
 
 def two_axes(file):
@@ -118,12 +120,12 @@ def test_the_page_names_every_key(section):
 
 
 def test_the_page_lists_every_tolerance_with_its_default():
-    told = {}
+    listed = {}
     for keys, defaults in re.findall(
         r"^\| (`.*) \| the .* \| ([0-9][^|]*) \|$", PAGE.partition("| in `tolerance` |")[2], re.M
     ):
-        values = [float(one) for one in re.findall(r"[0-9.]+", defaults)]
+        values = [float(number) for number in re.findall(r"[0-9.]+", defaults)]
         names = [name for name in re.findall(r"`(\w+)`", keys) if name not in systems()]
-        told |= dict(zip(names, values * len(names) if len(values) == 1 else values, strict=True))
+        listed |= dict(zip(names, values * len(names) if len(values) == 1 else values, strict=True))
     shipped = ("separator", "twisted_pair", "cable_drive", "moving_mass")
-    assert told == {key: value for name in shipped for key, value in systems()[name].tolerance.items()}
+    assert listed == {key: value for name in shipped for key, value in systems()[name].tolerance.items()}

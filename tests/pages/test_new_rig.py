@@ -60,21 +60,21 @@ def diagnosed(house, samples):
     (folder / "run.yaml").write_text(run_yaml)
     samples.to_csv(folder / "recording.csv", index=False)
     environment = {**os.environ, "PYTHONPATH": str(root)}
-    told, out = root / "out/pendulum-01/diagnosis.json", root / "s.parquet"
+    diagnosis_file, out = root / "out/pendulum-01/diagnosis.json", root / "s.parquet"
     for command in (
         ["pipeline.diagnose", folder, "--out", root / "out"],
-        ["pipeline.simulate", folder, "--simulation", told, "--out", out],
+        ["pipeline.simulate", folder, "--simulation", diagnosis_file, "--out", out],
     ):
         done = subprocess.run(
             [sys.executable, "-m", *map(str, command)], cwd=root, env=environment, capture_output=True, text=True
         )
         assert done.returncode == 0 and "Traceback" not in done.stderr, done.stderr
-    return json.loads(told.read_text()), pd.read_parquet(out)
+    return json.loads(diagnosis_file.read_text()), pd.read_parquet(out)
 
 
 def named(content):
     """What a diagnosis names, by id."""
-    return {one["id"]: one for one in content["mechanisms"]}
+    return {mechanism["id"]: mechanism for mechanism in content["mechanisms"]}
 
 
 def value(entry, *names):
@@ -92,16 +92,16 @@ def test_the_page_has_its_files():
 def test_a_strangers_rig_is_diagnosed_in_its_own_units(house):
     samples = recorded(1, bearing=0.06, oil=0.03, offset=0.02)
     content, simulated = diagnosed(house, samples)
-    found = named(content)
+    mechanisms = named(content)
     assert content["verdict"] == "explained"
-    assert set(found) == {"friction_hysteresis", "viscous_loss", "sensor_offset"}
+    assert set(mechanisms) == {"friction_hysteresis", "viscous_loss", "sensor_offset"}
     assert content["parameters"]["inertia_kg_m2"]["value"] == pytest.approx(INERTIA_KG_M2, rel=0.03)
     assert content["parameters"]["weight_nm"]["value"] == pytest.approx(WEIGHT_NM, rel=0.02)
-    loop = value(found["friction_hysteresis"], "half_loop_nm", "dry_nm")
+    loop = value(mechanisms["friction_hysteresis"], "half_loop_nm", "dry_nm")
     assert loop["value"] == pytest.approx(0.06, rel=0.2) and loop["unit"] == "Nm"
-    straight = found["viscous_loss"]["parameters"]["straight_nm_per_rad_s"]
+    straight = mechanisms["viscous_loss"]["parameters"]["straight_nm_per_rad_s"]
     assert straight["value"] == pytest.approx(0.03, rel=0.2) and straight["unit"] == "Nm s/rad"
-    assert found["sensor_offset"]["parameters"]["offset_nm"]["value"] == pytest.approx(0.02, rel=0.25)
+    assert mechanisms["sensor_offset"]["parameters"]["offset_nm"]["value"] == pytest.approx(0.02, rel=0.25)
     assert "angle_rad" in content["mismatch"]["location"]
     assert content["fit"]["heldout"]["explained_nm"] < 0.3 * content["fit"]["heldout"]["calibrated_nm"]
     assert list(simulated.columns) == ["time_s", "torque_nm"] and len(simulated) == len(samples)
@@ -113,10 +113,10 @@ def test_a_strangers_rig_is_diagnosed_in_its_own_units(house):
 @pytest.mark.long
 def test_a_strangers_mechanism_is_named_beside_the_librarys(house):
     content, _ = diagnosed(house, recorded(2, bearing=0.06, air=0.05))
-    found = named(content)
+    mechanisms = named(content)
     assert content["verdict"] == "ambiguous"
-    assert set(found) == {"friction_hysteresis", "x_air_drag"}
-    square = found["x_air_drag"]["parameters"]["square_nm_per_rad2_s2"]
+    assert set(mechanisms) == {"friction_hysteresis", "x_air_drag"}
+    square = mechanisms["x_air_drag"]["parameters"]["square_nm_per_rad2_s2"]
     assert square["value"] == pytest.approx(0.05, rel=0.15) and square["unit"] == "Nm s2/rad2"
 
 

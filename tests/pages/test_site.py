@@ -63,13 +63,13 @@ def test_every_link_within_the_site_leads_to_a_page_and_a_place_in_it(site, page
     followed = 0
     for path, page in pages.items():
         for link in page.links:
-            told = urlsplit(link)
-            if told.scheme:
+            url = urlsplit(link)
+            if url.scheme:
                 continue
-            target = (path.parent / unquote(told.path)).resolve() if told.path else path
+            target = (path.parent / unquote(url.path)).resolve() if url.path else path
             assert target.is_file(), f"{path.relative_to(site)}: {link}"
-            if told.fragment and target.suffix == ".html":
-                assert unquote(told.fragment) in pages[target].places, f"{path.relative_to(site)}: {link}"
+            if url.fragment and target.suffix == ".html":
+                assert unquote(url.fragment) in pages[target].places, f"{path.relative_to(site)}: {link}"
             followed += 1
     assert followed > 500
 
@@ -79,14 +79,14 @@ def test_no_page_loads_anything_from_another_host(site, pages):
     loaded = [(path, address) for path, page in pages.items() for address in page.loaded]
     assert len(loaded) > 100
     for path, address in loaded:
-        told = urlsplit(address)
-        if told.scheme == "data" or address == "#":
+        url = urlsplit(address)
+        if url.scheme == "data" or address == "#":
             continue
-        assert not told.scheme and not told.netloc, f"{path.relative_to(site)}: {address}"
-        assert (path.parent / unquote(told.path)).is_file(), f"{path.relative_to(site)}: {address}"
+        assert not url.scheme and not url.netloc, f"{path.relative_to(site)}: {address}"
+        assert (path.parent / unquote(url.path)).is_file(), f"{path.relative_to(site)}: {address}"
     for style in (*site.rglob("*.css"), *pages):
-        asked = re.findall(rf"(?:url\(|@import)\s*[\"']?\s*{ELSEWHERE}", style.read_text(encoding="utf-8"))
-        assert not asked, style
+        foreign_urls = re.findall(rf"(?:url\(|@import)\s*[\"']?\s*{ELSEWHERE}", style.read_text(encoding="utf-8"))
+        assert not foreign_urls, style
     for script in site.rglob("*.js"):
         named = re.findall(rf"[\"'`]{ELSEWHERE}", script.read_text(encoding="utf-8"))
         assert script.name == "searchindex.js" or set(named) <= {NAMESPACE}, script
@@ -114,15 +114,17 @@ def test_the_reference_has_every_public_name(site, pages):
 @pytest.mark.long
 def test_the_search_finds_a_mechanism(site):
     index = (site / "searchindex.js").read_text(encoding="utf-8")
-    found = json.loads(index[index.index("{") : index.rindex("}") + 1])
-    assert "creep" in found["terms"] and "protocol" in found["docnames"]
+    search_index = json.loads(index[index.index("{") : index.rindex("}") + 1])
+    assert "creep" in search_index["terms"] and "protocol" in search_index["docnames"]
 
 
 @pytest.mark.long
 def test_the_tutorial_shows_what_its_cells_gave(site):
     book = json.loads((DOCS / "tutorial" / "tutorial.ipynb").read_text(encoding="utf-8"))
     text = (site / "tutorial" / "tutorial.html").read_text(encoding="utf-8")
-    pictures = sum("image/png" in one.get("data", {}) for cell in book["cells"] for one in cell.get("outputs", []))
+    pictures = sum(
+        "image/png" in output.get("data", {}) for cell in book["cells"] for output in cell.get("outputs", [])
+    )
     assert pictures and text.count('alt="what the cell shows"') == pictures
 
 
@@ -130,8 +132,8 @@ def test_the_tutorial_shows_what_its_cells_gave(site):
 def test_a_dead_link_fails_the_build(tmp_path):
     docs = tmp_path / "docs"
     docs.mkdir()
-    told = (DOCS / "conf.py").read_text().replace("DOCS.parent", f"Path({str(DOCS.parent)!r})")
-    (docs / "conf.py").write_text(told)
+    configuration = (DOCS / "conf.py").read_text().replace("DOCS.parent", f"Path({str(DOCS.parent)!r})")
+    (docs / "conf.py").write_text(configuration)
     for text, works in (("# A page\n\n[here](#a-page)\n", True), ("# A page\n\n[there](no_page.md)\n", False)):
         (docs / "index.md").write_text(text)
         assert (build(docs, tmp_path / "out", state=tmp_path / "state").returncode == 0) is works

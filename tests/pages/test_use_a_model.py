@@ -38,7 +38,7 @@ def test_the_questions_about_a_new_string_are_answered_as_the_page_says(tmp_path
     """Nothing said how to ask about a string that nobody recorded, nor which of its sizes may be left out."""
     page = (Path(__file__).parents[2] / "docs" / "use_a_model.md").read_text()
     _, _, section = page.partition("### A string that nobody recorded")
-    written, asked = re.search(r"```sh\n(.*)\n(.*)\n```", section).groups()
+    written, ask_command = re.search(r"```sh\n(.*)\n(.*)\n```", section).groups()
     points = made_dataset(60, 6)
     strings = [
         points.assign(string=name, radius_mm=radius_mm, stiffness_n_per_mm=usual_stiffness(radius_mm, 400.0))
@@ -50,7 +50,7 @@ def test_the_questions_about_a_new_string_are_answered_as_the_page_says(tmp_path
     dataset.parent.mkdir(parents=True)
     schemas.write(varied, schemas.DATASET, dataset)
     subprocess.run(["sh", "-c", written], cwd=tmp_path, check=True)
-    _, _, module, *words = shlex.split(asked.replace("<material>", "nylon"))
+    _, _, module, *words = shlex.split(ask_command.replace("<material>", "nylon"))
     done = programs.run(module, *words, "--model", "polynomial", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     answers = pd.read_csv(tmp_path / words[-1])

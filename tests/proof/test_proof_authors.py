@@ -48,10 +48,10 @@ def test_a_mix_that_nobody_can_make_is_refused(change, field):
 
 def test_each_author_gets_its_cases_in_batches_of_its_own():
     settings = {"seed": 5, "batch": 2, "mixes": MIXES}
-    cases, found = plan(settings), batches(settings)
+    cases, batched = plan(settings), batches(settings)
     assert sorted(case.author for case in cases) == ["", "", "", "a", "a", "b", "b", "b", "b"]
-    assert sorted(found) == ["batch-000", "batch-001", "by_a-000", "by_b-000", "by_b-001"]
-    assert all(len({case.author for case in batch}) == 1 for batch in found.values())
+    assert sorted(batched) == ["batch-000", "batch-001", "by_a-000", "by_b-000", "by_b-001"]
+    assert all(len({case.author for case in batch}) == 1 for batch in batched.values())
     assert read(written(cases)) == cases
 
 
@@ -62,11 +62,11 @@ def test_an_author_who_knows_no_law_of_an_effect_makes_no_case_of_it():
 
 
 def test_what_the_plan_leaves_open_is_drawn_from_what_the_author_knows():
-    asked = [authored.asked_of(case, KNOWN) for case in plan({"seed": 5, "batch": 2, "mixes": MIXES}) if case.author]
-    outside = [one for one in asked if one.kappas == (3.0,)]
-    assert len(outside) == 2 and all(one.effects[0].startswith("x_") for one in outside)
-    named = [one for one in asked if one.kappas == (1.0,)]
-    assert sorted(one.effects[0] for one in named) == ["creep", "creep", "wear", "wear"]
+    requests = [authored.asked_of(case, KNOWN) for case in plan({"seed": 5, "batch": 2, "mixes": MIXES}) if case.author]
+    outside = [request for request in requests if request.kappas == (3.0,)]
+    assert len(outside) == 2 and all(request.effects[0].startswith("x_") for request in outside)
+    named = [request for request in requests if request.kappas == (1.0,)]
+    assert sorted(request.effects[0] for request in named) == ["creep", "creep", "wear", "wear"]
     pair = {"stratum": "pair", "protocol": "rich", "kappas": [2], "count": 1, "authors": ["a"]}
     (two,) = (authored.asked_of(case, KNOWN) for case in plan({"seed": 5, "batch": 2, "mixes": [pair]}))
     assert len(set(two.effects)) == 2 and two.kappas == (2.0, 2.0) and not any(x.startswith("x_") for x in two.effects)
@@ -78,10 +78,10 @@ def test_an_authors_case_is_written_and_answered_like_the_rigs_own(tmp_path, aut
     (planned,) = plan({"seed": 11, "batch": 1, "mixes": [mix]})
     answer = concealed(planned, tmp_path / "recordings" / "b")
     assert (tmp_path / "recordings" / "b" / planned.run / "recording.parquet").is_file()
-    said = {"verdict": "explained", "code": "c0de", "alternatives": [], "parameters": {}, "fit": {"heldout": None}}
-    said["mechanisms"] = [{"id": "creep", "rms_mm": {"value": 1.0, "low": 0.0, "high": 1e9}}]
+    diagnosis = {"verdict": "explained", "code": "c0de", "alternatives": [], "parameters": {}, "fit": {"heldout": None}}
+    diagnosis["mechanisms"] = [{"id": "creep", "rms_mm": {"value": 1.0, "low": 0.0, "high": 1e9}}]
     files = {"sealed/b.json": [answer], "verdicts/b/asked.json": {"seconds": {planned.run: 1.0}, "status": 0}}
-    files[f"verdicts/b/{planned.run}/diagnosis.json"] = said
+    files[f"verdicts/b/{planned.run}/diagnosis.json"] = diagnosis
     for name, content in files.items():
         path = tmp_path / name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -114,7 +114,7 @@ def test_no_method_looks_at_the_strokes_held_out(problem, name):
     later = np.arange(len(problem.record)) >= row
     other = replace(part.problem, measured=part.problem.measured + 5.0 * later)
     learn = command.method(name)
-    same, changed = (learn(one).adds_mm(problem) for one in (part, replace(part, problem=other)))
+    same, changed = (learn(variant).adds_mm(problem) for variant in (part, replace(part, problem=other)))
     assert same.shape == (len(problem.record),)
     np.testing.assert_array_equal(same, changed)
 
@@ -137,13 +137,13 @@ def test_without_a_correction_the_error_is_the_calibrated_simulators(folder, pro
 @pytest.mark.long
 def test_the_command_writes_what_each_method_says(folder, tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["baselines", str(folder), "--out", str(tmp_path)])
-    with pytest.raises(SystemExit) as left:
+    with pytest.raises(SystemExit) as exit_info:
         command.main()
-    assert not left.value.code
-    found = json.loads((tmp_path / "friction" / "baselines.json").read_text())
-    assert found.pop("run") == "friction"
-    assert set(found) == set(command.names())
-    for name, said in found.items():
-        assert set(said) == {"named", "heldout_mm", "seconds"}
-        assert said["heldout_mm"] > 0.0
-        assert (said["named"] is None) == (name in ("gradient_boosting", "gaussian_process"))
+    assert not exit_info.value.code
+    saved = json.loads((tmp_path / "friction" / "baselines.json").read_text())
+    assert saved.pop("run") == "friction"
+    assert set(saved) == set(command.names())
+    for name, entry in saved.items():
+        assert set(entry) == {"named", "heldout_mm", "seconds"}
+        assert entry["heldout_mm"] > 0.0
+        assert (entry["named"] is None) == (name in ("gradient_boosting", "gaussian_process"))

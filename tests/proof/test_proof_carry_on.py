@@ -25,18 +25,18 @@ def test_the_first_part_stays_and_the_state_is_carried_on(case):
     count = len(first.time_s)
     np.testing.assert_allclose(whole.displacement_mm[:count], first.displacement_mm, atol=1e-12)
     assert whole.time_s[-1] - first.time_s[-1] == pytest.approx(80.0, abs=0.1)
-    held = (whole.time_s > first.time_s[-1] + 11) & (whole.time_s < first.time_s[-1] + 69)
-    assert np.ptp(whole.motor_turns[held]) < 1e-9 and np.ptp(whole.load_n[held]) < 1e-9
-    assert np.ptp(whole.displacement_mm[held]) > 0.1 * case.nuisance.floor_mm  # it creeps, as it did
+    in_hold = (whole.time_s > first.time_s[-1] + 11) & (whole.time_s < first.time_s[-1] + 69)
+    assert np.ptp(whole.motor_turns[in_hold]) < 1e-9 and np.ptp(whole.load_n[in_hold]) < 1e-9
+    assert np.ptp(whole.displacement_mm[in_hold]) > 0.1 * case.nuisance.floor_mm  # it creeps, as it did
 
 
 def test_the_second_recording_is_the_legs_with_fresh_noise(case):
-    one, two = gone_on(case, LEGS, 3), gone_on(case, LEGS, 4)
-    assert one.table["time_s"].iloc[0] > case.protocol.told.time_s[-1]
-    assert one.table["time_s"].diff().iloc[1:].min() > 0 and not one.table.isna().any().any()
-    assert one.table["motor_turns"].max() == pytest.approx(12.0, abs=0.01)
-    assert np.std(one.error_mm[~one.wild]) == pytest.approx(case.nuisance.floor_mm, rel=0.2)
-    assert not np.array_equal(one.error_mm[:1000], two.error_mm[:1000])
+    resumed, two = gone_on(case, LEGS, 3), gone_on(case, LEGS, 4)
+    assert resumed.table["time_s"].iloc[0] > case.protocol.told.time_s[-1]
+    assert resumed.table["time_s"].diff().iloc[1:].min() > 0 and not resumed.table.isna().any().any()
+    assert resumed.table["motor_turns"].max() == pytest.approx(12.0, abs=0.01)
+    assert np.std(resumed.error_mm[~resumed.wild]) == pytest.approx(case.nuisance.floor_mm, rel=0.2)
+    assert not np.array_equal(resumed.error_mm[:1000], two.error_mm[:1000])
 
 
 def test_it_is_of_the_same_string_and_counts_its_strokes_on(case, tmp_path):
@@ -51,8 +51,8 @@ def test_who_changes_the_weight_says_which_one_hangs(case):
     bare, load_n = replace(case, load_cell=False), case.bench.loads_n[0]
     same, other = (Leg(10.0, 5.0, load_n),), (Leg(10.0, 5.0, 2.0 * load_n),)
     assert "load_n" not in gone_on(bare, same, 3).table and described(bare, same, "case-7")["rig"]["load_n"] == load_n
-    told = gone_on(bare, other, 3).table
-    assert told["load_n"].median() == pytest.approx(2.0 * load_n, rel=0.01)
+    table = gone_on(bare, other, 3).table
+    assert table["load_n"].median() == pytest.approx(2.0 * load_n, rel=0.01)
     assert "load_n" not in described(bare, other, "case-7")["rig"]
 
 

@@ -80,23 +80,25 @@ def left_mm(case: Case) -> np.ndarray:
 
     Dimensions that take each other's place let a step land elsewhere, by how a machine rounds: the best one counts.
     """
-    said, measured = perform(case.bench, case.protocol, case.effects), case.bench.measured
+    trace, measured = perform(case.bench, case.protocol, case.effects), case.bench.measured
 
     def residual(moves):
         radius_mm = measured.radius_mm * (1 + 0.03 * moves[0])
         separator_mm, zone_mm = measured.separator_mm + 0.5 * moves[1], measured.torsion_zone_mm + moves[2]
         length_mm = measured.length_mm + 2 * moves[3]
         geometry = Geometry("separator", radius_mm, length_mm, measured.stiffness_n_per_mm, zone_mm, separator_mm)
-        model = geometry.contraction_mm(said.motor_turns, said.load_n) * (1 + 0.01 * moves[4]) + moves[5]
-        return said.displacement_mm - model
+        model = geometry.contraction_mm(trace.motor_turns, trace.load_n) * (1 + 0.01 * moves[4]) + moves[5]
+        return trace.displacement_mm - model
 
-    moves, limits, left = np.zeros(6), np.append(np.full(5, 3.0), 1e3), []
+    moves, limits, residuals = np.zeros(6), np.append(np.full(5, 3.0), 1e3), []
     for _ in range(6):
-        slopes = np.stack([(residual(moves + 1e-4 * one) - residual(moves)) / 1e-4 for one in np.eye(6)], axis=1)
+        slopes = np.stack(
+            [(residual(moves + 1e-4 * unit_move) - residual(moves)) / 1e-4 for unit_move in np.eye(6)], axis=1
+        )
         bounds = (-limits - moves, limits - moves)
         moves = moves + lsq_linear(slopes[::4], -residual(moves)[::4], bounds, method="bvls").x
-        left.append(residual(moves))
-    return min(left, key=lambda each: float(np.square(each).sum()))
+        residuals.append(residual(moves))
+    return min(residuals, key=lambda each: float(np.square(each).sum()))
 
 
 def test_every_effect_of_the_rig_can_be_concealed_and_has_a_claim():
@@ -124,8 +126,8 @@ def test_what_a_seed_draws_of_an_effect_is_what_it_always_drew():
 def test_at_kappa_one_calibration_leaves_one_noise_floor(effect):
     case = case_of(effect)
     assert case.sizes[effect].kappa == pytest.approx(1.0, abs=0.05)
-    left = np.sqrt(np.square(left_mm(case)).mean()) / case.nuisance.floor_mm
-    assert left == pytest.approx(case.sizes[effect].kappa, rel=0.06)
+    misfit_floors = np.sqrt(np.square(left_mm(case)).mean()) / case.nuisance.floor_mm
+    assert misfit_floors == pytest.approx(case.sizes[effect].kappa, rel=0.06)
 
 
 @pytest.mark.parametrize("effect", effects.names())
@@ -184,13 +186,13 @@ def test_the_rich_protocol_is_rich_and_the_poor_one_poor(seed):
         protocol = draw_protocol(kind, bench, rng)
         strokes = protocol.motion.each()
         assert 10 <= len(strokes) <= 15 and 25 <= protocol.rate_hz <= 50
-        told = protocol.told
-        assert 6_000 <= told.time_s[-1] * protocol.rate_hz <= 16_000
+        motion = protocol.told
+        assert 6_000 <= motion.time_s[-1] * protocol.rate_hz <= 16_000
         assert len({stroke.load_n for stroke in strokes}) == (3 if kind == "rich" else 1)
         assert len({round(stroke.speed_turns_per_s, 6) for stroke in strokes}) == (3 if kind == "rich" else 1)
         assert max(stroke.hold_s for stroke in strokes) == (15 if kind == "rich" else 0)
         stroke, phase = protocol.phases
-        number, name = label(told.time_s[::8], told.motor_turns[::8])
+        number, name = label(motion.time_s[::8], motion.motor_turns[::8])
         assert number.max() == len(strokes) == stroke.max()
         assert (number == stroke).mean() > 0.97 and (name == phase).mean() > 0.93
 
@@ -243,18 +245,18 @@ def test_what_the_truth_leaves_of_the_held_out_strokes_is_the_noise():
 
 def test_the_box_is_the_smallest_that_holds_the_energy():
     case = case_of("end_stop")
-    said = perform(case.bench, case.protocol, {})
-    here = (said.stroke >= 3) & (said.stroke <= 4) & (said.phase == "winding") & (said.motor_turns > 0.5 * 24)
-    box = location(said, np.where(here, 1.0, 0.0))
+    trace = perform(case.bench, case.protocol, {})
+    has_energy = (trace.stroke >= 3) & (trace.stroke <= 4) & (trace.phase == "winding") & (trace.motor_turns > 0.5 * 24)
+    box = location(trace, np.where(has_energy, 1.0, 0.0))
     assert box["phase"] == "winding" and box["strokes"] == [3, 4]
-    inside = (said.phase == "winding") & (said.stroke >= 3) & (said.stroke <= 4)
-    inside &= (said.motor_turns >= box["motor_turns"][0]) & (said.motor_turns <= box["motor_turns"][1])
-    assert (inside & here).sum() / here.sum() >= 0.8
+    inside = (trace.phase == "winding") & (trace.stroke >= 3) & (trace.stroke <= 4)
+    inside &= (trace.motor_turns >= box["motor_turns"][0]) & (trace.motor_turns <= box["motor_turns"][1])
+    assert (inside & has_energy).sum() / has_energy.sum() >= 0.8
 
 
 def test_the_same_seed_makes_the_same_case():
-    one, two = (performed(draw_case(7, "single", "poor", ["creep"], [3.0])).table for _ in range(2))
-    assert one.equals(two)
+    first_table, two = (performed(draw_case(7, "single", "poor", ["creep"], [3.0])).table for _ in range(2))
+    assert first_table.equals(two)
 
 
 def test_the_generator_and_the_score_know_nothing_of_what_must_explain_it():
@@ -273,6 +275,6 @@ def test_the_generator_and_the_score_know_nothing_of_what_must_explain_it():
 def test_friction_and_backlash_look_alike_under_one_load_and_not_under_three():
     for protocol, low, high in (("poor", 0.0, 0.15), ("rich", 0.2, 1.0)):
         case = case_of("backlash", protocol)
-        left = left_over(case, copies(case, ["backlash", "friction_hysteresis", "creep"], shapes=3))
-        assert left["backlash"] < 0.1 and left["creep"] > 0.8
-        assert low <= left["friction_hysteresis"] <= high, (protocol, left)
+        leftover = left_over(case, copies(case, ["backlash", "friction_hysteresis", "creep"], shapes=3))
+        assert leftover["backlash"] < 0.1 and leftover["creep"] > 0.8
+        assert low <= leftover["friction_hysteresis"] <= high, (protocol, leftover)

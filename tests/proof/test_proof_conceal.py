@@ -16,8 +16,19 @@ def conceal(place, *arguments):
 
 @pytest.mark.parametrize("protocol", ["rich", "poor"])
 def test_a_concealed_run_is_read_by_the_pipeline_and_says_nothing(protocol, tmp_path):
-    told = ["--seed", "11", "--stratum", "single", "--effect", "thermal", "--kappa", "1", "--protocol", protocol]
-    done = conceal(tmp_path, *told, "--run", "case-011", "--answer", str(tmp_path / "sealed" / "case-011.json"))
+    case_options = [
+        "--seed",
+        "11",
+        "--stratum",
+        "single",
+        "--effect",
+        "thermal",
+        "--kappa",
+        "1",
+        "--protocol",
+        protocol,
+    ]
+    done = conceal(tmp_path, *case_options, "--run", "case-011", "--answer", str(tmp_path / "sealed" / "case-011.json"))
     assert done.returncode == 0, done.stderr
     folder = tmp_path / "raw" / "case-011"
     assert {path.name for path in folder.iterdir()} == {"run.yaml", "recording.parquet"}
@@ -32,16 +43,16 @@ def test_a_concealed_run_is_read_by_the_pipeline_and_says_nothing(protocol, tmp_
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "message"),
     [
         (["--stratum", "single", "--effect", "axial_elasticity", "--protocol", "poor"], "leaves no 1 noise floors"),
         (["--stratum", "none", "--effect", "creep"], "hides 0 effects"),
     ],
 )
-def test_a_case_that_cannot_be_is_refused(arguments, said, tmp_path):
+def test_a_case_that_cannot_be_is_refused(arguments, message, tmp_path):
     answer = str(tmp_path / "answer.json")
     done = conceal(tmp_path, "--seed", "1", *arguments, "--run", "case-1", "--answer", answer)
-    assert done.returncode == 2 and said in done.stderr and not (tmp_path / "raw").exists()
+    assert done.returncode == 2 and message in done.stderr and not (tmp_path / "raw").exists()
 
 
 def test_an_answer_is_never_laid_beside_the_recording(tmp_path):
@@ -62,6 +73,6 @@ def test_a_batch_seals_its_answers_elsewhere_and_says_what_it_could_not_make(tmp
     done = programs.run(*command, sealed)
     assert done.returncode == 0 and "1 recordings concealed" in done.stdout, done.stderr
     assert [path.name for path in (tmp_path / "runs").iterdir()] == ["case-1"]
-    made, skipped = json.loads(sealed.read_text())
-    assert made["asked"]["stratum"] == "none" and made["effects"] == [] and 0.01 < made["heldout_noise_mm"] < 0.1
+    answer, skipped = json.loads(sealed.read_text())
+    assert answer["asked"]["stratum"] == "none" and answer["effects"] == [] and 0.01 < answer["heldout_noise_mm"] < 0.1
     assert "leaves no 1 noise floors" in skipped["skipped"] and skipped["asked"]["effects"] == ["axial_elasticity"]

@@ -36,26 +36,28 @@ def test_ten_thousand_cases_are_planned_in_batches_of_a_few_minutes_whose_comman
     cases = plan(large)
     assert len(cases) >= 10_000 and not {case.seed for case in cases} & {case.seed for case in plan(CONFIG)}
     kinds = {(case.stratum, case.protocol, case.kappas, case.author, bool(case.without)) for case in cases}
-    assert kinds == {(one.stratum, one.protocol, one.kappas, one.author, bool(one.without)) for one in plan(CONFIG)}
-    found = batches(large)
-    assert sorted(case.run for batch in found.values() for case in batch) == sorted(case.run for case in cases)
-    assert len(found) < 150 and max(map(len, found.values())) <= 100
-    assert max(len(written(batch)) for batch in found.values()) < 60_000
+    assert kinds == {
+        (case.stratum, case.protocol, case.kappas, case.author, bool(case.without)) for case in plan(CONFIG)
+    }
+    batched = batches(large)
+    assert sorted(case.run for batch in batched.values() for case in batch) == sorted(case.run for case in cases)
+    assert len(batched) < 150 and max(map(len, batched.values())) <= 100
+    assert max(len(written(batch)) for batch in batched.values()) < 60_000
 
 
 def test_a_seed_draws_a_block_of_its_own_in_an_order_that_tells_nothing():
-    one, other = plan(CONFIG), plan({**CONFIG, "seed": CONFIG["seed"] + 10_000})
-    assert len({case.seed for case in [*one, *other]}) == 2 * len(one)
-    assert [case.stratum for case in one] != [case.stratum for case in other]
-    assert len({case.stratum for case in one[:40]}) >= 4
-    assert all(case.run == f"case-{case.seed}" for case in one)
+    cases, other = plan(CONFIG), plan({**CONFIG, "seed": CONFIG["seed"] + 10_000})
+    assert len({case.seed for case in [*cases, *other]}) == 2 * len(cases)
+    assert [case.stratum for case in cases] != [case.stratum for case in other]
+    assert len({case.stratum for case in cases[:40]}) >= 4
+    assert all(case.run == f"case-{case.seed}" for case in cases)
 
 
 def test_every_case_is_in_one_batch_and_survives_the_command_line():
-    found = batches(CONFIG)
-    cases = [case for batch in found.values() for case in batch]
+    batched = batches(CONFIG)
+    cases = [case for batch in batched.values() for case in batch]
     assert sorted(case.run for case in cases) == sorted(case.run for case in plan(CONFIG))
-    assert all(len({case.without for case in batch}) == 1 for batch in found.values())
+    assert all(len({case.without for case in batch}) == 1 for batch in batched.values())
     assert read(written(cases)) == cases
 
 

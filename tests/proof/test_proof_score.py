@@ -17,7 +17,7 @@ def verdict(word, named=(), *alternatives):
 
 
 @pytest.mark.parametrize(
-    ("said", "truth", "nameless", "wanted"),
+    ("diagnosis", "truth", "nameless", "wanted"),
     [
         (verdict("consistent"), "", False, "quiet"),
         (verdict("parameters"), "", False, "quiet"),
@@ -41,8 +41,8 @@ def verdict(word, named=(), *alternatives):
         (None, "creep", False, "refused"),
     ],
 )
-def test_one_word_for_each_case(said, truth, nameless, wanted):
-    assert outcome(said, frozenset(truth.split()), nameless) == wanted
+def test_one_word_for_each_case(diagnosis, truth, nameless, wanted):
+    assert outcome(diagnosis, frozenset(truth.split()), nameless) == wanted
 
 
 def test_the_table_of_twins_is_looked_for_before_anything_is_read_or_written(tmp_path):
@@ -70,10 +70,12 @@ def test_the_overlap_counts_samples_in_both_over_samples_in_either(make_run):
 
 
 def row(outcome, stratum="none", **more):
-    told = {"run": "case", "stratum": stratum, "protocol": "rich", "kappa": None, "effects": "", "skipped": ""}
+    defaults = {"run": "case", "stratum": stratum, "protocol": "rich", "kappa": None, "effects": "", "skipped": ""}
     right = outcome in ("quiet", "exact", "tie with the truth")
     return (
-        told | {"outcome": outcome, "right": right, "verdict": "", "separable": None, "sets": 0, "seconds": 5.0} | more
+        defaults
+        | {"outcome": outcome, "right": right, "verdict": "", "separable": None, "sets": 0, "seconds": 5.0}
+        | more
     )
 
 
@@ -85,15 +87,15 @@ def test_scores_count_what_they_say():
     rows += [row("tie with the truth", **{**effect, "verdict": "ambiguous", "separable": True, "sets": 3})]
     rows += [{**row("", **effect), "skipped": "no room"}]
     sizes = pd.DataFrame({"stratum": ["single"] * 3, "inside": [True, True, False]})
-    found = scores(pd.DataFrame(rows), sizes).set_index(["metric", "stratum"])
+    scored = scores(pd.DataFrame(rows), sizes).set_index(["metric", "stratum"])
     large = "single, rich, kappa at least 0.5"
-    assert found.loc[("false alarm", "controls"), ["count", "of"]].tolist() == [1, 10]
-    assert found.loc[("named exactly", large), ["count", "of"]].tolist() == [3, 5]
-    assert found.loc[("named wrongly", large), "count"] == 1
-    assert found.loc[("ambiguous though the data part it", large), "count"] == 1
-    assert found.loc[("case could not be made", "all"), "count"] == 1
-    assert found.loc[("90 % interval holds the effect's size", "all"), ["count", "of"]].tolist() == [2, 3]
-    ratio = found.loc[("held-out error over the oracle's", "single")]
+    assert scored.loc[("false alarm", "controls"), ["count", "of"]].tolist() == [1, 10]
+    assert scored.loc[("named exactly", large), ["count", "of"]].tolist() == [3, 5]
+    assert scored.loc[("named wrongly", large), "count"] == 1
+    assert scored.loc[("ambiguous though the data part it", large), "count"] == 1
+    assert scored.loc[("case could not be made", "all"), "count"] == 1
+    assert scored.loc[("90 % interval holds the effect's size", "all"), ["count", "of"]].tolist() == [2, 3]
+    ratio = scored.loc[("held-out error over the oracle's", "single")]
     assert ratio["value"] == pytest.approx(1.1) and ratio["of"] == 4
-    shares = found[[name[0] == "false alarm" for name in found.index]]
+    shares = scored[[name[0] == "false alarm" for name in scored.index]]
     assert ((shares["low"] <= shares["value"]) & (shares["value"] <= shares["high"])).all()

@@ -11,22 +11,22 @@ DIMENSIONS = {"radius_mm": 0.5, "separator_mm": 8.0, "torsion_zone_mm": 150.0}
 
 
 def answer(run, stratum, effect="", **more):
-    asked = {"seed": 1, "stratum": stratum, "protocol": "rich", "effects": [effect] if effect else []}
-    asked |= {"kappas": [1.0] if effect else [], "without": ""}
-    told = {"run": run, "asked": asked, "protocol": "rich", "location": None, "noise_floor_mm": 0.1}
-    told |= {"heldout_noise_mm": 0.1, "together": {"raw_mm": 0.2, "hidden_share": 0.0}}
-    told["effects"] = [{"id": effect, "kappa": 1.0, "raw_mm": 0.2}] if effect else []
-    return told | {"dimensions": {name: {"true": value} for name, value in DIMENSIONS.items()}} | more
+    case_request = {"seed": 1, "stratum": stratum, "protocol": "rich", "effects": [effect] if effect else []}
+    case_request |= {"kappas": [1.0] if effect else [], "without": ""}
+    content = {"run": run, "asked": case_request, "protocol": "rich", "location": None, "noise_floor_mm": 0.1}
+    content |= {"heldout_noise_mm": 0.1, "together": {"raw_mm": 0.2, "hidden_share": 0.0}}
+    content["effects"] = [{"id": effect, "kappa": 1.0, "raw_mm": 0.2}] if effect else []
+    return content | {"dimensions": {name: {"true": value} for name, value in DIMENSIONS.items()}} | more
 
 
 def verdict(word, *named, alternatives=()):
     size = {"value": 0.21, "low": 0.19, "high": 0.23}
     inside = {name: {"low": 0.99 * value, "high": 1.01 * value} for name, value in DIMENSIONS.items()}
     outside = {"radius_mm": {"low": 0.6, "high": 0.7}}
-    held = {"nominal_mm": 1.0, "calibrated_mm": 0.5, "explained_mm": 0.12}
+    heldout_errors = {"nominal_mm": 1.0, "calibrated_mm": 0.5, "explained_mm": 0.12}
     return {
         "verdict": word, "code": "c0de", "alternatives": [*alternatives], "parameters": inside | outside,
-        "mechanisms": [{"id": name, "rms_mm": size} for name in named], "fit": {"heldout": held},
+        "mechanisms": [{"id": name, "rms_mm": size} for name in named], "fit": {"heldout": heldout_errors},
     }  # fmt: skip
 
 
@@ -45,13 +45,13 @@ def place(tmp_path):
         "case-3": verdict("ambiguous", "jam", alternatives=[["wear"]]),
     }
     settled = {"case-3/proposed": verdict("explained", "wear"), "case-3/same": verdict("explained", "jam")}
-    said = {"run": "case-2", "guess": {"named": ["wear"], "heldout_mm": 0.3, "seconds": 1.0}}
-    said |= {"smooth": {"named": None, "heldout_mm": None, "seconds": 2.0}}
+    baselines = {"run": "case-2", "guess": {"named": ["wear"], "heldout_mm": 0.3, "seconds": 1.0}}
+    baselines |= {"smooth": {"named": None, "heldout_mm": None, "seconds": 2.0}}
     files = {"sealed/b.json": answers, "lookalikes/b.json": {"case-3": {"jam": 0.1}}}
     files |= {"verdicts/b/asked.json": {"seconds": {f"case-{n}": 10.0 * n for n in range(1, 5)}, "status": 2}}
-    files |= {f"verdicts/b/{run}/diagnosis.json": one for run, one in verdicts.items()}
-    files |= {f"settled/b/{name}/diagnosis.json": one for name, one in settled.items()}
-    files |= {"baselines/b/case-2/baselines.json": said}
+    files |= {f"verdicts/b/{run}/diagnosis.json": diagnosis for run, diagnosis in verdicts.items()}
+    files |= {f"settled/b/{name}/diagnosis.json": diagnosis for name, diagnosis in settled.items()}
+    files |= {"baselines/b/case-2/baselines.json": baselines}
     for name, content in files.items():
         path = tmp_path / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -77,16 +77,21 @@ def test_the_scores_and_the_page_say_so(place):
     table, sizes = case_table.gather(place, ["b"])
     besides = baselines_beside.gather(table, place, ["b"])
     scored = pd.concat([scores.scores(table, sizes), baselines_beside.scores(besides)], ignore_index=True)
-    found = scored.set_index(["metric", "stratum"])["value"]
+    score_values = scored.set_index(["metric", "stratum"])["value"]
     large = "single, rich, kappa at least 0.5"
-    assert found[("named exactly", large)] == pytest.approx(1 / 3) and found[("refused", large)] == pytest.approx(1 / 3)
-    assert found[("ambiguous", large)] == pytest.approx(1 / 3)
-    assert found[("ambiguous though the data part it", large)] == 0.0
-    assert found[("tie settled rightly by proposed", "ties")] == 1.0
-    assert found[("tie settled wrongly by same", "ties")] == 1.0
-    assert found[("named wrongly", "guess: single")] == 1.0 and found[("named exactly", "diagnosis: single")] == 1.0
-    assert found[("held-out error over the oracle's", "guess: effects")] == pytest.approx(3.0)
-    assert ("named exactly", "smooth: single") not in found.index
+    assert score_values[("named exactly", large)] == pytest.approx(1 / 3) and score_values[
+        ("refused", large)
+    ] == pytest.approx(1 / 3)
+    assert score_values[("ambiguous", large)] == pytest.approx(1 / 3)
+    assert score_values[("ambiguous though the data part it", large)] == 0.0
+    assert score_values[("tie settled rightly by proposed", "ties")] == 1.0
+    assert score_values[("tie settled wrongly by same", "ties")] == 1.0
+    assert (
+        score_values[("named wrongly", "guess: single")] == 1.0
+        and score_values[("named exactly", "diagnosis: single")] == 1.0
+    )
+    assert score_values[("held-out error over the oracle's", "guess: effects")] == pytest.approx(3.0)
+    assert ("named exactly", "smooth: single") not in score_values.index
     twins = pd.DataFrame({"effect": ["creep", "jam"], "share": [0.09, 0.003]})
     text = page.page(table, scored, twins)
     assert "- case-5: no room" in text and "| case-4 | single | rich | backlash | 1 | refused |  | refused |" in text

@@ -29,20 +29,24 @@ JUDGES = ROOT / "pipeline" / "proof" / "teach" / "judges"
 
 def made_lessons(count: int, seed: int = 0) -> list[Lesson]:
     """Lessons of which the right explanation leaves less than the wrong one; where all leave much, none is right."""
-    rng, found = np.random.default_rng(seed), []
+    rng, lessons = np.random.default_rng(seed), []
     for number in range(count):
         good = number % 4 != 0
-        left = {"creep": rng.uniform(-5.0, -4.0) if good else rng.uniform(-0.5, 0.0), "jam": rng.uniform(-2.0, -0.5)}
-        left["creep jam"] = left["creep"] - 0.05
-        ids = tuple(tuple(name.split()) for name in left)
+        leftover = {
+            "creep": rng.uniform(-5.0, -4.0) if good else rng.uniform(-0.5, 0.0),
+            "jam": rng.uniform(-2.0, -0.5),
+        }
+        leftover["creep jam"] = leftover["creep"] - 0.05
+        ids = tuple(tuple(name.split()) for name in leftover)
         signs = tuple(
-            {"left_share": value, "more_gain": float(rng.normal()), "mismatch_floors": 1.0} for value in left.values()
+            {"left_share": value, "more_gain": float(rng.normal()), "mismatch_floors": 1.0}
+            for value in leftover.values()
         )
         right = tuple(good and names == ("creep",) for names in ids)
         effects = ("creep",) if good else ("x_odd",)
         author = ("one", "two")[(number // 4) % 2]
-        found.append(Lesson(author, number, effects, (1.0,), "rich", ids, signs, right))
-    return found
+        lessons.append(Lesson(author, number, effects, (1.0,), "rich", ids, signs, right))
+    return lessons
 
 
 def test_a_judge_learns_which_explanation_is_right_and_when_none_is() -> None:
@@ -63,13 +67,18 @@ def test_a_judge_that_goes_on_knows_what_the_earlier_one_knew_and_learns_a_sign_
     ]
     onwards = fitted_judge.fitted(fresh, before)
     assert set(onwards.knots) == {*before.knots, "left_of_own"} and onwards.names == before.names
-    known = dict(zip(before.columns, before.weights, strict=True))
+    earlier_weights = dict(zip(before.columns, before.weights, strict=True))
     moved = dict(zip(onwards.columns, onwards.weights, strict=True))
-    assert max(abs(moved[column] - weight) for column, weight in known.items()) < 0.5 * np.abs(before.weights).max()
-    assert any(moved[column] != 0.0 for column in set(moved) - set(known))
+    assert (
+        max(abs(moved[column] - weight) for column, weight in earlier_weights.items())
+        < 0.5 * np.abs(before.weights).max()
+    )
+    assert any(moved[column] != 0.0 for column in set(moved) - set(earlier_weights))
     for lesson in made_lessons(40, seed=1):
-        told = [signs | {"left_of_own": 5.0 * number} for number, signs in enumerate(lesson.signs)]
-        *named, none = onwards.probabilities(fitted_judge.explanations(replace(lesson, signs=tuple(told)))).tolist()
+        more_signs = [signs | {"left_of_own": 5.0 * number} for number, signs in enumerate(lesson.signs)]
+        *named, none = onwards.probabilities(
+            fitted_judge.explanations(replace(lesson, signs=tuple(more_signs)))
+        ).tolist()
         assert lesson.right[int(np.argmax(named))] and none < 0.5 if any(lesson.right) else none > 0.5
 
 
@@ -113,26 +122,26 @@ def test_where_all_explanations_leave_as_much_the_signature_tells_which_is_right
 
 
 def test_the_judge_meets_each_signature_by_a_recogniser_whom_its_author_did_not_teach(monkeypatch) -> None:
-    asked: list[set[str]] = []
+    author_sets: list[set[str]] = []
     whole = fitted_judge.taught
     monkeypatch.setattr(
-        fitted_judge, "taught", lambda some: asked.append({each.author for each in some}) or whole(some)
+        fitted_judge, "taught", lambda lessons: author_sets.append({each.author for each in lessons}) or whole(lessons)
     )
     fitted_judge.listening(fitted_judge.fitted(signed(60)), signed(60))
-    assert asked == [{"two"}, {"one"}, {"one", "two"}]
+    assert author_sets == [{"two"}, {"one"}, {"one", "two"}]
 
 
 def test_it_is_scored_on_authors_whom_it_does_not_know(monkeypatch) -> None:
     lessons = made_lessons(120)
     taught = {name: fitted_judge.fitted([each for each in lessons if each.author != name]) for name in ("one", "two")}
-    asked: list[Judge] = []
+    judges: list[Judge] = []
     whole = across.judged
-    monkeypatch.setattr(across, "judged", lambda judge, lesson: asked.append(judge) or whole(judge, lesson))
-    found = across.left_out([*lessons, replace(lessons[0], ids=())], taught)
-    assert [taught[each.lesson.author] for each in found] == asked and len(found) == 120
-    singles = [one for one in found if one.stratum == "single"]
-    assert sum(one.outcome == "exact" for one in singles) > 0.8 * len(singles)
-    assert sum(one.outcome == "unknown" for one in found if one.stratum == "open") == 30
+    monkeypatch.setattr(across, "judged", lambda judge, lesson: judges.append(judge) or whole(judge, lesson))
+    judgements = across.left_out([*lessons, replace(lessons[0], ids=())], taught)
+    assert [taught[each.lesson.author] for each in judgements] == judges and len(judgements) == 120
+    singles = [judgement for judgement in judgements if judgement.stratum == "single"]
+    assert sum(judgement.outcome == "exact" for judgement in singles) > 0.8 * len(singles)
+    assert sum(judgement.outcome == "unknown" for judgement in judgements if judgement.stratum == "open") == 30
 
 
 def test_sets_are_held_until_they_have_most_of_the_probability() -> None:
@@ -145,7 +154,7 @@ def test_the_curriculum_has_every_effect_of_every_author_and_repeats() -> None:
     first, again = (curriculum(list(names()), 1, 7) for _ in range(2))
     assert first == again and first != curriculum(list(names()), 1, 8)
     for name, author in authors().items():
-        alone = {one.effects[0] for one in first if one.author == name and len(one.effects) == 1}
+        alone = {lesson.effects[0] for lesson in first if lesson.author == name and len(lesson.effects) == 1}
         assert {law for law in author.laws if not law.startswith("x_")} <= alone
 
 
@@ -179,12 +188,12 @@ def test_a_file_that_is_no_judge_is_refused(tmp_path) -> None:
 
 def test_the_program_keeps_its_lessons_and_writes_judges(tmp_path) -> None:
     wanted = curriculum(list(names()), 1, 50_000)
-    some = made_lessons(len(wanted))
+    lessons = made_lessons(len(wanted))
     kept = [
-        replace(one, ids=other.ids, signs=other.signs, right=other.right)
-        for one, other in zip(wanted, some, strict=True)
+        replace(lesson, ids=other.ids, signs=other.signs, right=other.right)
+        for lesson, other in zip(wanted, lessons, strict=True)
     ]
-    (tmp_path / "lessons.jsonl").write_text("".join(f"{written(one)}\n" for one in kept))
+    (tmp_path / "lessons.jsonl").write_text("".join(f"{written(lesson)}\n" for lesson in kept))
     command = [
         sys.executable,
         "-m",
@@ -198,31 +207,31 @@ def test_the_program_keeps_its_lessons_and_writes_judges(tmp_path) -> None:
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert sorted(path.name for path in (tmp_path / "apart").iterdir()) == [
-        f"without_{one}.json" for one in sorted(names())
+        f"without_{author}.json" for author in sorted(names())
     ]
     assert json.loads((tmp_path / "judge.json").read_text())["names"] == ["creep", "jam"]
     assert "single" in done.stdout and "mean set" in done.stdout
 
 
 def test_an_authors_cases_are_asked_of_the_judge_who_does_not_know_the_author(tmp_path, monkeypatch) -> None:
-    asked = []
+    judges = []
     monkeypatch.setattr(verdicts, "find_runs", lambda folder: [folder / "case-1"])
-    monkeypatch.setattr(verdicts, "ask", lambda runs, out, without, judge: asked.append(judge) or {"status": 0})
+    monkeypatch.setattr(verdicts, "ask", lambda runs, out, without, judge: judges.append(judge) or {"status": 0})
     for author in ("lattice", ""):
         monkeypatch.setattr(sys, "argv", ["verdicts", str(tmp_path), "--out", str(tmp_path), f"--untaught-by={author}"])
-        with pytest.raises(SystemExit) as left:
+        with pytest.raises(SystemExit) as exit_info:
             verdicts.main()
-        assert not left.value.code
-    assert asked == [JUDGES / "without_lattice.json", None] and asked[0].is_file()
+        assert not exit_info.value.code
+    assert judges == [JUDGES / "without_lattice.json", None] and judges[0].is_file()
 
 
 def test_a_lesson_is_taught_on_what_a_diagnosis_of_the_run_folder_reads(tmp_path) -> None:
-    made = authors()["mechanics"].make(Asked(4, ("creep",), (3.0,), "usual"))
-    assert "load_n" not in made.table and made.content["rig"]["load_n"] > 0
-    write(made, "lesson", tmp_path, tmp_path / "answer.json", "{}")
+    recording = authors()["mechanics"].make(Asked(4, ("creep",), (3.0,), "usual"))
+    assert "load_n" not in recording.table and recording.content["rig"]["load_n"] > 0
+    write(recording, "lesson", tmp_path, tmp_path / "answer.json", "{}")
     _, samples, strokes = read_strokes(tmp_path / "lesson")
-    taught = recorded({"run": "lesson", **made.content}, made.table)
-    assert set(taught.samples["load_n"]) == {made.content["rig"]["load_n"]}
+    taught = recorded({"run": "lesson", **recording.content}, recording.table)
+    assert set(taught.samples["load_n"]) == {recording.content["rig"]["load_n"]}
     assert_frame_equal(taught.samples, samples)
     assert_frame_equal(taught.strokes, strokes)
 

@@ -40,9 +40,9 @@ def test_the_summary_says_which_twin_is_too_alike():
 def test_the_command_writes_the_table(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(twins, "SEEDS", 1)
     monkeypatch.setattr(sys, "argv", ["twins", "--effect", "sensor_drift", "--out", str(tmp_path / "twins.csv")])
-    with pytest.raises(SystemExit) as left:
+    with pytest.raises(SystemExit) as exit_info:
         twins.main()
-    assert not left.value.code
+    assert not exit_info.value.code
     table = pd.read_csv(tmp_path / "twins.csv")
     assert list(table.columns) == ["effect", "seed", "protocol", "raw_mm", "share"]
     assert list(table["effect"]) == ["sensor_drift"] and "sensor_drift" in capsys.readouterr().out

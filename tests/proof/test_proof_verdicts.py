@@ -52,9 +52,9 @@ def still(samples):
 
 @pytest.mark.long
 def test_each_case_takes_the_cpu_seconds_of_its_own_process(recorded, tmp_path):
-    said = ask([recorded("short-1", short), recorded("faint-1", faint)], tmp_path / "out")
-    assert said["status"] == REFUSED and list(said["seconds"]) == ["short-1", "faint-1"]
-    assert 0.0 < said["seconds"]["short-1"] < 0.5 < said["seconds"]["faint-1"]
+    report = ask([recorded("short-1", short), recorded("faint-1", faint)], tmp_path / "out")
+    assert report["status"] == REFUSED and list(report["seconds"]) == ["short-1", "faint-1"]
+    assert 0.0 < report["seconds"]["short-1"] < 0.5 < report["seconds"]["faint-1"]
 
 
 def test_a_proposed_run_that_is_refused_counts_for_its_case_alone(recorded, tmp_path):

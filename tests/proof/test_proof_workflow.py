@@ -31,26 +31,26 @@ class Rule:
 @pytest.fixture(scope="module")
 def rules(tmp_path_factory):
     graph = snakemake(tmp_path_factory.mktemp("graph"), "proof", "--filegraph")
-    found = {}
+    rules_by_name = {}
     for node in re.findall(r"^\d+ \[(.*?)>\]", graph, re.M | re.S):
         plain = re.sub(r"<[^>]*>", "\n", node)
         text = re.sub(r"\{batch,[^}]*\}|(?:batch|by_[a-z_]+)-\d+|without-[a-z_]+", "{batch}", plain)
         inputs, outputs = [*text.split("output &rarr;"), ""][:2]
-        paths = [frozenset(re.findall(r"(?:processed|reports)/\S+", one)) for one in (inputs, outputs)]
-        found[re.search(r"\b(?!shape|none|margin|label)([a-z_]+)\n", text)[1]] = Rule(*paths)
-    return found
+        paths = [frozenset(re.findall(r"(?:processed|reports)/\S+", side)) for side in (inputs, outputs)]
+        rules_by_name[re.search(r"\b(?!shape|none|margin|label)([a-z_]+)\n", text)[1]] = Rule(*paths)
+    return rules_by_name
 
 
 def ancestors(rules, files):
     """Rules that some files are made by, at any distance."""
-    found, waiting = set(), {*files}
+    reached, waiting = set(), {*files}
     while waiting:
         name = waiting.pop()
         for rule, has in rules.items():
-            if name in has.outputs and rule not in found:
-                found.add(rule)
+            if name in has.outputs and rule not in reached:
+                reached.add(rule)
                 waiting |= has.inputs
-    return found
+    return reached
 
 
 ASKING = ("verdicts", "settle")
@@ -86,9 +86,9 @@ def test_the_small_proof(tmp_path):
     reports = tmp_path / "reports" / "proof"
     cases = pd.read_csv(reports / "cases.csv", keep_default_na=False)
     assert len(cases) == 9 and (cases["skipped"] != "").sum() == 1  # elasticity shows nothing under one load
-    made = cases[cases["skipped"] == ""]
-    assert set(made["outcome"]) - {"refused", "false alarm", "wrong"} and (made["outcome"] != "").all()
-    clear = made[(made["stratum"] == "single") | made["stratum"].isin(["none", "parameters"])]
+    made_cases = cases[cases["skipped"] == ""]
+    assert set(made_cases["outcome"]) - {"refused", "false alarm", "wrong"} and (made_cases["outcome"] != "").all()
+    clear = made_cases[(made_cases["stratum"] == "single") | made_cases["stratum"].isin(["none", "parameters"])]
     assert clear["right"].astype(str).eq("True").mean() >= 0.8, clear[["run", "effects", "verdict", "named"]]
     hands = pd.read_csv(reports / "authors.csv")
     assert set(hands["author"]) == {"all", "rig", "lattice"} and pd.read_csv(reports / "laws.csv")["of"].sum() == 3

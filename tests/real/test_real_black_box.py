@@ -89,9 +89,9 @@ def test_each_method_learns_play_that_no_straight_line_holds(jaw):
 
 def test_the_reading_is_compared_at_the_rate_at_which_the_diagnosis_works(jaw):
     run, samples = read_samples(jaw("a-01"))
-    asked = Asked.of(run, samples, span_of(samples))
+    compared = Asked.of(run, samples, span_of(samples))
     width = 1 if run.system.working_hz is None else max(1, round(50.0 / run.system.working_hz))
-    assert len(asked.measured) == len(asked.table) == -(-len(samples) // width)
+    assert len(compared.measured) == len(compared.table) == -(-len(samples) // width)
 
 
 @pytest.mark.long
@@ -117,11 +117,11 @@ def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path
     shown = {"a-01": (60.0, 70.0), "a-02": (50.0, 20.0), "a-03": (40.0, -30.0)}
     folders = {name: jaw(name, amplitude_deg=top, constant_deg=zero) for name, (top, zero) in shown.items()}
     runs = {name: About(read(folder)) for name, folder in folders.items()}
-    asked = []
+    calls = []
 
     def ask(others, out, reader, beside):
         assert all(reader(folder) is runs[folder.name].recorded for folder in others)  # none is read again
-        asked.append(([folder.name for folder in others], out.name))
+        calls.append(([folder.name for folder in others], out.name))
         out.mkdir(parents=True)
         gear = 0.5 if out.name == "a-01" else 0.91
         content = {"parameters": {"gear_ratio": {"value": gear}}, "simulation": []}
@@ -129,7 +129,7 @@ def test_all_others_together_teach_what_a_recording_left_out_shows(jaw, tmp_path
 
     monkeypatch.setattr(transfer, "ask", ask)
     rows = pd.DataFrame(transfer.left_out(runs, tmp_path / "others"))
-    assert asked == [(["a-02", "a-03"], "a-01"), (["a-01", "a-03"], "a-02"), (["a-01", "a-02"], "a-03")]
+    assert calls == [(["a-02", "a-03"], "a-01"), (["a-01", "a-03"], "a-02"), (["a-01", "a-02"], "a-03")]
     assert set(rows["learnt_from"]) == {ALL_OTHERS} and len(rows) == 3 * (2 + len(looks()))
     of_run = rows.pivot(index="asked_about", columns="method", values="rms")
     assert of_run["explained"]["a-01"] == of_run["nominal"]["a-01"], "a gear that fails on the first stroke is left out"
@@ -162,11 +162,11 @@ def test_transfer_reads_and_cuts_each_recording_once(jaw, make_run, tmp_path, mo
 
 
 def test_recordings_joined_keep_the_columns_that_all_have_and_a_zero_each():
-    one, other = (Asked(pd.DataFrame({"motion": [0.0, 1.0], name: 0.0}), np.ones(2), np.ones(2), np.zeros(2, int))
+    compared, other = (Asked(pd.DataFrame({"motion": [0.0, 1.0], name: 0.0}), np.ones(2), np.ones(2), np.zeros(2, int))
                   for name in ("load_n", "x"))  # fmt: skip
-    assert list(Asked.joined([one, other], True).table) == ["motion"]
-    assert Asked.joined([one, other], True).zero.tolist() == [0, 0, 1, 1]
-    assert Asked.joined([one, other], False).zero.tolist() == [0, 0, 0, 0]
+    assert list(Asked.joined([compared, other], True).table) == ["motion"]
+    assert Asked.joined([compared, other], True).zero.tolist() == [0, 0, 1, 1]
+    assert Asked.joined([compared, other], False).zero.tolist() == [0, 0, 0, 0]
 
 
 def test_the_zero_is_set_on_the_first_second_alone():

@@ -60,7 +60,7 @@ def test_every_file_of_a_known_rig_becomes_its_runs(downloaded):
 def test_the_nonlinear_benchmarks_are_no_files_of_the_haptic_device(downloaded):
     plan = make_real_plan(downloaded("tanks/dataBenchmark.csv", "dataBenchmark.csv.gz", "z_motion.csv"), read_rigs())
     assert plan.runs("tsa_haptic") == [f"tsa-haptic-{module}-z-motion" for module in (1, 2, 3)]
-    assert {one.mapping.stem for one in plan.recordings if one.rig == "cascaded_tanks"} == {
+    assert {entry.mapping.stem for entry in plan.recordings if entry.rig == "cascaded_tanks"} == {
         "cascaded_tanks", "cascaded_tanks_validation",
     }  # fmt: skip
     assert plan.passed_over == ()
@@ -71,8 +71,8 @@ def test_the_names_of_the_surgical_tools_repository_are_known_as_they_stand(down
     names += ["data/Tool_4_Maryland_L_Pitch_1/013.TXT", "data/Tool_4_Maryland_R_5/01.TXT.gz"]
     others = ["data/Tool_4_Maryland_L_4/SerialLog.txt", "data/Tool_4_Maryland_L_Pitch_1/ReadME.txt", "data/00.TXT"]
     plan = make_real_plan(downloaded(*names, *others), read_rigs())
-    runs = [f"davinci-tool-4-maryland-{one}" for one in ("l-4-00", "l-4-43", "l-pitch-1-013")]
-    runs += [f"davinci-tool-4-maryland-r-5-{one}" for one in ("00", "01", "43")]
+    runs = [f"davinci-tool-4-maryland-{suffix}" for suffix in ("l-4-00", "l-4-43", "l-pitch-1-013")]
+    runs += [f"davinci-tool-4-maryland-r-5-{suffix}" for suffix in ("00", "01", "43")]
     assert plan.runs("davinci_tool") == runs
     assert set(plan.groups("davinci_tool")) == {"tool-4-maryland-l-4", "tool-4-maryland-r-5"}
     assert set(plan.passed_over) == set(others) and all(name in plan.said for name in others)
@@ -83,9 +83,9 @@ def test_a_name_without_letters_or_without_end_becomes_a_runs_name(downloaded):
     names += [f"{'a' * 240}{number}.csv" for number in (1, 2)]
     names += ["0" * 40 + ".csv", "ab" * 25 + ".csv", "a" + "-a" * 19 + ".csv"]  # Snakemake plans no such repetition
     plan = make_real_plan(downloaded(*names), read_rigs())
-    assert len({one.run for one in plan.recordings}) == 3 * len(names)
-    for one in plan.recordings:
-        assert run_name(one.run) and re.fullmatch("[a-z0-9-]+", one.group)
+    assert len({entry.run for entry in plan.recordings}) == 3 * len(names)
+    for entry in plan.recordings:
+        assert run_name(entry.run) and re.fullmatch("[a-z0-9-]+", entry.group)
 
 
 def test_files_of_one_name_are_told_apart_by_their_folder_or_refused(downloaded):
@@ -169,6 +169,6 @@ def test_the_recordings_that_are_here_are_found_and_import(tmp_path):
     plan = make_real_plan(folder(), read_rigs())
     assert set(plan.rigs) == set(SOURCES)
     assert set(plan.groups("tsa_haptic")) == {"module-1", "module-2", "module-3"}
-    for one in plan.recordings:
-        said = bring(one.file, one.mapping, tmp_path / one.run)
-        assert usable(tmp_path / one.run), said
+    for entry in plan.recordings:
+        message = bring(entry.file, entry.mapping, tmp_path / entry.run)
+        assert usable(tmp_path / entry.run), message

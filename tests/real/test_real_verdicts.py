@@ -38,29 +38,29 @@ def diagnosed(*folders):
     runs = [each.run for each in recorded]
     problem = engine.make_problem(recorded)
     fine = own_rate.at_own_rate(recorded)
-    found = polish.polished(engine.study(problem), fine)
-    return diagnosis(found, fine, heldout.held_out(problem, fine, fine)[0], runs, None, frozenset())
+    polished_study = polish.polished(engine.study(problem), fine)
+    return diagnosis(polished_study, fine, heldout.held_out(problem, fine, fine)[0], runs, None, frozenset())
 
 
 def sets(content):
     """What is named, and all that cannot be ruled out."""
-    return [{one["id"] for one in content["mechanisms"]}, *map(set, content["alternatives"])]
+    return [{mechanism["id"] for mechanism in content["mechanisms"]}, *map(set, content["alternatives"])]
 
 
 def test_the_positioning_system_gets_its_authors_numbers(tmp_path):
     content = diagnosed(imported(tmp_path, "emps", "DATA_EMPS.mat", "emps", "emps-01"))
     assert content["verdict"] == "explained"
-    named = {one["id"]: one["parameters"] for one in content["mechanisms"]}
+    named = {mechanism["id"]: mechanism["parameters"] for mechanism in content["mechanisms"]}
     assert set(named) == {"friction_hysteresis", "viscous_loss", "sensor_offset"}
-    found = {
+    estimates = {
         "mass_kg": content["parameters"]["mass_kg"],
         "viscous": named["viscous_loss"]["straight_n_per_m_s"],
         "coulomb": named["friction_hysteresis"]["half_loop_n"],
         "offset": named["sensor_offset"]["offset_n"],
     }
     for name, answer in ANSWERS.items():
-        assert found[name]["value"] == pytest.approx(answer, rel=0.02), name
-        assert found[name]["low"] <= answer <= found[name]["high"], name
+        assert estimates[name]["value"] == pytest.approx(answer, rel=0.02), name
+        assert estimates[name]["low"] <= answer <= estimates[name]["high"], name
     relative = content["fit"]["relative_residual"]
     assert 0.70 < relative["calibrated"] < 0.78 and relative["explained"] < 0.036
     assert content["fit"]["heldout"]["explained_n"] < 0.1 * content["fit"]["heldout"]["calibrated_n"]
@@ -72,8 +72,8 @@ def test_the_cable_of_the_surgical_tool_rubs_and_stretches(tmp_path, load, most_
     content = diagnosed(imported(tmp_path, "davinci_tool", name, "davinci_tool", "tool-01"))
     assert content["verdict"] == "ambiguous"
     assert {"friction_hysteresis", "axial_elasticity"} <= sets(content)[0]
-    held = content["fit"]["heldout"]
-    assert held["calibrated_deg"] > 1.2 and held["explained_deg"] < most_deg
+    heldout_errors = content["fit"]["heldout"]
+    assert heldout_errors["calibrated_deg"] > 1.2 and heldout_errors["explained_deg"] < most_deg
 
 
 @pytest.mark.parametrize("module", [1, 2, 3])
@@ -82,17 +82,17 @@ def test_the_twisted_pair_parts_by_direction_and_does_not_yield_to_the_load(tmp_
         imported(tmp_path, "tsa_haptic", "z_motion_slow_motors_5kg.csv.gz", f"tsa_haptic_{module}", "z-01")
     )
     assert content["verdict"] == "ambiguous"  # at one speed a loop, a lag and a loss are nearly one
-    assert all(one & DIRECTION for one in sets(content))
-    assert not any("axial_elasticity" in one for one in sets(content))
-    held = content["fit"]["heldout"]
-    assert held["calibrated_mm"] > 0.2 and held["explained_mm"] < 0.13
+    assert all(explanation & DIRECTION for explanation in sets(content))
+    assert not any("axial_elasticity" in explanation for explanation in sets(content))
+    heldout_errors = content["fit"]["heldout"]
+    assert heldout_errors["calibrated_mm"] > 0.2 and heldout_errors["explained_mm"] < 0.13
 
 
 def test_two_speeds_together_leave_no_explanation_without_a_loop(tmp_path):
     names = {"z-01": "z_motion_slow_motors_5kg.csv.gz", "x-01": "x_motion_slow_motors_5kg.csv.gz"}
     content = diagnosed(*(imported(tmp_path, "tsa_haptic", name, "tsa_haptic_1", run) for run, name in names.items()))
     assert content["verdict"] == "ambiguous"
-    assert all("friction_hysteresis" in one for one in sets(content))
+    assert all("friction_hysteresis" in explanation for explanation in sets(content))
     assert "angle_turns_2" in content["parameters"]
 
 
@@ -107,10 +107,12 @@ def test_a_short_excerpt_gets_no_firm_name_and_is_told_by_its_direction(tmp_path
     assert "direction" in content["mismatch"]["driver"]
     if content["verdict"] == "ambiguous":
         assert len(sets(content)) > 1 and sets(content)[0] & DIRECTION
-    assert not any("axial_elasticity" in one for one in sets(content))
+    assert not any("axial_elasticity" in explanation for explanation in sets(content))
     assert content["mismatch"]["rms_mm"] > 0.05
-    held = content["fit"]["heldout"]  # a drift that no stroke follows was fitted to the strokes, and went 448 mm away
-    assert held["explained_mm"] < 0.5 * held["calibrated_mm"]
+    heldout_errors = content["fit"][
+        "heldout"
+    ]  # a drift that no stroke follows was fitted to the strokes, and went 448 mm away
+    assert heldout_errors["explained_mm"] < 0.5 * heldout_errors["calibrated_mm"]
 
 
 def test_points_of_no_known_answer_get_no_firm_name(tmp_path):

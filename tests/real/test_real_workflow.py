@@ -22,9 +22,9 @@ def test_every_file_gets_its_jobs_and_every_group_its_own(tmp_path):
     folder.mkdir()
     for name in ("Tool_1_A_00.TXT", "Tool_1_A_13.TXT.gz", "Tool_2_B_00.TXT", "DATA_EMPS.mat", "notes (1).md"):
         (folder / name).write_bytes(b"")
-    status, said = dry_run(tmp_path, "--config", f"recordings={folder}")
-    assert "passed over 1 file whose names no pattern" in said and "'notes (1).md'" in said
-    jobs = {name: int(count) for name, count in re.findall(r"^(\w+) +(\d+)$", said, re.M)}
+    status, printed = dry_run(tmp_path, "--config", f"recordings={folder}")
+    assert "passed over 1 file whose names no pattern" in printed and "'notes (1).md'" in printed
+    jobs = {name: int(count) for name, count in re.findall(r"^(\w+) +(\d+)$", printed, re.M)}
     assert status == 0 and jobs == {
         "bring": 4, "real_verdicts": 4, "black_box": 4, "real_verdicts_together": 1, "transfer": 1, "real_page": 2,
         "real": 1, "total": 17,
@@ -33,7 +33,7 @@ def test_every_file_gets_its_jobs_and_every_group_its_own(tmp_path):
 
 @pytest.mark.long
 def test_without_recordings_it_says_what_to_give(tmp_path):
-    status, said = dry_run(tmp_path)
-    assert status != 0 and "--config recordings=DIR" in said
-    status, said = dry_run(tmp_path, "--config", f"recordings={tmp_path / 'nowhere'}")
-    assert status != 0 and "is no folder" in said
+    status, printed = dry_run(tmp_path)
+    assert status != 0 and "--config recordings=DIR" in printed
+    status, printed = dry_run(tmp_path, "--config", f"recordings={tmp_path / 'nowhere'}")
+    assert status != 0 and "is no folder" in printed

@@ -60,19 +60,20 @@ def coverage():
 
 
 def test_the_best_are_named_with_their_medians_and_the_strings_they_win(few_shot):
-    said = leaders(few_shot, "forward_mm", "mm", TITLES)
-    assert said.startswith(
+    sentence = leaders(few_shot, "forward_mm", "mm", TITLES)
+    assert sentence.startswith(
         "From 0 strokes INN model is best (0.460 mm median); from 1 to 2 strokes Spline model is best"
     )
-    assert "from 5 strokes Spline model, alone is best (0.0690 mm median)" in said
+    assert "from 5 strokes Spline model, alone is best (0.0690 mm median)" in sentence
     assert (
-        "With 5 strokes shown Spline model, alone errs less than the second, Spline model, on 4 of 4 strings." in said
+        "With 5 strokes shown Spline model, alone errs less than the second, Spline model, on 4 of 4 strings."
+        in sentence
     )
 
 
 def test_who_first_comes_near_the_floor_or_that_none_does(few_shot):
-    said = nearest(few_shot, "forward_mm", "mm", 0.05, TITLES)
-    assert said == (
+    sentence = nearest(few_shot, "forward_mm", "mm", 0.05, TITLES)
+    assert sentence == (
         "The first to come within 2 times the floor is Spline model, alone, from 5 strokes (0.0690 mm, 1.38 times)."
     )
     assert nearest(few_shot, "forward_mm", "mm", 0.01, TITLES).startswith(
@@ -168,9 +169,9 @@ def test_the_page_counts_strings_and_gives_every_cell(written):
 def test_figures_have_a_line_for_every_way_to_learn_and_the_floor(few_shot, floor, coverage):
     figure = figures.few_shot(few_shot, floor, TITLES)
     for axes in figure.axes:
-        named = [one for one in axes.get_lines() if not one.get_label().startswith("_")]
+        named = [line for line in axes.get_lines() if not line.get_label().startswith("_")]
         assert len(named) == len(KNOWN) + 1
-        assert {one.get_linestyle() for one in named} == {"-", "--", ":"} and axes.get_yscale() == "log"
+        assert {line.get_linestyle() for line in named} == {"-", "--", ":"} and axes.get_yscale() == "log"
     plt.close(figure)
     figure = figures.coverage(coverage)
     assert len(figure.axes) == 3 and "4 strings" in figure.get_suptitle()

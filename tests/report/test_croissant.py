@@ -26,7 +26,7 @@ def mlcroissant():
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory) -> Path:
+def project_folder(tmp_path_factory) -> Path:
     """A dataset with its metadata; the folder in which `processed/` and `reports/` lie."""
     place = tmp_path_factory.mktemp("croissant")
     dataset = place / "processed" / "nylon" / "dataset.parquet"
@@ -46,38 +46,38 @@ def read(mlcroissant, path: Path):
         warnings.simplefilter("ignore")
         logging.disable()
         try:
-            found = mlcroissant.Dataset(jsonld=str(path))
-            return found, found.metadata.ctx.issues
+            loaded = mlcroissant.Dataset(jsonld=str(path))
+            return loaded, loaded.metadata.ctx.issues
         finally:
             logging.disable(logging.NOTSET)
 
 
-def test_its_own_library_finds_no_error_and_reads_the_dataset_back(made, mlcroissant):
-    found, issues = read(mlcroissant, made / "reports" / "nylon" / "croissant.json")
+def test_its_own_library_finds_no_error_and_reads_the_dataset_back(project_folder, mlcroissant):
+    loaded, issues = read(mlcroissant, project_folder / "reports" / "nylon" / "croissant.json")
     assert not issues.errors, issues.errors
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        records = [*found.records(record_set="points")]
+        records = [*loaded.records(record_set="points")]
     table = made_dataset(per_phase=20, strokes=2)
     assert len(records) == len(table)
     for name in table:
         back = [record[f"points/{name}"] for record in records]
         if schemas.DATASET.field(name).type == "string":
-            assert [one.decode() for one in back] == table[name].tolist(), name
+            assert [cell.decode() for cell in back] == table[name].tolist(), name
         else:
             np.testing.assert_array_equal(np.array(back, dtype=table[name].dtype), table[name], name)
 
 
-def test_the_library_would_find_an_error(made, mlcroissant, tmp_path):
-    content = json.loads((made / "reports" / "nylon" / "croissant.json").read_text())
+def test_the_library_would_find_an_error(project_folder, mlcroissant, tmp_path):
+    content = json.loads((project_folder / "reports" / "nylon" / "croissant.json").read_text())
     content["recordSet"][0]["field"][0]["source"]["fileObject"]["@id"] = "another.parquet"
     (tmp_path / "croissant.json").write_text(json.dumps(content))
     with pytest.raises(mlcroissant.ValidationError):
         read(mlcroissant, tmp_path / "croissant.json")
 
 
-def test_each_column_says_its_unit_and_the_file_is_named_by_its_check_sum(made):
-    content = json.loads((made / "reports" / "nylon" / "croissant.json").read_text())
+def test_each_column_says_its_unit_and_the_file_is_named_by_its_check_sum(project_folder):
+    content = json.loads((project_folder / "reports" / "nylon" / "croissant.json").read_text())
     fields = {field["name"]: field for field in content["recordSet"][0]["field"]}
     assert [*fields] == schemas.DATASET.names
     assert fields["displacement_mm"]["description"].endswith(", in mm")
@@ -86,11 +86,11 @@ def test_each_column_says_its_unit_and_the_file_is_named_by_its_check_sum(made):
     assert "Made by hand" in content["description"]
 
 
-def test_the_same_dataset_gives_the_same_bytes_and_a_damaged_one_none(made, tmp_path):
-    dataset = made / "processed" / "nylon" / "dataset.parquet"
-    again = made / "reports" / "again" / "croissant.json"
+def test_the_same_dataset_gives_the_same_bytes_and_a_damaged_one_none(project_folder, tmp_path):
+    dataset = project_folder / "processed" / "nylon" / "dataset.parquet"
+    again = project_folder / "reports" / "again" / "croissant.json"
     assert made_by_program(dataset, again).returncode == 0
-    assert again.read_bytes() == (made / "reports" / "nylon" / "croissant.json").read_bytes()
+    assert again.read_bytes() == (project_folder / "reports" / "nylon" / "croissant.json").read_bytes()
     broken = tmp_path / "processed" / "nylon" / "dataset.parquet"
     broken.parent.mkdir(parents=True)
     data = bytearray(dataset.read_bytes())

@@ -43,9 +43,9 @@ BROKEN = {
 @pytest.fixture
 def folder(tmp_path):
     """A run's diagnosis as the program leaves it."""
-    there = made_verdict(tmp_path / "R" / "diagnosis" / "a-3", "a-3: ambiguous")
-    write_checked(there / "diagnosis.json", json.dumps(CONTENT, indent=1, ensure_ascii=False) + "\n")
-    return there
+    verdict_folder = made_verdict(tmp_path / "R" / "diagnosis" / "a-3", "a-3: ambiguous")
+    write_checked(verdict_folder / "diagnosis.json", json.dumps(CONTENT, indent=1, ensure_ascii=False) + "\n")
+    return verdict_folder
 
 
 def test_its_check_sum_is_what_sha256sum_writes(folder):
@@ -107,12 +107,12 @@ def test_the_start_of_the_workflow_looks_for_it(folder, monkeypatch, tmp_path):
     name = "reports/diagnosis/a-3/diagnosis.json"
     assert name in set(stored({}, Plan(others=["a-3"]))) and output_of(name) == "reports/diagnosis/a-3"
     assert output_of("processed/a-3/samples.parquet") == "processed/a-3/samples.parquet"
-    known, path = KnownFiles(tmp_path / "known.json", {"diagnosis.json": damage}), folder / "diagnosis.json"
-    assert known.damaged([str(path), str(tmp_path / "diagnosis.json")]) == {} and str(path) in known.facts
+    registry, path = KnownFiles(tmp_path / "known.json", {"diagnosis.json": damage}), folder / "diagnosis.json"
+    assert registry.damaged([str(path), str(tmp_path / "diagnosis.json")]) == {} and str(path) in registry.facts
     right = sum_file(path).read_text()
     sum_file(path).write_text(right.replace(right[0], "x"))  # the index would refuse it
-    assert list(known.damaged([str(path)])) == [str(path)]
+    assert list(registry.damaged([str(path)])) == [str(path)]
     sum_file(path).write_text(right)
-    assert known.damaged([str(path)]) == {}
+    assert registry.damaged([str(path)]) == {}
     path.write_bytes(b"{")
-    assert "its check sum" in known.damaged([str(path)])[str(path)]
+    assert "its check sum" in registry.damaged([str(path)])[str(path)]

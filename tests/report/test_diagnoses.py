@@ -114,13 +114,13 @@ def test_the_error_of_other_effects_is_not_that_of_what_the_verdict_names(tmp_pa
 def test_a_row_says_adopt_nothing_and_which_recording_its_verdict_asks_for(tmp_path):
     bad = made(tmp_path, "a", NOTHING, **TIED)
     good = made(tmp_path, "b", NOTHING.replace("What to do", "What was done"), **TIED)
-    asked = "Record the rig once more, with more strokes (see details.txt), and diagnose all runs together"
+    wanted_recording = "Record the rig once more, with more strokes (see details.txt), and diagnose all runs together"
     reason = "on the unseen strokes the explanation makes the simulator worse"
     assert why_nothing(bad) == reason and why_nothing(good) == why_nothing(tmp_path / "gone") == ""
-    assert next_recording(bad) == asked and next_recording(good) == next_recording(tmp_path / "gone") == ""
+    assert next_recording(bad) == wanted_recording and next_recording(good) == next_recording(tmp_path / "gone") == ""
     words = {run: str(runs_table(tmp_path, {run: content_of(tmp_path / "diagnosis" / run)}, {}, str)) for run in "ab"}
     assert f"<br>explains what was recorded, but adopt nothing: {reason}</td>" in words["a"]
-    assert asked.partition(" (")[0] in words["a"]
+    assert wanted_recording.partition(" (")[0] in words["a"]
     assert ">ambiguous</abbr></span></td>" in words["a"]  # a click on a verdict shows the rows of that cell's words
     assert "adopt nothing" not in words["b"] and "Record" not in words["b"]
     unknown = made(tmp_path, "d", NOTHING, **{**TIED, "verdict": "unknown"})
@@ -148,7 +148,7 @@ def test_a_part_leads_to_its_files_from_wherever_its_page_lies(tmp_path):
 
 def test_the_end_of_the_main_job_says_each_verdict(tmp_path):
     folder = made(tmp_path, "a", "a: backlash is at\n  work (ambiguous).\n\nWhat to know first\n  more", **TIED)
-    said = "a: backlash is at work (ambiguous)."
-    assert verdicts([folder, tmp_path / "b"]) == said
+    sentence = "a: backlash is at work (ambiguous)."
+    assert verdicts([folder, tmp_path / "b"]) == sentence
     assert "left out" not in summary([], tmp_path, [], ["a"])
-    assert said in summary([str(folder)], tmp_path, [], ["a"])
+    assert sentence in summary([str(folder)], tmp_path, [], ["a"])

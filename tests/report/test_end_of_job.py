@@ -38,28 +38,30 @@ def made(tmp_path, materials, page=True):
 
 def test_two_materials_end_with_at_most_twenty_lines_that_say_what_comes_next(tmp_path):
     """It printed 120: four tables with their captions, then the files of each."""
-    said = summary(*made(tmp_path, ("nylon", "silk")))
-    assert len(said.splitlines()) <= 20 and "| model" not in said and CAPTION not in said
+    end_text = summary(*made(tmp_path, ("nylon", "silk")))
+    assert len(end_text.splitlines()) <= 20 and "| model" not in end_text and CAPTION not in end_text
     for material in ("nylon", "silk"):
-        assert f"== {material} (small fit: not a result, made by ci.yaml) ===" in said, "no title of a table says it"
-        assert f"every model and how to ask it: {tmp_path / 'reports' / material / 'index.html'}\n" in said
-        assert "model to take: spline. Its forward error on later strokes is the least" in said
-        assert f"to a controller: python -m pipeline.export processed/{material}/spline/within-0.model" in said
-        assert f"\n{material}-1: explained by creep.\n" in said
-    assert said.endswith(f"\nthe way to all of it: {tmp_path / 'reports' / 'index.html'}\n")
-    assert "\nto ask it: " not in said and "models.html" not in said, "the page has them"
+        assert f"== {material} (small fit: not a result, made by ci.yaml) ===" in end_text, (
+            "no title of a table says it"
+        )
+        assert f"every model and how to ask it: {tmp_path / 'reports' / material / 'index.html'}\n" in end_text
+        assert "model to take: spline. Its forward error on later strokes is the least" in end_text
+        assert f"to a controller: python -m pipeline.export processed/{material}/spline/within-0.model" in end_text
+        assert f"\n{material}-1: explained by creep.\n" in end_text
+    assert end_text.endswith(f"\nthe way to all of it: {tmp_path / 'reports' / 'index.html'}\n")
+    assert "\nto ask it: " not in end_text and "models.html" not in end_text, "the page has them"
 
 
 def test_one_material_ends_with_its_tables_without_what_stands_beneath_them_in_their_files(tmp_path):
-    said = summary(*made(tmp_path, ("nylon",)))
-    assert said.count(TITLE) == 2 and said.count("| model 23 |") == 2 and CAPTION not in said
+    end_text = summary(*made(tmp_path, ("nylon",)))
+    assert end_text.count(TITLE) == 2 and end_text.count("| model 23 |") == 2 and CAPTION not in end_text
 
 
 def test_where_no_page_of_a_material_was_asked_for_each_file_and_command_is_named(tmp_path):
-    said = summary(*made(tmp_path, ("nylon", "silk"), page=False))
-    assert f"Table I: {tmp_path / 'reports' / 'silk' / 'table_1.md'}\n" in said and "to ask it: " in said
-    assert f"beside the floor: {tmp_path / 'reports' / 'silk' / 'models.html'}\n" in said
-    assert said.count("| model 23 |") == 4, "who asks for the tables reads them"
+    end_text = summary(*made(tmp_path, ("nylon", "silk"), page=False))
+    assert f"Table I: {tmp_path / 'reports' / 'silk' / 'table_1.md'}\n" in end_text and "to ask it: " in end_text
+    assert f"beside the floor: {tmp_path / 'reports' / 'silk' / 'models.html'}\n" in end_text
+    assert end_text.count("| model 23 |") == 4, "who asks for the tables reads them"
 
 
 def test_of_many_runs_the_newest_verdicts_are_said_and_the_older_ones_counted(tmp_path):
@@ -69,26 +71,26 @@ def test_of_many_runs_the_newest_verdicts_are_said_and_the_older_ones_counted(tm
     *_, runs = asked_for
     for place, run in enumerate(runs):
         os.utime(tmp_path / "reports" / "diagnosis" / run / "verdict.txt", (1e9 + place, 1e9 + place))
-    said = summary(*asked_for)
-    shown = re.findall(r"^([\w-]+): .*explained by creep", said, re.M)
-    assert shown == runs[:1:-1] and "\n2 more runs, made earlier, and of each what to do: " in said
+    end_text = summary(*asked_for)
+    shown = re.findall(r"^([\w-]+): .*explained by creep", end_text, re.M)
+    assert shown == runs[:1:-1] and "\n2 more runs, made earlier, and of each what to do: " in end_text
 
 
 @pytest.mark.parametrize(
-    ("asked", "runs"),
+    ("targets", "runs"),
     [
         (["reports/nylon/index.html", "processed/nylon/dataset.parquet"], ["nylon-2", "nameless"]),
         (["processed/silk-1/samples.parquet"], ["silk-1", "nameless"]),
         (["reports/nylon/index.html", "reports/index.html"], ["nylon-2", "silk-1", "nameless"]),
     ],
 )
-def test_what_was_left_out_of_another_material_is_not_said(asked, runs):
+def test_what_was_left_out_of_another_material_is_not_said(targets, runs):
     """Who had made the reports of nylon read last that a run of silk is to be mended."""
     of = {"nylon-2": "nylon", "silk-1": "silk", "nameless": ""}
     left_out = [
         LeftOut(run, material, f"raw/{run}", "recording", "is missing", "put it there") for run, material in of.items()
     ]
-    assert [entry.run for entry in concerned(left_out, asked)] == runs
+    assert [entry.run for entry in concerned(left_out, targets)] == runs
 
 
 SILK = LeftOut("silk-1", "silk", "raw/silk-1", "recording", "is unfinished", "wait")

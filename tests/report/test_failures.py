@@ -19,11 +19,11 @@ def test_every_failure_is_named_once_with_its_reason_and_mend(tmp_path):
     last.write_text("left out: raw/b: x. Mend: y.\nerror: raw/c: x. Mend: y.\n")
     silent.write_text("Traceback\nZeroDivisionError: division\n\n")
     failed = [("ingest a-01", str(log)), ("left_out", str(last)), ("train inn", str(silent)), ("gone", "no.log")]
-    said = told(failed, ["raw/c: x. Mend: y."], keep_going=True).splitlines()
-    assert said[0] == "Not all was made:" and len(said) == 6
-    assert {"left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y."} < set(said)
-    assert f"failed: ingest a-01: raw/a-01: time_s: runs backwards. Mend: record it again. Its log: {log}" in said
-    assert f"failed: train inn: ZeroDivisionError: division Its log: {silent}" in said
+    lines = told(failed, ["raw/c: x. Mend: y."], keep_going=True).splitlines()
+    assert lines[0] == "Not all was made:" and len(lines) == 6
+    assert {"left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y."} < set(lines)
+    assert f"failed: ingest a-01: raw/a-01: time_s: runs backwards. Mend: record it again. Its log: {log}" in lines
+    assert f"failed: train inn: ZeroDivisionError: division Its log: {silent}" in lines
     alone = told([("left_out", str(last))], ["raw/c: x. Mend: y."], keep_going=False).splitlines()
     assert alone == [ALL_ELSE, "left out: raw/c: x. Mend: y.", "left out: raw/b: x. Mend: y.", FAILS]
     assert without(["a", "a"]).splitlines() == [ALL_ELSE, "left out: a"] and without([]) == ""

@@ -42,12 +42,12 @@ def material(tmp_path_factory):
     folder = tmp_path_factory.mktemp("processed") / "UHMWPE"
     schemas.write(NINE, schemas.DATASET, folder / "dataset.parquet")
     schemas.write(made_metrics(), schemas.METRICS, folder / "metrics.parquet")
-    held = np.flatnonzero(NINE["within"] == "test")
+    test_points = np.flatnonzero(NINE["within"] == "test")
     for model, away in AWAY.items():
         for seed in (0, 1):
-            table = pd.DataFrame({"point": held})
+            table = pd.DataFrame({"point": test_points})
             for column in ("displacement_mm", "motor_turns"):
-                table[column] = NINE[column].to_numpy()[held] + away * seed
+                table[column] = NINE[column].to_numpy()[test_points] + away * seed
             schemas.write(table, schemas.PREDICTIONS, folder / model / f"within-{seed}.predictions.parquet")
     return folder
 
@@ -111,8 +111,8 @@ def test_figure_4_shows_strokes_against_the_traditional_model(dataset):
     labels = [text.get_text() for text in four.legends[0].get_texts()]
     assert labels == ["n=1", "n=3", "n=5", "n=7", "traditional model"]
     forward_error = four.axes[1].get_lines()[0].get_ydata()
-    one = with_nominal(dataset).query("stroke == 1 and phase == 'winding'")
-    assert forward_error == pytest.approx((one["forward_mm"] - one["displacement_mm"]).to_numpy())
+    winding = with_nominal(dataset).query("stroke == 1 and phase == 'winding'")
+    assert forward_error == pytest.approx((winding["forward_mm"] - winding["displacement_mm"]).to_numpy())
 
 
 def test_figure_5_has_a_row_of_errors_of_three_models_beneath_each_row_of_curves(dataset, learned):
@@ -152,10 +152,10 @@ def test_figure_5_says_in_its_legend_what_is_drawn_and_why_it_shows_its_last_mod
 @pytest.mark.parametrize("last", [1, 2, 9])
 def test_the_words_beneath_a_figure_lie_on_it_and_touch_nothing(dataset, learned, last):
     few = with_nominal(dataset[dataset["stroke"] <= last])
-    some = {title: points[points["stroke"] <= last] for title, points in learned.items()}
+    few_learned = {title: points[points["stroke"] <= last] for title, points in learned.items()}
     few.loc[few["motor_turns"] < 2.0, "displacement_mm"] = -0.5
     with plt.rc_context(STYLE):
-        four, five = figure_4(few, "UHMWPE"), figure_5(few, some, "UHMWPE", "Spline model")
+        four, five = figure_4(few, "UHMWPE"), figure_5(few, few_learned, "UHMWPE", "Spline model")
         for figure in (four, five):
             figure.canvas.draw()
         shown = {figure: figure.legends[0].get_window_extent() for figure in (four, five)}
@@ -173,27 +173,27 @@ def test_the_spike_of_the_inverse_error_is_explained_where_it_is(dataset):
     floor_turns = -below["separator_mm"].iloc[0] / below["radius_mm"].iloc[0] / (2.0 * np.pi)
     words = f"so the model answers {floor_turns:.2g} turns at every x < 0".replace("-", "−")
     for figure, text in ((figure_4(below, "m"), "(c), (d): below"), (figure_5(below, {}, "m"), "Inverse: below")):
-        told = " ".join(beneath(figure).split())
+        caption = " ".join(beneath(figure).split())
         assert (
-            words in told
-            and text in told
-            and re.search(r"at every x < 0, and errs there by up to [\d.]+ turns\.$", told)
+            words in caption
+            and text in caption
+            and re.search(r"at every x < 0, and errs there by up to [\d.]+ turns\.$", caption)
         )
-    for told in (beneath(figure_4(above, "m")), beneath(figure_5(above, {}, "m"))):
-        assert "x < 0" not in told and told.startswith("n is the number of the stroke. Shown: ")
+    for caption in (beneath(figure_4(above, "m")), beneath(figure_5(above, {}, "m"))):
+        assert "x < 0" not in caption and caption.startswith("n is the number of the stroke. Shown: ")
 
 
 def test_a_figure_says_which_strokes_it_shows_and_which_the_tables_do(dataset):
     """Figures 4, 5 and the tables show different strokes, and none said so."""
     nine, few = with_nominal(dataset), with_nominal(dataset[dataset["stroke"] <= 4])
-    said = [
+    captions = [
         (beneath(figure_4(nine, "synthetic")), "n=1, 3, 5, 7 of 1 to 9; the tables show n=1, 5, 9."),
         (beneath(figure_4(nine, "m")), "n=1, 5, 9 of 1 to 9; as in the tables."),
         (figure_5(nine, {}, "m").legends[0].get_title().get_text(), "n=1, 5, 9 of 1 to 9; as in the tables."),
         (beneath(figure_4(few, "m")), "n=1, 2, 3, 4, all that there are; the tables show n=1."),
         (figure_5(few, {}, "m").legends[0].get_title().get_text(), "n=1, 3, 4 of 1 to 4; the tables show n=1."),
     ]
-    for words, strokes in said:
+    for words, strokes in captions:
         assert f"n is the number of the stroke. Shown: {strokes}" in " ".join(words.split()), words
 
 
@@ -228,8 +228,8 @@ def test_the_model_to_take_is_drawn_beside_another_that_errs_less(material, tmp_
 
 
 def test_an_error_is_a_root_mean_square_along_the_stroke_and_breaks_where_nothing_was_held_out():
-    given = np.array([0.0, 0.1, 0.2, 9.8, 9.9, 10.0, 5.0, np.nan])
-    middle, size = by_range(given, np.array([3.0, -3.0, 3.0, 1.0, -1.0, np.sqrt(7.0), 8.0, 1.0]), 0.0, 10.0)
+    positions = np.array([0.0, 0.1, 0.2, 9.8, 9.9, 10.0, 5.0, np.nan])
+    middle, size = by_range(positions, np.array([3.0, -3.0, 3.0, 1.0, -1.0, np.sqrt(7.0), 8.0, 1.0]), 0.0, 10.0)
     assert len(middle) == len(size) == 24 and middle[0] == pytest.approx(10.0 / 48.0)
     assert size[[0, -1]] == pytest.approx([3.0, np.sqrt(3.0)])
     assert np.isnan(size[1:-1]).all()  # one point makes no root mean square
@@ -273,8 +273,8 @@ def test_the_third_model_is_the_best_of_the_others():
 @pytest.mark.parametrize(("last", "shown"), [(8, [1, 5, 8]), (2, [1, 2]), (1, [1])])
 def test_figures_have_no_panel_for_a_stroke_that_is_not_there(dataset, learned, last, shown):
     few = with_nominal(dataset[dataset["stroke"] <= last])
-    some = {title: points[points["stroke"] <= last] for title, points in learned.items()}
-    four, five = figure_4(few, "UHMWPE"), figure_5(few, some, "UHMWPE")
+    few_learned = {title: points[points["stroke"] <= last] for title, points in learned.items()}
+    four, five = figure_4(few, "UHMWPE"), figure_5(few, few_learned, "UHMWPE")
     assert len(five.axes) == 4 * len(shown)
     letters = [axes.get_title(loc="left")[1] for axes in five.axes if axes.get_title(loc="left").startswith("(")]
     assert "".join(letters) == "abcdef"[: 2 * len(shown)]
@@ -303,8 +303,10 @@ def test_a_figure_of_a_small_fit_says_that_it_is_no_result(tmp_path):
 
 def test_errors_of_many_samples_are_averaged_along_a_stroke_but_on_the_papers_figure(dataset):
     """At 100 Hz the error was noise, and the last stroke lay over the others: no drift could be seen."""
-    one = with_nominal(dataset[(dataset["stroke"] == 1) & (dataset["phase"] == "winding")])
-    many = pd.concat([one] * (1 + 500 // len(one)), ignore_index=True).sort_values("motor_turns", ignore_index=True)
+    winding = with_nominal(dataset[(dataset["stroke"] == 1) & (dataset["phase"] == "winding")])
+    many = pd.concat([winding] * (1 + 500 // len(winding)), ignore_index=True).sort_values(
+        "motor_turns", ignore_index=True
+    )
     noise = np.tile([0.5, -0.5], len(many))[: len(many)]
     many = many.assign(time_s=np.arange(len(many)) / 100.0, forward_mm=many["displacement_mm"] + 0.2 + noise)
     own, papers = figure_4(many, "nylon"), figure_4(many, "synthetic")
@@ -324,9 +326,9 @@ def test_a_mean_is_of_a_hundredth_of_the_range_and_missing_where_no_point_lies()
 
 def test_figure_4_says_where_an_untwisted_string_stands(dataset):
     """The string stood at 0.2 mm, and the words spoke of its zero as if it were there."""
-    said = " ".join(beneath(figure_4(with_nominal(dataset), "m")).split())
+    caption = " ".join(beneath(figure_4(with_nominal(dataset), "m")).split())
     untwisted_mm = np.hypot(150.0, 8.0) - 150.0
-    assert f"Without twist that is {untwisted_mm:.2f} mm, not 0, since the separator spreads the string." in said
+    assert f"Without twist that is {untwisted_mm:.2f} mm, not 0, since the separator spreads the string." in caption
     pair = dataset.assign(actuator="twisted_pair", separator_mm=np.nan, torsion_zone_mm=np.nan)
     assert zero_of_x(pair).endswith("to the traditional model's value at that twist.") and zero_of_x(pair[:0]) == ""
     again = pd.concat([pair, pair.assign(run="second")])

@@ -157,8 +157,8 @@ def test_the_page_of_a_material_begins_with_which_string_and_load_it_shows(repor
 
 def test_the_table_of_strings_says_what_nobody_measured_and_ranges(tmp_path):
     """Each string has a row, and a rig without a separator has none."""
-    one = recorded().run.string
-    usual = usual_stiffness(one.radius_mm, one.length_mm)
+    string = recorded().run.string
+    usual = usual_stiffness(string.radius_mm, string.length_mm)
     pair = NINE.assign(
         string="b", run="b-01", separator_mm=np.nan, torsion_zone_mm=np.nan, stiffness_n_per_mm=usual,
         load_n=np.where(NINE["stroke"] > 5, 40.0, 20.0),
@@ -363,15 +363,15 @@ def test_an_index_of_nothing_says_so(tmp_path):
 
 def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
     tables = [str(reports / MATERIAL / f"table_{number}.md") for number in (1, 2)]
-    said = summary(tables, reports, [MATERIAL], ["short"])
-    assert "TABLE I: " in said and "TABLE II: " in said and said.endswith(f"\nTable II: {tables[1]}\n")
+    end_text = summary(tables, reports, [MATERIAL], ["short"])
+    assert "TABLE I: " in end_text and "TABLE II: " in end_text and end_text.endswith(f"\nTable II: {tables[1]}\n")
     for other in ("index.html", "comparison", "models.html", "figure_", "diagnosis"):
-        assert other not in said, other
+        assert other not in end_text, other
     more = [*tables, str(reports / "index.html"), str(reports / MATERIAL / "models.html")]
     more += [str(reports / "proof" / "proof.html"), str(reports / "diagnosis" / "short")]
-    said = summary(more, reports, [MATERIAL], ["short"])
-    assert f"the way to all of it: {reports / 'index.html'}" in said and "models.html" in said
-    assert "raw/short: too short" in said and "proof" not in said.replace(str(reports), "")
+    end_text = summary(more, reports, [MATERIAL], ["short"])
+    assert f"the way to all of it: {reports / 'index.html'}" in end_text and "models.html" in end_text
+    assert "raw/short: too short" in end_text and "proof" not in end_text.replace(str(reports), "")
 
 
 def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_path, reports):
@@ -382,8 +382,10 @@ def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_pat
     run("tables", metrics, "--titles", "inn=INN [c]", "--jumps", str(note), "--out-dir", str(folder))
     assert r"write \`tare: run\` in a_1\\b \[c\]" in (folder / "table_1.md").read_text()
     assert r"| INN \[c\]" in (folder / "table_1.md").read_text()
-    said = summary([str(folder / "table_1.md"), str(note)], tmp_path, [MATERIAL], [])
-    assert "| INN [c]" in said and said.count(r"write `tare: run` in a_1\b [c]") == 1, "once, not beneath each table"
+    end_text = summary([str(folder / "table_1.md"), str(note)], tmp_path, [MATERIAL], [])
+    assert "| INN [c]" in end_text and end_text.count(r"write `tare: run` in a_1\b [c]") == 1, (
+        "once, not beneath each table"
+    )
 
 
 @pytest.mark.parametrize("jumps", [["The zero jumps"], []])
@@ -394,9 +396,9 @@ def test_the_model_to_take_is_doubted_beside_its_name_where_the_zero_jumps(tmp_p
     model.parent.mkdir(parents=True)
     model.touch()
     write_jumps(note, jumps)
-    said = summary([str(note), str(model)], tmp_path / "reports", [MATERIAL], [])
-    assert "\nto a controller: " in said
-    assert ("\nBeware: the zero jumps between runs, as said above: " in said) == bool(jumps)
+    end_text = summary([str(note), str(model)], tmp_path / "reports", [MATERIAL], [])
+    assert "\nto a controller: " in end_text
+    assert ("\nBeware: the zero jumps between runs, as said above: " in end_text) == bool(jumps)
 
 
 def test_a_jump_of_the_zero_is_said_on_the_page(tmp_path):

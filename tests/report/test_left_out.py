@@ -32,12 +32,14 @@ def asked(*words):
 
 def test_it_is_told_beneath_tables_and_on_the_page_with_nothing_unescaped(tmp_path):
     write_left_out(tmp_path / "left_out.json", [ONE])
-    told = asked("--left-out", str(tmp_path / "left_out.json"), "--planned", to_json([LeftOut("b-02", *["x"] * 5)]))
-    assert [one.run for one in left_out.told(told)] == ["a-01", "b-02"]
-    runs = left_out.told(told)
+    arguments = asked(
+        "--left-out", str(tmp_path / "left_out.json"), "--planned", to_json([LeftOut("b-02", *["x"] * 5)])
+    )
+    assert [entry.run for entry in left_out.told(arguments)] == ["a-01", "b-02"]
+    runs = left_out.told(arguments)
     assert left_out.beneath("tex", runs) == ["Left out: a-01, b-02."]
     assert left_out.beneath("md", runs)[0].startswith("Left out: run a-01: raw/a-01/run.yaml: \\<b>: is 'x' & ")
-    page = left_out.section(left_out.told(told))
+    page = left_out.section(left_out.told(arguments))
     assert "&lt;b&gt;" in page and "<b>" not in page and "\x1b" not in page and "Mend: write it." in page
     nothing = asked()
     assert left_out.told(nothing) == left_out.beneath("md", []) == left_out.beneath("tex", []) == []
@@ -58,7 +60,7 @@ def test_a_refusal_is_noted_handed_on_and_told(tmp_path):
     for table in (samples, strokes):
         with pytest.raises(schemas.Refused, match="time_s: runs backwards"):
             schemas.read(table)
-    assert [one.run for one in left_out.told(asked("--left-out", str(strokes)))] == ["a-01"]
+    assert [entry.run for entry in left_out.told(asked("--left-out", str(strokes)))] == ["a-01"]
     with pytest.raises(BadInput), noted(tmp_path, [tmp_path / "b.parquet"], note=False):
         raise BadInput("f", "g", "h", "i")
     samples.write_bytes(samples.read_bytes()[:-1])
@@ -73,11 +75,11 @@ def test_a_refusal_is_noted_handed_on_and_told(tmp_path):
 def test_a_damaged_list_of_what_was_left_out_is_found_at_the_start_and_refused_by_a_page(tmp_path, content):
     path = tmp_path / "left_out.json"
     write_left_out(path, [ONE])
-    known = KnownFiles(tmp_path / "known.json")
+    registry = KnownFiles(tmp_path / "known.json")
     assert "processed/nylon/left_out.json" in set(stored({}, Plan(materials={"nylon": ["a-01"]})))
-    assert known.damaged([str(path)]) == {} and left_out.told(asked("--left-out", str(path))) == [ONE]
+    assert registry.damaged([str(path)]) == {} and left_out.told(asked("--left-out", str(path))) == [ONE]
     path.write_bytes(content)
-    assert list(known.damaged([str(path)])) == [str(path)]
+    assert list(registry.damaged([str(path)])) == [str(path)]
     with pytest.raises(BadInput, match=r"content: is damaged, .*Mend: delete it and run snake"):
         left_out.told(asked("--left-out", str(path)))
 
@@ -86,11 +88,11 @@ def test_a_damaged_list_of_what_was_left_out_is_found_at_the_start_and_refused_b
 def test_a_damaged_note_of_jumps_is_found_at_the_start_and_refused(tmp_path, content):
     path = tmp_path / jump_notes.NAME
     jump_notes.write_jumps(path, ["The zero jumps."])
-    known = KnownFiles(tmp_path / "known.json")
+    registry = KnownFiles(tmp_path / "known.json")
     assert "processed/nylon/zero_jumps.json" in set(stored({}, Plan(materials={"nylon": ["a-01"]})))
-    assert known.damaged([str(path)]) == {} and jump_notes.read_jumps([path]) == ["The zero jumps."]
+    assert registry.damaged([str(path)]) == {} and jump_notes.read_jumps([path]) == ["The zero jumps."]
     path.write_bytes(content)
-    assert list(known.damaged([str(path)])) == [str(path)]
+    assert list(registry.damaged([str(path)])) == [str(path)]
     with pytest.raises(BadInput, match=r"content: is damaged, .*Mend: delete it and run snake"):
         jump_notes.read_jumps([path])
 
@@ -120,8 +122,8 @@ def test_a_material_goes_on_without_a_run_of_no_use(make_run, tmp_path):
     done = program("stages.dataset", *folders, *out)
     assert done.returncode == 0, done.stderr
     assert set(schemas.read(processed / "d.parquet", schemas.DATASET)["run"]) == {"a-01"}
-    (one,) = read_left_out(processed / "left.json")
-    assert one.run == "a-02" and one.field == "displacement_mm" and "a-02: left out" not in done.stdout
+    (entry,) = read_left_out(processed / "left.json")
+    assert entry.run == "a-02" and entry.field == "displacement_mm" and "a-02: left out" not in done.stdout
     done = program("stages.dataset", folders[1], *out)
     assert done.returncode == 2 and "never changes" in done.stderr
 
@@ -149,25 +151,25 @@ def test_reports_go_with_their_run_and_nothing_else_goes(tmp_path, monkeypatch):
 def test_after_a_failure_the_last_pages_are_of_what_was_made(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     missing = {"processed/silk/metrics.parquet", "reports/diagnosis/b-01", "reports/index.html"}
-    left = stale_reports.unmade(["nylon", "silk"], ["a-01", "b-01"], missing)
-    assert [one.run for one in left] == ["all of silk", "b-01"]
+    omissions = stale_reports.unmade(["nylon", "silk"], ["a-01", "b-01"], missing)
+    assert [entry.run for entry in omissions] == ["all of silk", "b-01"]
     index = (
         "exec python -m pipeline.report.index nylon silk --runs a-01 b-01 --left-out processed/nylon/left_out.json"
         " processed/silk/left_out.json --planned '[]' --out reports/index.html > log 2>&1"
     )
-    words = stale_reports.without(index, left, ["table_1.csv"])
+    words = stale_reports.without(index, omissions, ["table_1.csv"])
     assert words[3:6] == ["nylon", "--runs", "a-01"] and "processed/silk/left_out.json" not in words
-    assert from_json(words[words.index("--planned") + 1]) == left and words[-2:] == ["--out", "reports/index.html"]
+    assert from_json(words[words.index("--planned") + 1]) == omissions and words[-2:] == ["--out", "reports/index.html"]
     named, _, out = index.removeprefix("exec python -m pipeline.report.index ").partition(" --out ")
     stored = by_file(shlex.split(named), Path("words"))
     stored_index = f"exec python -m pipeline.report.index {stored} --out {out}"
-    assert stale_reports.without(stored_index, left, ["table_1.csv"]) == words
+    assert stale_reports.without(stored_index, omissions, ["table_1.csv"]) == words
     Path("reports/silk").mkdir(parents=True)
     Path("reports/silk/table_1.csv").write_text("")
     # its old state, said on the page
-    assert stale_reports.without(index, left, ["table_1.csv"])[3:5] == ["nylon", "silk"]
+    assert stale_reports.without(index, omissions, ["table_1.csv"])[3:5] == ["nylon", "silk"]
     metrics = "exec python -m pipeline.report.metrics processed/nylon/m.parquet processed/silk/m.parquet --out x > log"
-    assert stale_reports.without(metrics, left, ["table_1.csv"])[3:] == ["processed/nylon/m.parquet", "--out", "x"]
+    assert stale_reports.without(metrics, omissions, ["table_1.csv"])[3:] == ["processed/nylon/m.parquet", "--out", "x"]
 
 
 def test_metrics_are_written_by_the_command_of_its_rule(tmp_path):

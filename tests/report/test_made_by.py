@@ -32,10 +32,10 @@ def merged(*parts):
 def test_the_default_configuration_is_a_result():
     mark = made_by(DEFAULT, DEFAULT, "default.yaml", MODELS)
     assert mark.kind == "default" and warning(mark) == "" and mark.changed == ()
-    said = sentence(mark)
-    assert f"Made by the default configuration, default.yaml (checksum of its settings {mark.digest})." in said
+    statement = sentence(mark)
+    assert f"Made by the default configuration, default.yaml (checksum of its settings {mark.digest})." in statement
     assert len(mark.digest) == 7
-    assert "INN model 5 seeds of 24 epochs" in said and "MLP model 5 seeds of 240 epochs" in said
+    assert "INN model 5 seeds of 24 epochs" in statement and "MLP model 5 seeds of 240 epochs" in statement
     assert not note(mark).startswith("**")
 
 
@@ -95,8 +95,8 @@ def test_a_small_fit_says_that_it_records_another_rig_where_it_does():
     assert "rig" not in sentence(made_by(merged(CI), DEFAULT, "ci.yaml", MODELS, rig))  # another material has its own
     assert other_rig(DEFAULT["synthetic"], DEFAULT["synthetic"]) == ""
     alone = made_by(merged(CI), DEFAULT, "ci.yaml", ["synthetic"], rig)
-    told = f"Not the default configuration: made by ci.yaml. {whose}: {rig}."
-    assert sentence(alone, versioned=False) == told, "a key of the configuration is no sentence"
+    statement = f"Not the default configuration: made by ci.yaml. {whose}: {rig}."
+    assert sentence(alone, versioned=False) == statement, "a key of the configuration is no sentence"
     lossy = made_by(merged({**CI, "keep_lossy": True}), DEFAULT, "ci.yaml", ["synthetic", "keep_lossy"], rig)
     assert "; it differs from the default in keep_lossy. Material synthetic, and" in sentence(lossy, versioned=False)
     assert other_rig({"a": {"setup": "no such.yaml"}}, DEFAULT["synthetic"]) == "set-up no such.yaml"

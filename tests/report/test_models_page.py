@@ -112,17 +112,17 @@ def test_what_shows_the_same_number_shares_the_bold():
 
 
 def test_every_model_is_held_against_the_floor_that_it_is_entitled_to():
-    found = numbers(made_metrics(), TITLES, ["mlp"]).set_index(["model", "split", "map", "column"]).sort_index()
-    assert found.loc[("inn", "within", "forward", "all"), "ratio"] == pytest.approx(0.120 / 0.090)
-    assert found.loc[("mlp", "within", "forward", "all"), "ratio"] == pytest.approx(0.051 / 0.049)
-    assert found.loc[("calibrated", "later", "inverse", "n=9"), "ratio"] == pytest.approx(0.103 / 0.100)
-    assert found.loc["inn", "direction"].unique().tolist() == [False]
-    assert found.loc["floor", "ratio"].unique().tolist() == [1.0]
+    table = numbers(made_metrics(), TITLES, ["mlp"]).set_index(["model", "split", "map", "column"]).sort_index()
+    assert table.loc[("inn", "within", "forward", "all"), "ratio"] == pytest.approx(0.120 / 0.090)
+    assert table.loc[("mlp", "within", "forward", "all"), "ratio"] == pytest.approx(0.051 / 0.049)
+    assert table.loc[("calibrated", "later", "inverse", "n=9"), "ratio"] == pytest.approx(0.103 / 0.100)
+    assert table.loc["inn", "direction"].unique().tolist() == [False]
+    assert table.loc["floor", "ratio"].unique().tolist() == [1.0]
 
 
 def told(metrics, directed, split="within", way="forward"):
-    found = numbers(metrics, TITLES, directed)
-    return sentences(found[(found["split"] == split) & (found["map"] == way)])
+    table = numbers(metrics, TITLES, directed)
+    return sentences(table[(table["split"] == split) & (table["map"] == way)])
 
 
 def test_the_page_says_who_is_best_where_and_how_the_inn_stands_among_the_others():
@@ -220,8 +220,8 @@ def drawn_leak(leak):
 
 def test_no_label_of_the_leaks_figure_touches_the_panel_beside_it():
     figure = drawn_leak(made_leak())
-    for left, right in pairwise(figure.axes):
-        heads = [axes.xaxis.label.get_window_extent() for axes in (left, right)]
+    for left_panel, right in pairwise(figure.axes):
+        heads = [axes.xaxis.label.get_window_extent() for axes in (left_panel, right)]
         assert heads[1].x0 - heads[0].x1 > 0.15 * figure.dpi and right.get_window_extent().x0 > heads[0].x1
     rows = [label.get_window_extent() for label in figure.axes[0].get_yticklabels()]
     assert all(row.x0 > 0 and row.x1 < figure.axes[0].get_window_extent().x0 for row in rows)
@@ -249,7 +249,7 @@ def test_no_number_of_the_leaks_axes_lies_on_another(least):
             for at, label in zip(axes.get_xticks(), axes.get_xticklabels(), strict=True)
             if label.get_text() and low <= at <= high
         ]
-        assert len(labels) >= 2 and all(left.x1 < right.x0 for left, right in pairwise(labels))
+        assert len(labels) >= 2 and all(left_label.x1 < right.x0 for left_label, right in pairwise(labels))
 
 
 def test_the_leaks_figure_explains_itself_and_no_legend_lies_on_data():
@@ -309,8 +309,8 @@ def test_the_spread_of_the_seeds_stands_on_a_line_of_its_own():
 @needs_browser
 def test_every_table_fits_a_page_of_1200_pixels_even_where_every_cell_has_a_spread(tmp_path):
     seeds = {model: [0.120, 0.118, 0.125] for model in ("inn", "mlp", "diagnosed", "floor", "floor_blind")}
-    some = made_metrics(seeds)
-    metrics = pd.concat([some, some[some["stroke"] == "1"].assign(stroke="5")])
+    base_metrics = made_metrics(seeds)
+    metrics = pd.concat([base_metrics, base_metrics[base_metrics["stroke"] == "1"].assign(stroke="5")])
     titles = {"inn": "Conditional INN", "mlp": "MLP model", "diagnosed": "Diagnosed simulator"}
     (tmp_path / "models.html").write_text(web_page(page(numbers(metrics, titles, ["mlp"]), "made"), None))
     script = """<script>
@@ -339,9 +339,9 @@ def test_the_page_names_the_file_of_every_fit_and_how_it_is_used():
 
 
 def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
-    made = [Path(f"processed/nylon/{name}/within-0.model") for name in ("spline", "cinn", "diagnosed")]
+    models = [Path(f"processed/nylon/{name}/within-0.model") for name in ("spline", "cinn", "diagnosed")]
     none = Path("none.csv")
-    assert lines_at_end("nylon", [*made, Path("processed/silk/mlp/within-0.model")], none) == [
+    assert lines_at_end("nylon", [*models, Path("processed/silk/mlp/within-0.model")], none) == [
         "to a controller: python -m pipeline.export processed/nylon/spline/within-0.model --format c",
         "to ask it: python -m pipeline.predict processed/nylon/dataset.parquet questions.csv"
         " --model spline --out reports/mine/answers.csv",
@@ -352,7 +352,7 @@ def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
     (tmp_path / "models.csv").write_text(
         "model,split,map,column,median\nspline,later,forward,all,2\ncinn,later,forward,all,1\n"
     )
-    reason, export, *_ = lines_at_end("nylon", made, tmp_path / "models.csv")
+    reason, export, *_ = lines_at_end("nylon", models, tmp_path / "models.csv")
     assert "processed/nylon/cinn/within-0.model" in export
     least = "Its forward error on later strokes is the least of those that can be exported: 1.000 mm."
     assert reason == f"model to take: cinn. {least}"
@@ -360,13 +360,13 @@ def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
 
 def test_the_main_job_says_how_the_model_to_take_errs_at_the_inverse_and_which_is_better_there(tmp_path):
     """It named `calibrated`, whose inverse erred by 0.51 turns where the spline's did by 0.21, and no word said so."""
-    made = [Path(f"processed/nylon/{name}/within-0.model") for name in ("calibrated", "spline", "diagnosed")]
+    models = [Path(f"processed/nylon/{name}/within-0.model") for name in ("calibrated", "spline", "diagnosed")]
     rows = ["model,split,map,column,median", "calibrated,later,forward,all,0.166", "spline,later,forward,all,0.3"]
     rows += ["diagnosed,later,forward,all,0.051", "calibrated,later,inverse,all,0.51"]
 
     def ends(spline_turns):
         (tmp_path / "models.csv").write_text("\n".join([*rows, f"spline,later,inverse,all,{spline_turns}"]))
-        return lines_at_end("nylon", made, tmp_path / "models.csv")
+        return lines_at_end("nylon", models, tmp_path / "models.csv")
 
     reason, at_inverse, export, by_position, *_ = ends(0.21)
     least = "Its forward error on later strokes is the least of those that can be exported: 0.166 mm."
@@ -378,9 +378,9 @@ def test_the_main_job_says_how_the_model_to_take_errs_at_the_inverse_and_which_i
     )
     assert export == "to a controller: python -m pipeline.export processed/nylon/calibrated/within-0.model --format c"
     assert by_position.startswith("to a position controller: python -m pipeline.export processed/nylon/spline/within-0")
-    _, at_inverse, export, asked, *_ = ends(0.48)
+    _, at_inverse, export, ask_line, *_ = ends(0.48)
     assert at_inverse == "Its inverse error on later strokes is 0.510 turns.", "so little less is told as alike"
-    assert "calibrated" in export and asked.startswith("to ask it: ")
+    assert "calibrated" in export and ask_line.startswith("to ask it: ")
 
 
 def test_the_pages_say_which_model_is_better_at_the_inverse(tmp_path):
@@ -401,12 +401,12 @@ def test_the_pages_say_which_model_is_better_at_the_inverse(tmp_path):
 
 def test_the_main_job_says_why_the_model_to_take_is_not_the_best_of_the_tables(tmp_path):
     """The tables called the polynomial the best; the line below them exported the spline, without a word."""
-    made = [Path(f"processed/nylon/{name}/within-0.model") for name in ("spline", "polynomial", "diagnosed")]
+    models = [Path(f"processed/nylon/{name}/within-0.model") for name in ("spline", "polynomial", "diagnosed")]
     errors = {("spline", "later"): 0.039, ("spline", "within"): 0.049, ("polynomial", "later"): 0.037}
     errors |= {("polynomial", "within"): 0.038, ("diagnosed", "within"): 0.034, ("diagnosed", "later"): 0.03}
     rows = [f"{model},{split},forward,all,{error}" for (model, split), error in errors.items()]
     (tmp_path / "models.csv").write_text("\n".join(["model,split,map,column,median", *rows]) + "\n")
-    assert lines_at_end("nylon", made, tmp_path / "models.csv")[0] == (
+    assert lines_at_end("nylon", models, tmp_path / "models.csv")[0] == (
         "model to take: spline. Its forward error on later strokes is at most 1.1 times the least of those that can be "
         "exported: 0.039 mm. Inside strokes, which the tables show, polynomial errs less: 0.038 mm against 0.049 mm. "
         "If your strokes stay as recorded, take polynomial."

@@ -125,8 +125,8 @@ def test_a_browser_shows_some_rows_sorts_all_of_them_and_shows_one_verdict_alone
       said.push(rows().length);
       document.title = said.join("|");
     </script></body>"""
-    said = clicked(reports / "index.html", click, tmp_path)
-    assert said == "15|‹ before 1 to 15 of 60 next › show all|m-2-19|5|true|20"
+    page_title = clicked(reports / "index.html", click, tmp_path)
+    assert page_title == "15|‹ before 1 to 15 of 60 next › show all|m-2-19|5|true|20"
 
 
 @needs_browser

@@ -24,12 +24,12 @@ def diagnosis(verdict, *sets, unit="mm", **changes):
     """A diagnosis.json that names the first of `sets` and ties with the others."""
     named = [{"id": id_, f"rms_{unit}": {"value": 0.31}, "parameters": {}} for id_ in (sets[0] if sets else [])]
     box = {"motor_turns": [2.0, 11.0], "strokes": [1, 4], "phase": "winding", "share": 0.81}
-    held = {f"nominal_{unit}": 1.92, f"calibrated_{unit}": 0.81, f"explained_{unit}": 0.12}
+    errors = {f"nominal_{unit}": 1.92, f"calibrated_{unit}": 0.81, f"explained_{unit}": 0.12}
     return {
-        "run": "a", "verdict": verdict, "mechanisms": named, "alternatives": [list(one) for one in sets[1:]],
+        "run": "a", "verdict": verdict, "mechanisms": named, "alternatives": [list(ids) for ids in sets[1:]],
         "mismatch": {f"rms_{unit}": 0.44, "location": box, "driver": "direction"}, "parameters": {},
         "next_experiment": "one stroke at a quarter of the speed",
-        "fit": {f"noise_floor_{unit}": 0.03, f"detectable_{unit}": {"backlash": 0.02}, "heldout": held}, **changes,
+        "fit": {f"noise_floor_{unit}": 0.03, f"detectable_{unit}": {"backlash": 0.02}, "heldout": errors}, **changes,
     }  # fmt: skip
 
 
@@ -56,10 +56,10 @@ def diagnosis(verdict, *sets, unit="mm", **changes):
     ],
 )  # fmt: skip
 def test_what_is_doubtful_and_why(content, expected, kind, says):
-    found = doubt(content, "raw/a: not decided: too short", expected, [])
-    assert (found is None) == (kind is None)
-    if found is not None:
-        assert found[0] == kind and says in found[1]
+    doubtful = doubt(content, "raw/a: not decided: too short", expected, [])
+    assert (doubtful is None) == (kind is None)
+    if doubtful is not None:
+        assert doubtful[0] == kind and says in doubtful[1]
 
 
 def test_a_parameter_that_misses_the_literature_is_a_doubt():
@@ -75,7 +75,7 @@ def test_a_parameter_that_misses_the_literature_is_a_doubt():
 
 
 @pytest.fixture
-def made(tmp_path):
+def report_inputs(tmp_path):
     """What the rules before the page make: verdicts, black boxes and transfer of one rig."""
     rig = tmp_path / "reports" / "real" / "tsa_haptic"
 
@@ -115,8 +115,8 @@ def run(tmp_path, verdicts, together, boxes, transfer):
     return out
 
 
-def test_the_pages_say_what_the_files_say(made, tmp_path):
-    verdicts, together, boxes, transfer = made
+def test_the_pages_say_what_the_files_say(report_inputs, tmp_path):
+    verdicts, together, boxes, transfer = report_inputs
     out = run(tmp_path, verdicts, [together], boxes, [transfer])
     page, index = (out / "tsa_haptic.html").read_text(), (out / "index.html").read_text()
     assert "&lt;several&gt; fit alike" in page and "2 to 11 turns" in page and "1–4" in page
@@ -137,8 +137,8 @@ def test_the_pages_say_what_the_files_say(made, tmp_path):
         assert (out / link).is_file(), link
 
 
-def test_the_table_holds_every_verdict_and_every_method(made, tmp_path):
-    verdicts, together, boxes, transfer = made
+def test_the_table_holds_every_verdict_and_every_method(report_inputs, tmp_path):
+    verdicts, together, boxes, transfer = report_inputs
     out = run(tmp_path, verdicts, [together], boxes, [transfer])
     with open(out / "table.csv", newline="") as file:
         rows = {row["recording"]: row for row in csv.DictReader(file)}
@@ -152,16 +152,16 @@ def test_the_table_holds_every_verdict_and_every_method(made, tmp_path):
     assert rows["module-1 together"]["doubt"] == "unknown"
 
 
-def test_a_rig_with_one_recording_and_no_verdict_has_its_page_all_the_same(made, tmp_path):
-    verdicts, *_ = made
+def test_a_rig_with_one_recording_and_no_verdict_has_its_page_all_the_same(report_inputs, tmp_path):
+    verdicts, *_ = report_inputs
     out = run(tmp_path, verdicts[2:], [], [], [])
     assert "nothing to carry over" in (out / "tsa_haptic.html").read_text()
     assert (out / "tsa_haptic.png").stat().st_size > 1000
     assert "1 of 1 verdicts" in (out / "index.html").read_text()
 
 
-def test_the_smallest_error_is_the_bold_one(made):
-    verdicts, _, boxes, transfer = made
+def test_the_smallest_error_is_the_bold_one(report_inputs):
+    verdicts, _, boxes, transfer = report_inputs
     assert page.sizes({"nominal": 2.0, "mlp": 0.5}, ["nominal", "explained", "mlp"]) == [
         "2", "", "<span class=best>0.5</span>",
     ]  # fmt: skip
@@ -169,9 +169,9 @@ def test_the_smallest_error_is_the_bold_one(made):
     assert a.heldout == {"nominal": 1.92, "calibrated": 0.81, "explained": 0.12, "gradient_boosting": 0.09,
                          "gaussian_process": 0.5, "mlp": 0.6}  # fmt: skip
     assert c.heldout == {} and b.group == "module-1"
-    rows = pd.DataFrame([{"rig": "tsa_haptic", **one.row(read_rigs()["tsa_haptic"])} for one in (a, b, c)])
-    said = index.beaten(rows)
+    rows = pd.DataFrame([{"rig": "tsa_haptic", **entry.row(read_rigs()["tsa_haptic"])} for entry in (a, b, c)])
+    beaten_text = index.beaten(rows)
     assert (
-        said.count("better on 1 of 1") == 2
-        and "learnt from all others the best of the three black boxes is better on 0" in said
+        beaten_text.count("better on 1 of 1") == 2
+        and "learnt from all others the best of the three black boxes is better on 0" in beaten_text
     )

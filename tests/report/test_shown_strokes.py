@@ -4,7 +4,7 @@ from pipeline.report.shown.shown_strokes import drawn, ranges, shown_of, tabled,
 
 
 @pytest.mark.parametrize(
-    ("there", "wanted", "shown"),
+    ("available", "wanted", "shown"),
     [
         (range(1, 10), (1, 5, 9), [1, 5, 9]),
         (range(1, 9), (1, 5, 9), [1, 5, 8]),
@@ -14,8 +14,8 @@ from pipeline.report.shown.shown_strokes import drawn, ranges, shown_of, tabled,
         ([], (1, 5, 9), []),
     ],
 )
-def test_figures_show_strokes_that_are_there(there, wanted, shown):
-    assert drawn(there, wanted) == shown
+def test_figures_show_strokes_that_are_there(available, wanted, shown):
+    assert drawn(available, wanted) == shown
 
 
 def test_tables_drop_a_stroke_that_is_not_there():

@@ -39,9 +39,9 @@ def test_later_strokes_like_the_others_need_no_word():
     usual_n = NINE["load_n"].median()
     assert later_apart(NINE) == later_apart(with_last(1.01 * usual_n, 0.99)) == later_apart(None) == ""
     assert later_apart(with_last(1.5 * usual_n).assign(later="")) == ""
-    known = with_last(1.5 * usual_n)
-    known.loc[known["stroke"] == 1, "load_n"] = 1.5 * usual_n  # a stroke that the models saw had that load too
-    assert later_apart(known) == ""
+    table = with_last(1.5 * usual_n)
+    table.loc[table["stroke"] == 1, "load_n"] = 1.5 * usual_n  # a stroke that the models saw had that load too
+    assert later_apart(table) == ""
 
 
 def test_strokes_that_were_recorded_otherwise_than_most_are_said_if_they_are_shown():

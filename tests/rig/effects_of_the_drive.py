@@ -11,13 +11,13 @@ from effect_motion import STEP_S, TURN, behind, rise, states, torque
 )  # fmt: skip
 def friction(at, p, out):
     """g is what the held twist lacks to its limit, which is on the side of the motion."""
-    held, twist = 0.0, np.empty_like(out)
+    held_rad, twist = 0.0, np.empty_like(out)
     for i, turned in enumerate(at.turned_rad):
         w = TURN * p["turns_per_n"] * at.load_n[i]
         for _ in range(8):
-            g = math.copysign(w, turned) - held
-            held += g * abs(g / w) ** p["tail"] / (TURN * p["reach_turns"]) * abs(turned) / 8
-        twist[i] = held
+            g = math.copysign(w, turned) - held_rad
+            held_rad += g * abs(g / w) ** p["tail"] / (TURN * p["reach_turns"]) * abs(turned) / 8
+        twist[i] = held_rad
     return twist
 
 
@@ -88,9 +88,9 @@ def clamp_slip(at, p, out):
 )  # fmt: skip
 def slack(at, p, out):
     """The string bears as much less than the load as what it asks for falls short of the rise."""
-    y, asked = rise(at) - out, rise(at) - p["take_up_mm"]
+    y, demand_mm = rise(at) - out, rise(at) - p["take_up_mm"]
     bed = at.load_n * np.maximum(1.0 - y / p["bed_mm"], 0.0) ** p["hardness"]
-    string = np.maximum(at.load_n - p["stretch_n_per_mm"] * (y - asked), 0.0)
+    string = np.maximum(at.load_n - p["stretch_n_per_mm"] * (y - demand_mm), 0.0)
     return at.load_n, bed + string
 
 

@@ -34,37 +34,37 @@ def rms(values):
 
 def part(seed, name, size, plan="sine-0.3", **more):
     """A recording with one effect, and that effect's part of the jaw's angle."""
-    made = cable_drive.record(seed, {name: size}, plan, noise="none", **more)
-    return made, made.hidden[name].to_numpy()
+    recording = cable_drive.record(seed, {name: size}, plan, noise="none", **more)
+    return recording, recording.hidden[name].to_numpy()
 
 
-def sliding(made, loss, low=0.3, high=0.7):
+def sliding(recording, loss, low=0.3, high=0.7):
     """Half the height of a loop in the middle of its ways, after the first cycle, winding less unwinding."""
-    motor = made.hidden.motor_deg.to_numpy()
+    motor = recording.hidden.motor_deg.to_numpy()
     middle = (motor > low * 60) & (motor < high * 60) & (TIME_S > 4.0)
     rate = np.gradient(motor)
     return (loss[middle & (rate < 0)].mean() - loss[middle & (rate > 0)].mean()) / 2
 
 
 def test_a_seed_is_a_rig_and_a_take_is_a_day():
-    one, same, later = (cable_drive.record(5, ALL, "steps", take=take) for take in (0, 0, 1))
-    assert one.samples.equals(same.samples) and one.truth == same.truth and one.run == same.run
-    assert not one.samples.jaw_deg.equals(later.samples.jaw_deg)
+    first_take, same, later = (cable_drive.record(5, ALL, "steps", take=take) for take in (0, 0, 1))
+    assert first_take.samples.equals(same.samples) and first_take.truth == same.truth and first_take.run == same.run
+    assert not first_take.samples.jaw_deg.equals(later.samples.jaw_deg)
     other = cable_drive.record(6, ALL, "steps")
     elsewhere = cable_drive.record(5, ALL, "sine-0.2")
-    assert later.truth["parameters"] == elsewhere.truth["parameters"] == one.truth["parameters"]
-    assert other.truth["parameters"] != one.truth["parameters"]
+    assert later.truth["parameters"] == elsewhere.truth["parameters"] == first_take.truth["parameters"]
+    assert other.truth["parameters"] != first_take.truth["parameters"]
     for name in ("axial_elasticity", "backlash", "sensor_lag", "creep", "x_kink"):
-        shapes = [made.truth["effects"][name]["parameters"] for made in (one, elsewhere, other)]
+        shapes = [recording.truth["effects"][name]["parameters"] for recording in (first_take, elsewhere, other)]
         assert shapes[0] == shapes[1] != shapes[2], name
 
 
 def test_without_effects_the_cable_is_rigid_and_its_gear_within_tolerance():
     gears = []
     for seed in range(30):
-        made = cable_drive.record(seed, {}, "steps", noise="none")
-        gears.append(made.truth["parameters"]["gear_ratio"])
-        np.testing.assert_allclose(made.samples.jaw_deg, gears[-1] * made.samples.motor_deg, atol=1e-12)
+        recording = cable_drive.record(seed, {}, "steps", noise="none")
+        gears.append(recording.truth["parameters"]["gear_ratio"])
+        np.testing.assert_allclose(recording.samples.jaw_deg, gears[-1] * recording.samples.motor_deg, atol=1e-12)
     assert np.ptp(gears) > 0.05 and np.max(np.abs(np.array(gears) / 0.9 - 1.0)) <= 1.5 * 0.05
 
 
@@ -92,15 +92,15 @@ def test_an_effect_that_is_off_is_absent_and_moves_nothing_else(name):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_effects_have_the_size_that_is_declared(seed):
-    made, loss = part(seed, "friction_hysteresis", 1.5, loads_nm=[0.03])
-    assert sliding(made, loss) == pytest.approx(1.5, rel=0.12)
-    made, stretch = part(seed, "axial_elasticity", 30.0, "swing-0.3", loads_nm=[0.02, 0.06])
-    full = np.abs(made.hidden.torque_nm - 0.05) < 5e-4
+    recording, loss = part(seed, "friction_hysteresis", 1.5, loads_nm=[0.03])
+    assert sliding(recording, loss) == pytest.approx(1.5, rel=0.12)
+    recording, stretch = part(seed, "axial_elasticity", 30.0, "swing-0.3", loads_nm=[0.02, 0.06])
+    full = np.abs(recording.hidden.torque_nm - 0.05) < 5e-4
     assert stretch[full].mean() / -0.05 == pytest.approx(30.0, rel=0.06)
-    made, loss = part(seed, "backlash", 0.8)
-    assert np.ptp(loss) / made.truth["parameters"]["gear_ratio"] == pytest.approx(0.8, rel=0.1)
-    made, behind = part(seed, "sensor_lag", 0.02)
-    rate = np.gradient(made.hidden.motor_deg * made.truth["parameters"]["gear_ratio"], 1e-3)
+    recording, loss = part(seed, "backlash", 0.8)
+    assert np.ptp(loss) / recording.truth["parameters"]["gear_ratio"] == pytest.approx(0.8, rel=0.1)
+    recording, behind = part(seed, "sensor_lag", 0.02)
+    rate = np.gradient(recording.hidden.motor_deg * recording.truth["parameters"]["gear_ratio"], 1e-3)
     assert -np.dot(behind, rate) / np.dot(rate, rate) == pytest.approx(0.02, rel=0.05)
     for name, size in (("sensor_drift", 0.4), ("sensor_offset", -0.7), ("clamp_slip", 0.5), ("x_kink", 0.6)):
         _, moved = part(seed, name, size)
@@ -113,18 +113,18 @@ def test_effects_have_the_size_that_is_declared(seed):
 def test_friction_takes_work_in_every_cycle_and_more_under_more_tension(seed):
     heights = []
     for load_nm in (0.01, 0.025, 0.05):
-        made, lost = part(seed, "friction_hysteresis", 1.5, "sine-0.4", loads_nm=[load_nm])
-        motor = made.hidden.motor_deg.to_numpy()
+        recording, lost = part(seed, "friction_hysteresis", 1.5, "sine-0.4", loads_nm=[load_nm])
+        motor = recording.hidden.motor_deg.to_numpy()
         for start in range(300, 17_000, 2500):
             cycle = slice(start, start + 2501)
-            assert -np.trapezoid(lost[cycle], motor[cycle]) > 1.2 * 60 * 0.5 * sliding(made, lost)
-        heights.append(sliding(made, lost))
+            assert -np.trapezoid(lost[cycle], motor[cycle]) > 1.2 * 60 * 0.5 * sliding(recording, lost)
+        heights.append(sliding(recording, lost))
     assert heights[0] * 1.1 < heights[1] and heights[1] * 1.3 < heights[2]
 
 
 def test_a_reversal_is_forgotten_over_some_degrees_and_not_at_once():
-    made, lost = part(1, "friction_hysteresis", 1.5, "sine-0.1", loads_nm=[0.03])
-    motor, back = made.hidden.motor_deg.to_numpy(), slice(5300, 10_200)  # the first way back
+    recording, lost = part(1, "friction_hysteresis", 1.5, "sine-0.1", loads_nm=[0.03])
+    motor, back = recording.hidden.motor_deg.to_numpy(), slice(5300, 10_200)  # the first way back
     gone = (lost[back] - lost[back][0]) / np.ptp(lost[back])
     travelled = motor[back][0] - motor[back]
     half, most = (travelled[np.argmax(gone > share)] for share in (0.5, 0.9))
@@ -163,14 +163,14 @@ def test_the_play_keeps_its_width_whatever_the_load_and_grips_before_its_end():
 
 def test_encoders_count_and_noise_is_what_was_drawn():
     for noise, low, high in (("usual", 0.03, 0.1), ("trap", 0.06, 0.3)):
-        made = cable_drive.record(7, ALL, "loads-0.2", noise=noise)
+        recording = cable_drive.record(7, ALL, "loads-0.2", noise=noise)
         for column, quantum in (("motor_deg", 360 / 8192), ("jaw_deg", 0.09), ("torque_nm", 3.9811e-5)):
-            counts = made.samples[column] / quantum
+            counts = recording.samples[column] / quantum
             np.testing.assert_allclose(counts, np.rint(counts), atol=1e-6)
-        said = (made.samples.jaw_deg - made.hidden.jaw_deg).to_numpy()
-        drawn = made.truth["noise"]["jaw_deg"]
-        assert low <= drawn <= high and rms(said) == pytest.approx(np.hypot(drawn, 0.09 / 12**0.5), rel=0.15)
-        assert np.corrcoef(said[:-50], said[50:])[0, 1] > (0.3 if noise == "trap" else 0.02)
+        noise_deg = (recording.samples.jaw_deg - recording.hidden.jaw_deg).to_numpy()
+        drawn = recording.truth["noise"]["jaw_deg"]
+        assert low <= drawn <= high and rms(noise_deg) == pytest.approx(np.hypot(drawn, 0.09 / 12**0.5), rel=0.15)
+        assert np.corrcoef(noise_deg[:-50], noise_deg[50:])[0, 1] > (0.3 if noise == "trap" else 0.02)
 
 
 def test_a_strength_wanders_by_a_few_per_cent_about_one():
@@ -182,14 +182,14 @@ def test_a_strength_wanders_by_a_few_per_cent_about_one():
 
 @pytest.mark.parametrize("plan", PLANS)
 def test_a_run_folder_holds_the_recording_and_no_truth(plan, tmp_path):
-    made = cable_drive.record(11, ALL, plan)
-    parse_run(made.run, tmp_path / made.run["run"] / "run.yaml")
-    folder = write_run(made, tmp_path / "cable-1")
+    recording = cable_drive.record(11, ALL, plan)
+    parse_run(recording.run, tmp_path / recording.run["run"] / "run.yaml")
+    folder = write_run(recording, tmp_path / "cable-1")
     assert sorted(path.name for path in folder.iterdir()) == ["recording.parquet", "run.yaml"]
     assert not any(name in (folder / "run.yaml").read_text() for name in ALL)
     run, samples = read_samples(folder)
     assert run.rig == {"gear_ratio": 0.9} and run.tolerance == {"gear_ratio": 0.05}
-    assert samples.equals(made.samples) and len(samples) == 20_000
+    assert samples.equals(recording.samples) and len(samples) == 20_000
 
 
 def test_what_is_not_known_is_refused():

@@ -40,7 +40,7 @@ def test_the_same_seed_gives_the_same_strings_and_fewer_strings_the_first_of_the
         for file in ("run.yaml", "recording.parquet"):
             assert (tmp_path / "two" / run / file).read_bytes() == (campaign / run / file).read_bytes()
     others = [planned.specimen for planned in plan(4, 2, 3)]
-    assert all(one.measured != other.measured for one, other in zip(MANY, others, strict=False))
+    assert all(specimen.measured != other.measured for specimen, other in zip(MANY, others, strict=False))
 
 
 def test_every_run_can_be_read_and_has_its_strokes(campaign):
@@ -64,10 +64,14 @@ def test_run_yaml_tells_the_measured_dimensions_and_how_well_they_were_measured(
     miss = np.array(
         [
             [
-                (one.true.radius_mm / one.measured.radius_mm - 1.0) / SIGMA["radius"],
-                *((getattr(one.true, key) - getattr(one.measured, key)) / SIGMA[key] for key in SIGMA if "_mm" in key),
+                (specimen.true.radius_mm / specimen.measured.radius_mm - 1.0) / SIGMA["radius"],
+                *(
+                    (getattr(specimen.true, key) - getattr(specimen.measured, key)) / SIGMA[key]
+                    for key in SIGMA
+                    if "_mm" in key
+                ),
             ]
-            for one in MANY
+            for specimen in MANY
         ]
     )
     assert (miss.std(axis=0) > 0.8).all() and (miss.std(axis=0) < 1.25).all() and (abs(miss.mean(axis=0)) < 0.35).all()
@@ -77,32 +81,32 @@ def test_dimensions_fill_their_bands_and_stay_in_them():
     for name, (low, high) in vars(Bands()).items():
         if name == "helix_tangent":
             drawn = [
-                (one.measured.separator_mm + one.top_turns * RAD_PER_TURN * one.measured.radius_mm)
-                / one.measured.torsion_zone_mm
-                for one in MANY
+                (specimen.measured.separator_mm + specimen.top_turns * RAD_PER_TURN * specimen.measured.radius_mm)
+                / specimen.measured.torsion_zone_mm
+                for specimen in MANY
             ]
         else:
-            drawn = [one.load_n if name == "load_n" else getattr(one.measured, name) for one in MANY]
+            drawn = [specimen.load_n if name == "load_n" else getattr(specimen.measured, name) for specimen in MANY]
         room = 0.003 if name == "helix_tangent" else 0.0  # the twist is told in tenths of a turn
         assert low - room <= min(drawn) and max(drawn) <= high + room, name
         assert max(drawn) - min(drawn) > 0.8 * (high - low), name
-    assert all(one.measured.length_mm > one.measured.torsion_zone_mm for one in MANY)
-    assert {one.material for one in MANY[:5]} == set(materials())
+    assert all(specimen.measured.length_mm > specimen.measured.torsion_zone_mm for specimen in MANY)
+    assert {specimen.material for specimen in MANY[:5]} == set(materials())
 
 
 def test_strings_of_one_material_differ_by_a_tenth():
     bands = Bands(*((value, value) for value in (0.4, 8.0, 150.0, 400.0, 20.0, 0.5)))
     drawn = [draw_specimen("polyester", np.random.default_rng(seed), bands).effects for seed in range(200)]
     for effect, key in (("radius_compaction", "exponent"), ("friction_hysteresis", "turns_per_n")):
-        values = np.array([one[effect][key] for one in drawn])
+        values = np.array([drawn_effects[effect][key] for drawn_effects in drawn])
         assert np.std(np.log(values)) == pytest.approx(0.1, abs=0.02)
         assert np.median(values) == pytest.approx(materials()["polyester"][effect][key], rel=0.03)
 
 
 def test_materials_hide_different_amounts():
     lost_mm = [
-        (one.specimen.material, -one.recorded(10.0).contraction_mm[-1] / one.specimen.true.torsion_zone_mm)
-        for one in plan(3, 30, 9)
+        (planned.specimen.material, -planned.recorded(10.0).contraction_mm[-1] / planned.specimen.true.torsion_zone_mm)
+        for planned in plan(3, 30, 9)
     ]
     median = pd.DataFrame(lost_mm, columns=["material", "lost"]).groupby("material").lost.median()
     assert (median > 5e-4).all() and median["nylon"] > 1.5 * median["polyester"] > 2.0 * median["aramid"]

@@ -19,15 +19,15 @@ def program(*arguments):
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_case_hides_what_it_says_and_enough_of_it(name):
-    made, other = make(name, 1), make(name, 2)
+    case, other = make(name, 1), make(name, 2)
     kinds = (cable_drive if name.startswith("cable-") else moving_mass).EFFECTS
-    json.dumps(made.truth)
-    assert list(made.truth["effects"]) == list(CASES[name].effects)
-    noise = made.truth["noise"]["jaw_deg" if name.startswith("cable-") else "force_n"]
-    for effect, told in made.truth["effects"].items():
-        assert told["rms"] > 2 * noise and told["mechanism"] == kinds[effect].mechanism
-        assert 0.7 <= abs(told["size"] / CASES[name].effects[effect]) <= 1.4
-        assert told["size"] != other.truth["effects"][effect]["size"]
+    json.dumps(case.truth)
+    assert list(case.truth["effects"]) == list(CASES[name].effects)
+    noise = case.truth["noise"]["jaw_deg" if name.startswith("cable-") else "force_n"]
+    for effect, effect_truth in case.truth["effects"].items():
+        assert effect_truth["rms"] > 2 * noise and effect_truth["mechanism"] == kinds[effect].mechanism
+        assert 0.7 <= abs(effect_truth["size"] / CASES[name].effects[effect]) <= 1.4
+        assert effect_truth["size"] != other.truth["effects"][effect]["size"]
 
 
 def test_every_effect_of_both_rigs_has_a_case():
@@ -37,10 +37,10 @@ def test_every_effect_of_both_rigs_has_a_case():
 
 
 def test_the_same_rig_runs_another_plan():
-    one, other = make("cable-friction", 3), make("cable-friction", 3, plan="sine-0.5", take=2)
-    sizes = [made.truth["effects"]["friction_hysteresis"]["size"] for made in (one, other)]
-    assert sizes[0] == sizes[1] and one.truth["parameters"] == other.truth["parameters"]
-    assert not np.array_equal(one.samples.motor_deg, other.samples.motor_deg)
+    first, other = make("cable-friction", 3), make("cable-friction", 3, plan="sine-0.5", take=2)
+    sizes = [case.truth["effects"]["friction_hysteresis"]["size"] for case in (first, other)]
+    assert sizes[0] == sizes[1] and first.truth["parameters"] == other.truth["parameters"]
+    assert not np.array_equal(first.samples.motor_deg, other.samples.motor_deg)
 
 
 def test_the_program_writes_a_run_and_keeps_its_answer_elsewhere(tmp_path):

@@ -59,12 +59,14 @@ def test_a_way_takes_the_time_that_it_is_given_and_its_ramps_are_even():
 
 
 def test_legs_are_followed_from_standstill_to_standstill():
-    told = followed(GOOD, 0.0, 20.0, 100.0, 0.01)
-    at = dict(zip(np.round(told.time_s, 6).tolist(), told.motor_turns.tolist(), strict=True))
+    trajectory = followed(GOOD, 0.0, 20.0, 100.0, 0.01)
+    at = dict(zip(np.round(trajectory.time_s, 6).tolist(), trajectory.motor_turns.tolist(), strict=True))
     assert [at[second] for second in (0, 2, 6, 7, 11)] == pytest.approx([0, 0, 10, 10, 0], abs=1e-9)
-    assert np.abs(np.diff(told.motor_turns)).max() / 0.01 <= cruise(10, 4, 100) * 1.001
-    assert set(told.load_n[told.time_s < 1.99]) == {20.0} and set(told.load_n[told.time_s > 2.01]) == {40.0}
-    assert told.strokes_s.tolist() == [[2.0, 6.0, 7.0, 11.0]]
+    assert np.abs(np.diff(trajectory.motor_turns)).max() / 0.01 <= cruise(10, 4, 100) * 1.001
+    assert set(trajectory.load_n[trajectory.time_s < 1.99]) == {20.0} and set(
+        trajectory.load_n[trajectory.time_s > 2.01]
+    ) == {40.0}
+    assert trajectory.strokes_s.tolist() == [[2.0, 6.0, 7.0, 11.0]]
 
 
 @pytest.mark.parametrize(
@@ -117,9 +119,9 @@ def test_a_stopped_program_leaves_the_motor_and_the_string_where_they_were(stand
 
 
 def test_the_string_of_the_second_recording_has_lived_through_the_first():
-    one, other = (Standing(read_setup("small"), 3) for _ in range(2))
-    one.perform([*GOOD, *GOOD[1:] * 5])
-    assert one.perform(GOOD).truth["displacement_mm"][0] != other.perform(GOOD).truth["displacement_mm"][0]
+    used_string, other = (Standing(read_setup("small"), 3) for _ in range(2))
+    used_string.perform([*GOOD, *GOOD[1:] * 5])
+    assert used_string.perform(GOOD).truth["displacement_mm"][0] != other.perform(GOOD).truth["displacement_mm"][0]
 
 
 # over a pseudo-terminal, with the real programs
@@ -146,9 +148,9 @@ def programmed(tmp_path: Path, legs: list[Leg]) -> Path:
 
 def test_a_program_is_recorded_as_it_was_told_and_the_next_goes_on_from_there(rig, tmp_path):
     port, program = rig("--pace", 20), programmed(tmp_path, GOOD[:2])
-    told = start("pipeline.capture", port, tmp_path / "run-1", "--program", program).communicate()[0]
+    printed = start("pipeline.capture", port, tmp_path / "run-1", "--program", program).communicate()[0]
     recording = read_recording((tmp_path / "run-1" / "recording.frames").read_bytes())
-    assert "complete" in told and recording.account.lost == 0, told
+    assert "complete" in printed and recording.account.lost == 0, printed
     assert recording.time_s[-1] == pytest.approx(6.0, abs=0.06)
     turns = recording.channels["motor_turns"]
     assert (turns[0], turns[-1]) == pytest.approx((0.0, 10.0), abs=1e-3)
@@ -166,8 +168,8 @@ def test_a_program_beyond_a_limit_is_refused_with_a_sentence_and_no_run_is_begun
         (GOOD, "the rig cannot change its load"),
     ):
         program = start("pipeline.capture", port, tmp_path / "run-1", "--program", programmed(tmp_path, legs))
-        told = program.communicate()[0]
-        assert program.returncode == 2 and sentence in told and "Mend:" in told and "Traceback" not in told
+        printed = program.communicate()[0]
+        assert program.returncode == 2 and sentence in printed and "Mend:" in printed and "Traceback" not in printed
         assert not (tmp_path / "run-1").exists()
 
 
@@ -184,8 +186,8 @@ def test_a_host_that_goes_silent_stops_the_motor(rig, tmp_path, how):
         host.communicate()
     else:
         host.send_signal(signal.SIGCONT)
-        told = host.communicate()[0]
-        assert host.returncode == 1 and "did not hear this program" in told
+        printed = host.communicate()[0]
+        assert host.returncode == 1 and "did not hear this program" in printed
         info = json.loads((folder / "capture.json").read_text())
         assert info["exit_status"] == "fault"
     end = os.open(os.path.realpath(port), os.O_RDWR | os.O_NOCTTY)
@@ -193,19 +195,19 @@ def test_a_host_that_goes_silent_stops_the_motor(rig, tmp_path, how):
         heard, until_s = [], time.monotonic() + 3
         os.write(end, encode(Kind.GREET, 0))
         decoder = Decoder()
-        while not any(one.frame.kind == Kind.HELLO for one in heard) and time.monotonic() < until_s:
+        while not any(heard_frame.frame.kind == Kind.HELLO for heard_frame in heard) and time.monotonic() < until_s:
             heard += decoder.feed(os.read(end, 4096))
     finally:
         os.close(end)
-    (hello,) = [json.loads(one.frame.payload) for one in heard if one.frame.kind == Kind.HELLO]
+    (hello,) = [json.loads(heard_frame.frame.payload) for heard_frame in heard if heard_frame.frame.kind == Kind.HELLO]
     assert 0.2 < hello["program"]["at_turns"] < 5.0  # of 20, and it is not moved any more
 
 
 def test_a_stall_ends_the_recording_as_a_fault(rig, tmp_path):
     port = rig("--pace", 20, "--stalls-at", 5)
     host = start("pipeline.capture", port, tmp_path / "run-1", "--program", programmed(tmp_path, GOOD))
-    told = host.communicate()[0]
-    assert host.returncode == 1 and "reported a fault" in told
+    printed = host.communicate()[0]
+    assert host.returncode == 1 and "reported a fault" in printed
     recording = read_recording((tmp_path / "run-1" / "recording.frames").read_bytes())
     assert recording.channels["motor_turns"].max() < 8.0 and recording.account.end.reason == Reason.FAULT
 

@@ -41,7 +41,7 @@ COLUMNS = ["run", "stroke", "stroke_mm", "rest_mm", "top_mm", "loop_mm", "drift_
 
 def drawn(life, strokes=MOST_STROKES):
     """The first string that ages so, to be worked for at most so many strokes; its noise is fresh."""
-    return replace(next(one for one in plan(2, 100) if one.life == life), strokes=strokes)
+    return replace(next(planned_life for planned_life in plan(2, 100) if planned_life.life == life), strokes=strokes)
 
 
 @pytest.fixture(scope="module")
@@ -65,13 +65,13 @@ def test_every_life_can_be_read_and_has_the_strokes_that_its_truth_tells(folder)
     for planned in PLANS[:2]:
         run, samples = read_samples(folder / planned.run)
         assert run.run == planned.run and geometry(run) == planned.specimen.measured
-        told = truth[truth.run == run.run]
+        run_truth = truth[truth.run == run.run]
         strokes = segment(samples, "motor_turns", folder)
         windings = strokes[strokes.phase == "winding"]
-        assert windings.stroke.tolist() == told.stroke.tolist() == list(range(1, len(told) + 1))
+        assert windings.stroke.tolist() == run_truth.stroke.tolist() == list(range(1, len(run_truth) + 1))
         before = samples.displacement_mm.to_numpy()[windings.first_sample - 2]
-        np.testing.assert_allclose(before - before.mean(), told.rest_mm - told.rest_mm.mean(), atol=0.2)
-        assert np.std(before - told.rest_mm) < 0.05  # the sensor's noise and quantum
+        np.testing.assert_allclose(before - before.mean(), run_truth.rest_mm - run_truth.rest_mm.mean(), atol=0.2)
+        assert np.std(before - run_truth.rest_mm) < 0.05  # the sensor's noise and quantum
 
 
 def test_the_same_seed_gives_the_same_lives(folder):
@@ -81,29 +81,29 @@ def test_the_same_seed_gives_the_same_lives(folder):
         np.testing.assert_array_equal(again.truth, truth[truth.run == planned.run].drop(columns="run"))
         _, samples = read_samples(folder / planned.run)
         np.testing.assert_array_equal(again.samples.displacement_mm, samples.displacement_mm)
-    assert [one.ageing for one in plan(2, 5)] == [one.ageing for one in PLANS[:5]]
-    assert all(one.ageing != other.ageing for one, other in zip(PLANS, plan(3, 5), strict=False))
+    assert [planned_life.ageing for planned_life in plan(2, 5)] == [planned_life.ageing for planned_life in PLANS[:5]]
+    assert all(planned_life.ageing != other.ageing for planned_life, other in zip(PLANS, plan(3, 5), strict=False))
 
 
 def test_the_truth_is_what_the_string_does_in_one_piece():
     planned = drawn("breaks", strokes=40)
     truth = live(planned, 10.0).truth
     stroke, step_s = planned.stroke.model_copy(update={"repeat": 40}), 0.005
-    told = commands(Motion(rest_s=3.0, strokes=[stroke]), step_s)
+    trajectory = commands(Motion(rest_s=3.0, strokes=[stroke]), step_s)
     string = String(planned.specimen.true, made(planned.ageing)[0], step_s)
-    pulled_mm = string.pull(told.motor_turns, told.load_n)
+    pulled_mm = string.pull(trajectory.motor_turns, trajectory.load_n)
     pulled_mm -= pulled_mm[0]
-    start, wound, held, end = np.rint(told.strokes_s.T / step_s).astype(int)
+    start, wound, hold_end, end = np.rint(trajectory.strokes_s.T / step_s).astype(int)
     assert len(truth) == 40
     np.testing.assert_allclose(truth.rest_mm, pulled_mm[start], atol=0.02)
-    np.testing.assert_allclose(truth.top_mm, pulled_mm[held], atol=0.02)
-    np.testing.assert_allclose(truth.stroke_mm, pulled_mm[held] - pulled_mm[start], atol=0.02)
+    np.testing.assert_allclose(truth.top_mm, pulled_mm[hold_end], atol=0.02)
+    np.testing.assert_allclose(truth.stroke_mm, pulled_mm[hold_end] - pulled_mm[start], atol=0.02)
     grid = np.linspace(0.05, 1.0, 39) * planned.stroke.top_turns
     windings, loop_mm = [], []
-    for a, b, c, d in zip(start, wound, held, end, strict=True):
-        windings.append(np.interp(grid, told.motor_turns[a : b + 1], pulled_mm[a : b + 1]))
-        back = np.interp(grid[-1] / 2, told.motor_turns[c : d + 1][::-1], pulled_mm[c : d + 1][::-1])
-        loop_mm.append(np.interp(grid[-1] / 2, told.motor_turns[a : b + 1], pulled_mm[a : b + 1]) - back)
+    for a, b, c, d in zip(start, wound, hold_end, end, strict=True):
+        windings.append(np.interp(grid, trajectory.motor_turns[a : b + 1], pulled_mm[a : b + 1]))
+        back = np.interp(grid[-1] / 2, trajectory.motor_turns[c : d + 1][::-1], pulled_mm[c : d + 1][::-1])
+        loop_mm.append(np.interp(grid[-1] / 2, trajectory.motor_turns[a : b + 1], pulled_mm[a : b + 1]) - back)
     np.testing.assert_allclose(truth.loop_mm, loop_mm, atol=0.02)
     drift_mm = np.sqrt(((np.array(windings) - windings[1]) ** 2).mean(axis=1))
     np.testing.assert_allclose(truth.drift_mm, drift_mm, atol=0.02)
@@ -129,11 +129,14 @@ def test_a_recording_ends_soon_after_a_quarter_is_lost_and_a_string_that_saturat
 
 
 def test_some_strings_are_censored_and_some_are_given_up():
-    share = {life: np.mean([one.life == life for one in PLANS]) for life in ("saturates", "wears", "breaks")}
+    share = {
+        life: np.mean([planned_life.life == life for planned_life in PLANS])
+        for life in ("saturates", "wears", "breaks")
+    }
     assert 0.1 < share["saturates"] < 0.35 and min(share["wears"], share["breaks"]) > 0.25
-    given_up = [one.strokes for one in PLANS if one.strokes < MOST_STROKES]
+    given_up = [planned_life.strokes for planned_life in PLANS if planned_life.strokes < MOST_STROKES]
     assert 8 <= len(given_up) <= 35 and min(given_up) >= 100
-    assert all(("x_fatigue" in one.ageing) == (one.life == "breaks") for one in PLANS)
+    assert all(("x_fatigue" in planned_life.ageing) == (planned_life.life == "breaks") for planned_life in PLANS)
 
 
 def bundle(**parameters):
@@ -142,13 +145,13 @@ def bundle(**parameters):
 
 def test_the_fibres_follow_their_equation_and_the_end_accelerates():
     even, whole = bundle(), String(GEOMETRY, [], STEP_S).live(TOLD.motor_turns, TOLD.load_n)
-    left = even.run(replace(whole, radius_mm=np.full(len(TOLD.time_s), GEOMETRY.radius_mm))) ** 2.0
+    intact_share = even.run(replace(whole, radius_mm=np.full(len(TOLD.time_s), GEOMETRY.radius_mm))) ** 2.0
     turns = np.linspace(0.0, 15.0, 4000)  # one winding's work by another road
     sine = (o := 8.0 + turns * RAD_PER_TURN * 0.5) / np.hypot(o, 130.0)
     damage = 20.0 * np.trapezoid(sine**2 * 0.5, turns * RAD_PER_TURN) / 1500.0
     ends = np.searchsorted(TOLD.time_s, TOLD.strokes_s[:, 3])
-    np.testing.assert_allclose(left[ends], (1.0 - damage * np.arange(1, 41)).clip(0.5**4) ** 0.25, rtol=2e-3)
-    losses = -np.diff(left[ends][left[ends] > 0.51])
+    np.testing.assert_allclose(intact_share[ends], (1.0 - damage * np.arange(1, 41)).clip(0.5**4) ** 0.25, rtol=2e-3)
+    losses = -np.diff(intact_share[ends][intact_share[ends] > 0.51])
     assert (np.diff(losses) > 0).all() and losses[-1] > 2.0 * losses[0]
 
 
@@ -156,15 +159,15 @@ def test_fatigue_carries_its_state_however_the_time_is_cut_and_says_when_the_str
     parameters = {"shares": [0.3, 0.2], "periods": [0.1, 0.4], "phases_rad": [0.5, 2.0]}
 
     def pulled(pieces):
-        one = bundle(**parameters)
+        fatigue = bundle(**parameters)
         friction = x_galling.Model(0.005, 0.1, gain=2.0, rough_turns=500.0)
-        string = String(GEOMETRY, [one, x_fatigue.Stretch(one), friction], STEP_S)
+        string = String(GEOMETRY, [fatigue, x_fatigue.Stretch(fatigue), friction], STEP_S)
         parts = zip(np.array_split(TOLD.motor_turns, pieces), np.array_split(TOLD.load_n, pieces), strict=True)
-        return np.concatenate([string.pull(*part) for part in parts]), one
+        return np.concatenate([string.pull(*part) for part in parts]), fatigue
 
-    (whole, one), (cut, _) = pulled(1), pulled(7)
+    (whole, fatigue), (cut, _) = pulled(1), pulled(7)
     np.testing.assert_allclose(cut, whole, atol=1e-9)
-    assert one.broken and not x_fatigue.Model(work_n_mm=1e9, held_s=1e9, sharing=4.0).broken
+    assert fatigue.broken and not x_fatigue.Model(work_n_mm=1e9, held_s=1e9, sharing=4.0).broken
 
 
 def test_galling_makes_the_loop_as_much_wider_as_it_says():

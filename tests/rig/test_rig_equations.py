@@ -29,9 +29,9 @@ def cells() -> dict[str, str]:
 
 
 def test_each_effect_of_the_library_has_a_row_and_each_row_its_function_word_for_word() -> None:
-    told = cells()
-    assert sorted(told) == [name for name in effects.names() if not name.startswith("x_")]
-    assert {name: cell for name, (cell, _, _) in EQUATIONS.items()} == told
+    table_cells = cells()
+    assert sorted(table_cells) == [name for name in effects.names() if not name.startswith("x_")]
+    assert {name: cell for name, (cell, _, _) in EQUATIONS.items()} == table_cells
 
 
 @pytest.mark.parametrize("name", EQUATIONS)
@@ -40,20 +40,20 @@ def test_an_effect_obeys_the_equation_of_its_row(name: str) -> None:
     bare = lived()
     does = effects.make(name, parameters).run(lived())
     answer = function(bare, parameters, does)
-    left, right = answer if isinstance(answer, tuple) else (does, answer)
-    assert np.ptp(left) > 0.0
-    off = np.abs(left - right) / np.ptp(left)
+    left_side, right = answer if isinstance(answer, tuple) else (does, answer)
+    assert np.ptp(left_side) > 0.0
+    off = np.abs(left_side - right) / np.ptp(left_side)
     assert np.mean(off > WITHIN.get(name, USUAL)) <= (1e-3 if name in JUMPS else 0.0), off.max()
 
 
 def test_a_tenth_of_the_stretch_comes_after_4_to_8_s() -> None:
     hidden = effects.concealed("axial_elasticity")
-    told = re.search(r"a (tenth) of it after (\d) to (\d) s", cells()["axial_elasticity"])
+    match = re.search(r"a (tenth) of it after (\d) to (\d) s", cells()["axial_elasticity"])
     drawn = [hidden.draw(SimpleNamespace(load_n=20.0), np.random.default_rng(seed)) for seed in range(200)]
     late_s = [parameters["late_s"] for parameters in drawn]
-    assert told is not None and np.mean([parameters["late"] for parameters in drawn]) == pytest.approx(0.1, abs=0.005)
-    assert min(late_s) == pytest.approx(float(told[2]), abs=0.1) and max(late_s) == pytest.approx(
-        float(told[3]), abs=0.1
+    assert match is not None and np.mean([parameters["late"] for parameters in drawn]) == pytest.approx(0.1, abs=0.005)
+    assert min(late_s) == pytest.approx(float(match[2]), abs=0.1) and max(late_s) == pytest.approx(
+        float(match[3]), abs=0.1
     )
     at = lived()
     at.load_n = np.where(np.arange(len(at.load_n)) * STEP_S < 5.0, 10.0, 20.0)

@@ -41,8 +41,8 @@ def test_a_second_rig_takes_no_link_of_a_live_one_and_a_stale_one_is_replaced(tm
     try:
         assert "Ctrl-C ends it" in first.stdout.readline()
         port = os.readlink(link)
-        _, said = (second := start(link)).communicate(timeout=300)
-        assert second.returncode == 2 and "another rig is there. Mend: end it, or choose another --link" in said
+        _, message = (second := start(link)).communicate(timeout=300)
+        assert second.returncode == 2 and "another rig is there. Mend: end it, or choose another --link" in message
         assert os.readlink(link) == port
         link.unlink()
         link.symlink_to("/dev/null")  # somebody else's by now
@@ -75,15 +75,15 @@ def test_the_rig_says_its_dimensions_its_pace_and_that_each_recording_is_a_new_s
         assert "every recording has 5 strokes; --strokes N is for another number" in strokes
         for name in ("example-1", "example-2"):
             run(*shlex.split(command(read_setup("small"), name, "small"))[2:], "--out", tmp_path)
-            said = run("pipeline.capture", "--", tmp_path / "port", tmp_path / name)
-            assert "Next: this rig's next recording is of another string" in said and "--like" not in said
+            printed = run("pipeline.capture", "--", tmp_path / "port", tmp_path / name)
+            assert "Next: this rig's next recording is of another string" in printed and "--like" not in printed
             assert json.loads((tmp_path / name / "capture.json").read_text())["hello"]["strokes"] == 5
-        said, _ = rig.communicate(timeout=300)
+        printed, _ = rig.communicate(timeout=300)
         later = f"example-{number_of(free_name(ROOT / 'raw')) + 1}"
         second = (
             f"before recording 2 describe its string, another one, by: {command(read_setup('small'), later, 'small')}"
         )
-        assert said.count(second) == 1 and "recording 3" not in said
+        assert printed.count(second) == 1 and "recording 3" not in printed
     finally:
         rig.kill()
         rig.communicate()
@@ -99,9 +99,9 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
         return run(*shlex.split(line)[2:], folder=tmp_path)
 
     try:
-        said = [rig.stdout.readline() for _ in range(5)]
-        assert "set to zero at each start, so every run after the first has --tare run" in said[3]
-        called(said[1].partition("by: ")[2])
+        lines = [rig.stdout.readline() for _ in range(5)]
+        assert "set to zero at each start, so every run after the first has --tare run" in lines[3]
+        called(lines[1].partition("by: ")[2])
         first = called(f"python -m pipeline.capture {tmp_path / 'port'} raw/example-1")
         assert "zero jumps" not in first and "14 of 14 strokes done" in first
         assert "Next: ask how long the string lasts by: python -m pipeline.lifespan raw/example-1 --out" in first
@@ -130,8 +130,8 @@ def test_a_string_that_stays_is_described_again_by_the_line_that_the_rig_says_an
 def test_a_rig_that_stays_powered_keeps_its_zero_and_asks_for_no_tare(tmp_path):
     rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2", "--standing", "--strokes", "4", "--seed", "0")
     try:
-        said = [rig.stdout.readline() for _ in range(4)]
-        assert "its displacement sensor keeps its zero from recording to recording, so no run needs --tare" in said[3]
+        lines = [rig.stdout.readline() for _ in range(4)]
+        assert "its displacement sensor keeps its zero from recording to recording, so no run needs --tare" in lines[3]
         for name in ("a-1", "a-2"):
             run("pipeline.capture", tmp_path / "port", tmp_path / name)
         later, _ = rig.communicate(timeout=300)
@@ -139,25 +139,25 @@ def test_a_rig_that_stays_powered_keeps_its_zero_and_asks_for_no_tare(tmp_path):
     finally:
         rig.kill()
         rig.communicate()
-    one, two = (
+    first_mm, two = (
         read_recording((tmp_path / name / "recording.frames").read_bytes()).channels["displacement_mm"]
         for name in ("a-1", "a-2")
     )
-    ends, begins = float(one[-20:].mean()), float(two[:20].mean())
+    ends, begins = float(first_mm[-20:].mean()), float(two[:20].mean())
     assert abs(begins - ends) < 0.2 * abs(ends), "it goes on where it was"
 
 
 def test_a_rig_whose_string_is_always_new_has_no_zero_to_keep(tmp_path):
     rig = start(tmp_path / "port", "--zeroed")
-    said = rig.communicate(timeout=300)[1]
-    assert rig.returncode == 2 and "--zeroed is for --standing" in said
+    message = rig.communicate(timeout=300)[1]
+    assert rig.returncode == 2 and "--zeroed is for --standing" in message
 
 
 def test_at_a_pace_the_rig_says_how_many_samples_a_second_come(tmp_path):
     rig = start(tmp_path / "port")
     try:
-        said = rig.stdout.readline()
-        assert "at 5 times real time, so its 20 samples a second come as 100; Ctrl-C ends it" in said
+        line = rig.stdout.readline()
+        assert "at 5 times real time, so its 20 samples a second come as 100; Ctrl-C ends it" in line
     finally:
         rig.kill()
         rig.communicate()
@@ -185,15 +185,15 @@ def test_the_line_that_the_rig_says_names_a_run_that_is_not_there_yet_and_works_
     rig = start(tmp_path / "port", folder=tmp_path)
     try:
         assert "Ctrl-C ends it" in rig.stdout.readline()
-        said = rig.stdout.readline().rstrip("\n")
+        line = rig.stdout.readline().rstrip("\n")
     finally:
         rig.kill()
         rig.communicate()
     assert (
-        said == f"rig: before recording 1 describe its string by: {command(read_setup('small'), 'example-2', 'small')}"
+        line == f"rig: before recording 1 describe its string by: {command(read_setup('small'), 'example-2', 'small')}"
     )
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "argv", shlex.split(said.partition("by: ")[2])[2:])
+    monkeypatch.setattr(sys, "argv", shlex.split(line.partition("by: ")[2])[2:])
     with pytest.raises(SystemExit) as ended:
         new_run()
     assert not ended.value.code and read_run(tmp_path / "raw" / "example-2").string_id == "example-2"

@@ -43,13 +43,13 @@ def errors(request):
     measured_mm = measured_mm + np.median((model_mm - measured_mm)[resting])
     forward_mm = np.abs(model_mm - measured_mm)
     inverse_turns = np.abs(geometry.motor_turns(measured_mm, LOAD_N) - turns)
-    found: dict[str, list[list[float]]] = {"all": [], "held out": []}
+    summaries: dict[str, list[list[float]]] = {"all": [], "held out": []}
     for stroke in PAPER:
         winding = np.flatnonzero((stroke_of == stroke) & (phase == "winding"))
         block = blocks_from_top(len(winding))
         for name, points in (("all", winding), ("held out", winding[held_out(block, np.array(stroke))])):
-            found[name].append(summary(forward_mm[points]) + summary(inverse_turns[points]))
-    return {name: np.array(rows) / list(PAPER.values()) - 1.0 for name, rows in found.items()}
+            summaries[name].append(summary(forward_mm[points]) + summary(inverse_turns[points]))
+    return {name: np.array(rows) / list(PAPER.values()) - 1.0 for name, rows in summaries.items()}
 
 
 @pytest.mark.parametrize("samples", BANDS)
@@ -62,10 +62,10 @@ def test_the_traditional_model_lands_on_the_papers_rows(errors, samples):
 
 def test_there_are_5000_winding_samples_in_nine_strokes():
     setup = read_setup("paper")
-    told = commands(setup.motion, 1.0 / setup.rate_hz)
-    assert len(told.strokes_s) == 9
-    assert told.motor_turns.max() == pytest.approx(27.2) and told.motor_turns.min() == 0
-    assert np.diff(told.strokes_s[:, :2]).sum() * setup.rate_hz >= 5000
+    trajectory = commands(setup.motion, 1.0 / setup.rate_hz)
+    assert len(trajectory.strokes_s) == 9
+    assert trajectory.motor_turns.max() == pytest.approx(27.2) and trajectory.motor_turns.min() == 0
+    assert np.diff(trajectory.strokes_s[:, :2]).sum() * setup.rate_hz >= 5000
 
 
 @pytest.mark.long
@@ -74,8 +74,8 @@ def test_the_paper_rig_is_recorded_by_the_real_programs(tmp_path):
     command = [sys.executable, "-m", "pipeline.rig.record", "paper", str(folder), "--seed", "1"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
-    said = json.loads((folder / "capture.json").read_text())
-    assert said["exit_status"] == "complete" and said["frames"]["lost"] == 0
+    info = json.loads((folder / "capture.json").read_text())
+    assert info["exit_status"] == "complete" and info["frames"]["lost"] == 0
     assert "run.yaml" not in done.stdout
 
 

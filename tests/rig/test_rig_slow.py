@@ -38,13 +38,13 @@ def served(device: Slow, beats: int) -> None:
     """The device is told START, and then so many times that somebody is there, while it thinks."""
     ours, theirs = pty.openpty()
     tty.setraw(theirs)
-    one = threading.Thread(target=serve, args=(ours, device, 1.0), daemon=True)
-    one.start()
+    server = threading.Thread(target=serve, args=(ours, device, 1.0), daemon=True)
+    server.start()
     os.write(theirs, encode(Kind.START, 0))
     for number in range(beats):
         time.sleep(0.1)
         os.write(theirs, encode(Kind.BEAT, number))
-    one.join(timeout=60)
+    server.join(timeout=60)
     os.close(ours)
     os.close(theirs)
 

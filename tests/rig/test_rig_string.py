@@ -19,10 +19,12 @@ TOLD = commands(Motion.model_validate({"rest_s": 2, "strokes": [STROKES]}), 0.02
 EFFECTS = read_setup("paper").effects
 
 
-def pulled(*names: str, told=TOLD) -> np.ndarray:
+def pulled(*names: str, trajectory=TOLD) -> np.ndarray:
     """Contraction with these effects, less the analytic one, in mm."""
     string = String(GEOMETRY, [effects.make(name, EFFECTS.get(name, {})) for name in names], 0.02)
-    return string.pull(told.motor_turns, told.load_n) - GEOMETRY.contraction_mm(told.motor_turns, told.load_n)
+    return string.pull(trajectory.motor_turns, trajectory.load_n) - GEOMETRY.contraction_mm(
+        trajectory.motor_turns, trajectory.load_n
+    )
 
 
 def at(error_mm: np.ndarray, time_s: float) -> float:
@@ -52,9 +54,9 @@ def test_each_effect_carries_its_state_however_the_time_is_cut(name):
 
 def test_compaction_follows_the_twist_and_leaves_nothing_behind():
     error_mm = pulled("radius_compaction")
-    start, wound, held, end = TOLD.strokes_s[0]
-    assert at(error_mm, held - 0.1) < -2.0
-    assert at(error_mm, (start + wound) / 2) == pytest.approx(at(error_mm, (held + end) / 2), abs=0.02)
+    start, wound, hold_end, end = TOLD.strokes_s[0]
+    assert at(error_mm, hold_end - 0.1) < -2.0
+    assert at(error_mm, (start + wound) / 2) == pytest.approx(at(error_mm, (hold_end + end) / 2), abs=0.02)
     assert abs(at(error_mm, end + 5)) < 0.02
 
 
@@ -68,16 +70,16 @@ def test_plastic_elongation_grows_from_stroke_to_stroke_and_stays():
 
 def test_friction_opens_a_loop_as_wide_as_its_play():
     error_mm = pulled("friction_hysteresis")
-    start, wound, held, end = TOLD.strokes_s[1]
-    gap_mm = at(error_mm, (held + end) / 2) - at(error_mm, (start + wound) / 2)
+    start, wound, hold_end, end = TOLD.strokes_s[1]
+    gap_mm = at(error_mm, (hold_end + end) / 2) - at(error_mm, (start + wound) / 2)
     slope = float(GEOMETRY.slope_mm_per_turn(12.5, 20.0))
     assert gap_mm / slope == pytest.approx(0.20, abs=0.01)
 
 
 def test_creep_goes_on_while_holding_and_comes_back_while_resting():
     error_mm = pulled("creep")
-    _, wound, held, end = TOLD.strokes_s[0]
-    assert at(error_mm, held) < at(error_mm, wound) - 0.003
+    _, wound, hold_end, end = TOLD.strokes_s[0]
+    assert at(error_mm, hold_end) < at(error_mm, wound) - 0.003
     assert at(error_mm, end + 9) > at(error_mm, end) + 0.003
 
 

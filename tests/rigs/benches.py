@@ -57,8 +57,8 @@ def oscillator(seed: int, hardening: float = 0.0, rows: int = 4000) -> pd.DataFr
         volt = 0.5 * (drive[k] + drive[min(k + 1, len(clock) - 1)])
         first, second = first + step * current(volt, half, middle), second + step * natural * half
     read = output[::fine] + 5e-6 * random.standard_normal(rows)
-    asked = drive[::fine] + 1e-4 * random.standard_normal(rows)
-    return pd.DataFrame({"V1": asked.round(6), "V2": read.round(7)})
+    measured_drive = drive[::fine] + 1e-4 * random.standard_normal(rows)
+    return pd.DataFrame({"V1": measured_drive.round(6), "V2": read.round(7)})
 
 
 def servo(seed: int, rubs_nm: float = 0.0, seconds: float = 24.0) -> dict:
@@ -106,9 +106,9 @@ def creeping_axis(seed: int, coulomb_nm: float, sticks_nm: float = 0.0, drags_nm
     clock = np.arange(0.0, seconds, 0.004)
     paces = np.array([1.0, -1.0, 0.5, -0.5, 0.09, -0.09, 0.03, -0.03, 1.0, -1.0, 0.06, -0.06, 0.02, -0.02])
     knots = np.linspace(0.0, seconds, len(paces) + 1)
-    asked = paces[np.minimum(np.searchsorted(knots, clock, "right") - 1, len(paces) - 1)]
+    commanded_pace = paces[np.minimum(np.searchsorted(knots, clock, "right") - 1, len(paces) - 1)]
     window = np.hanning(101)
-    pace = np.convolve(np.pad(asked, 50, "edge"), window / window.sum(), "valid")
+    pace = np.convolve(np.pad(commanded_pace, 50, "edge"), window / window.sum(), "valid")
     place = np.cumsum(pace) * 0.004
     grip = coulomb_nm + sticks_nm / (1.0 + (pace / 0.05) ** 2)
     torque = (
@@ -133,8 +133,8 @@ def sheath(seed: int, grips_mm: float = 0.0, seconds: float = 40.0) -> pd.DataFr
             elif at - ahead > grip:
                 at = ahead + grip
             part[k] = at
-    held = parts.mean(axis=0)
-    tip = held / 12.3 * 180.0 / math.pi + 31.0 + 0.15 * random.standard_normal(len(clock))
+    mean_pull = parts.mean(axis=0)
+    tip = mean_pull / 12.3 * 180.0 / math.pi + 31.0 + 0.15 * random.standard_normal(len(clock))
     return pd.DataFrame({"time": clock.round(3), "pull": pull.round(4), "tip": tip.round(3)})
 
 

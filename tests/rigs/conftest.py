@@ -24,8 +24,8 @@ def diagnosed(tmp_path):
     def make(file, mapping, simulation=(), /, **changes):
         content = yaml.safe_load((ROOT / "pipeline" / "mappings" / f"{mapping}.yaml").read_text())
         content |= {"simulation": list(simulation)}
-        for section, told in changes.items():
-            content[section] = {**content.get(section, {}), **told}
+        for section, overrides in changes.items():
+            content[section] = {**content.get(section, {}), **overrides}
         name = f"{mapping.replace('_', '-')}-{len(list(tmp_path.glob('*.yaml')))}"
         path = tmp_path / f"{name}.yaml"
         path.write_text(yaml.safe_dump(content))

@@ -49,9 +49,9 @@ def planned(path: Path, step_s: float) -> Path:
 
 
 def simulated(folder: Path, motion: Path, out: Path, *options: str):
-    told = folder.parents[1] / "dia" / folder.name / "diagnosis.json"
-    given = ["pipeline.simulate", folder, "--simulation", told, "--motion", motion, "--out", out, *options]
-    return programs.run(*given)
+    diagnosis_path = folder.parents[1] / "dia" / folder.name / "diagnosis.json"
+    command = ["pipeline.simulate", folder, "--simulation", diagnosis_path, "--motion", motion, "--out", out, *options]
+    return programs.run(*command)
 
 
 def test_the_loop_that_is_foretold_is_that_of_the_friction_without_what_accelerates_the_mass(rubbing):
@@ -157,8 +157,8 @@ def test_corners_of_a_mass_are_refused_with_what_to_give(rubbing, tmp_path, step
 
 
 def test_the_numbers_that_it_adopted_are_explained_without_a_string(rubbing):
-    said = program("pipeline.adopt", rubbing.parents[1] / "dia" / rubbing.name / "diagnosis.json", rubbing)
-    assert "another run of the rig" in " ".join(said.split())
+    output = program("pipeline.adopt", rubbing.parents[1] / "dia" / rubbing.name / "diagnosis.json", rubbing)
+    assert "another run of the rig" in " ".join(output.split())
     printed = program("pipeline.adopt", "--explain", rubbing)
     assert not re.search(r"^ *$", printed.rstrip("\n"), re.M), (
         "a formula whose letters need no words left an empty line"

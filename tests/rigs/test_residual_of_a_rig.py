@@ -17,8 +17,10 @@ def test_a_black_box_learns_the_friction_of_an_axis_that_the_library_may_not_nam
         ("pipeline.diagnose", raw / "axis", "--out", out, *lacking),
     ):
         assert programs.run(*words).returncode == 0
-    found, answer = out / "axis" / "diagnosis.json", tmp_path / "answer.csv"
-    done = programs.run("pipeline.simulate", raw / "axis", "--simulation", found, "--residual", "--out", answer)
+    diagnosis_path, answer = out / "axis" / "diagnosis.json", tmp_path / "answer.csv"
+    done = programs.run(
+        "pipeline.simulate", raw / "axis", "--simulation", diagnosis_path, "--residual", "--out", answer
+    )
     assert done.returncode == 0 and "Nm with it: it helps. Add it to torque_nm to predict" in done.stdout
     table = pd.read_csv(answer)
     assert list(table) == ["time_s", "torque_nm", "residual_nm", "residual_low_nm", "residual_high_nm"]

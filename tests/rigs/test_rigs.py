@@ -34,13 +34,13 @@ def one_name(content, id_):
 
 def named(content):
     """What a verdict names, by id."""
-    return {one["id"]: one for one in content["mechanisms"]}
+    return {mechanism["id"]: mechanism for mechanism in content["mechanisms"]}
 
 
 def own(content):
     """What a verdict names of mechanisms whose ids begin with `x_`, by id."""
     assert content["verdict"] == "unknown"
-    return {one["id"]: one for one in content["of_your_own"]["mechanisms"]}
+    return {mechanism["id"]: mechanism for mechanism in content["of_your_own"]["mechanisms"]}
 
 
 def held_out(content):
@@ -60,9 +60,11 @@ def test_tanks_that_overflow_are_told_from_tanks_that_do_not(tmp_path, diagnosed
     content = diagnosed(written(benches.tanks(1), file), "cascaded_tanks", **SMALL_TANKS)
     assert content["verdict"] in NOTHING
     content = diagnosed(written(benches.tanks(2, rim_cm=20.0), file), "cascaded_tanks", **SMALL_TANKS)
-    found = own(content)
-    assert set(found) == {"x_overflow"}
-    assert found["x_overflow"]["parameters"]["rim_v"]["value"] == pytest.approx(20.0 / 2.5 - 13.2 / 2.5, abs=0.15)
+    named_mechanisms = own(content)
+    assert set(named_mechanisms) == {"x_overflow"}
+    assert named_mechanisms["x_overflow"]["parameters"]["rim_v"]["value"] == pytest.approx(
+        20.0 / 2.5 - 13.2 / 2.5, abs=0.15
+    )
     better = diagnosed(file, "cascaded_tanks", content["of_your_own"]["simulation"], **SMALL_TANKS)
     assert better["verdict"] in NOTHING
     assert held_out(better)[1] < 0.2 * held_out(content)[1]
@@ -93,9 +95,11 @@ def test_a_circuit_whose_spring_is_cubic_is_told_from_a_straight_one(tmp_path, d
     samples = benches.oscillator(2, hardening=4.0)
     savemat(file, {name: samples[name].to_numpy()[None] for name in samples})
     content = diagnosed(file, "silverbox", **SLOW_CIRCUIT)
-    found = own(content)
-    assert set(found) == {"x_cubic_spring"}
-    assert found["x_cubic_spring"]["parameters"]["cubic_v_per_v3"]["value"] == pytest.approx(4.0 / 0.97, rel=0.05)
+    named_mechanisms = own(content)
+    assert set(named_mechanisms) == {"x_cubic_spring"}
+    assert named_mechanisms["x_cubic_spring"]["parameters"]["cubic_v_per_v3"]["value"] == pytest.approx(
+        4.0 / 0.97, rel=0.05
+    )
     better = diagnosed(file, "silverbox", content["of_your_own"]["simulation"], **SLOW_CIRCUIT)
     assert better["verdict"] in NOTHING
     assert held_out(better)[1] < 0.2 * held_out(content)[1]
@@ -122,10 +126,14 @@ def test_an_axis_whose_bearing_rubs_and_drags_is_told_from_a_free_one(tmp_path, 
     assert content["verdict"] in NOTHING
     assert content["parameters"]["inertia_kg_m2"]["value"] == pytest.approx(31.5, rel=0.01)
     content = diagnosed(written(benches.axis(2, coulomb_nm=12.0, viscous_nm_s=6.0), file), "robot_axis")
-    found = named(content)
-    assert content["verdict"] == "ambiguous" and set(found) == {"friction_hysteresis", "viscous_loss"}
-    assert found["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
-    assert found["viscous_loss"]["parameters"]["straight_nm_per_rad_s"]["value"] == pytest.approx(6.0, rel=0.1)
+    named_mechanisms = named(content)
+    assert content["verdict"] == "ambiguous" and set(named_mechanisms) == {"friction_hysteresis", "viscous_loss"}
+    assert named_mechanisms["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(
+        12.0, rel=0.05
+    )
+    assert named_mechanisms["viscous_loss"]["parameters"]["straight_nm_per_rad_s"]["value"] == pytest.approx(
+        6.0, rel=0.1
+    )
     assert held_out(content)[2] < 0.1 * held_out(content)[1]
 
 
@@ -135,12 +143,14 @@ def test_an_axis_that_sticks_where_it_creeps_is_told_from_one_that_slides_at_eac
     content = diagnosed(written(benches.creeping_axis(3, coulomb_nm=12.0), file), "robot_axis")
     assert one_name(content, "friction_hysteresis")["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
     content = diagnosed(written(benches.creeping_axis(3, coulomb_nm=12.0, sticks_nm=8.0), file), "robot_axis")
-    found = named(content)
-    assert content["verdict"] == "explained" and set(found) == {"friction_hysteresis", "x_stribeck"}
-    assert found["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(12.0, rel=0.05)
-    sticks = found["x_stribeck"]["parameters"]
+    named_mechanisms = named(content)
+    assert content["verdict"] == "explained" and set(named_mechanisms) == {"friction_hysteresis", "x_stribeck"}
+    assert named_mechanisms["friction_hysteresis"]["parameters"]["half_loop_nm"]["value"] == pytest.approx(
+        12.0, rel=0.05
+    )
+    sticks = named_mechanisms["x_stribeck"]["parameters"]
     assert 4.0 < sticks["more_nm"]["value"] < 9.0 and 0.02 < sticks["falls_rad_per_s"]["value"] < 0.2
-    assert "Friction is higher where the " in found["x_stribeck"]["sentence"]
+    assert "Friction is higher where the " in named_mechanisms["x_stribeck"]["sentence"]
 
 
 def test_a_recording_that_never_creeps_cannot_show_what_sticks(tmp_path):

@@ -75,8 +75,8 @@ def test_a_hold_lasts_a_quarter_of_a_second_at_least():
     shortest = []
     for count in range(8, 48):
         table = phases([(0, 0), (5, 10), (5 + count / 64, 10), (10 + count / 64, 20), (20 + count / 64, 0)])
-        held = table[table["phase"] == "hold"]
-        shortest += (held["end_s"] - held["start_s"]).tolist()
+        holds = table[table["phase"] == "hold"]
+        shortest += (holds["end_s"] - holds["start_s"]).tolist()
     assert min(shortest) == 0.25
 
 
@@ -149,8 +149,8 @@ def test_samples_that_are_missing_are_counted_in_the_stretch_that_they_are_missi
     assert segment(table, "motor_turns", "here")["missing_samples"].tolist() == [2, lost]
 
 
-@pytest.mark.parametrize(("share", "held"), [(0.4, True), (0.6, False)])
-def test_a_leg_of_which_half_is_small_steps_moves_in_them_too(share, held):
+@pytest.mark.parametrize(("share", "has_hold"), [(0.4, True), (0.6, False)])
+def test_a_leg_of_which_half_is_small_steps_moves_in_them_too(share, has_hold):
     """Steps of less than a hundredth of the range between stands: jitter of a stand, or how a motor winds slowly."""
     corners, steps = [(0.0, 0.0), (10.0, 20.0 * (1.0 - share))], round(20.0 * share / 0.16)
     for number in range(1, steps + 1):
@@ -158,4 +158,4 @@ def test_a_leg_of_which_half_is_small_steps_moves_in_them_too(share, held):
         corners += [(corners[-1][0] + 0.1, level), (corners[-1][0] + 1.1, level)]
     corners += [(corners[-1][0] + 10, 0.0), (corners[-1][0] + 13, 0.0)]
     table = phases(corners, rate_hz=50.0)
-    assert ((table["phase"] == "hold").sum() == 1) == held, table["phase"].tolist()
+    assert ((table["phase"] == "hold").sum() == 1) == has_hold, table["phase"].tolist()

@@ -447,7 +447,7 @@ def test_five_hertz_are_a_rate_of_a_rig_however_the_stamps_round(make_run, first
 
 
 @pytest.mark.parametrize(
-    ("load_n", "changes", "asked"),
+    ("load_n", "changes", "is_questioned"),
     [
         (lambda v: v / 1000.0, {}, True),
         (lambda v: v / 1000.0, {"channels": {"load_n": {"unit": "mN", "scale": 1000.0}}}, False),
@@ -457,9 +457,13 @@ def test_five_hertz_are_a_rate_of_a_rig_however_the_stamps_round(make_run, first
     ],
     ids=["kN", "said", "none", "noise", "thin"],
 )
-def test_a_load_that_is_next_to_none_is_questioned(make_run, load_n, changes, asked):
+def test_a_load_that_is_next_to_none_is_questioned(make_run, load_n, changes, is_questioned):
     samples = spoiled("load_n", load_n)
     samples["displacement_mm"] *= 0.012 if "string" in changes else 1.0  # a thin string contracts by less
     folder = make_run("a-01", samples, **changes)
-    found = [str(question) for question in questions(*read_samples(folder), folder) if question.field == "load_n"]
-    assert len(found) == asked and all("kN? Then set channels.load_n.unit to 'kN'" in each for each in found)
+    load_questions = [
+        str(question) for question in questions(*read_samples(folder), folder) if question.field == "load_n"
+    ]
+    assert len(load_questions) == is_questioned and all(
+        "kN? Then set channels.load_n.unit to 'kN'" in each for each in load_questions
+    )

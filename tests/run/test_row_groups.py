@@ -67,12 +67,12 @@ def test_strokes_in_pieces_are_those_of_marks_for_every_sample(seed, short_piece
     whole, pieces = outcome(segment_whole, table), outcome(segment, table)
     assert whole.equals(pieces) if isinstance(whole, pd.DataFrame) else whole == pieces
     marks = [cut(table["time_s"].to_numpy(), table["motor_turns"].to_numpy()) for cut in (label_whole, label)]
-    assert all((one == other).all() for one, other in zip(*marks, strict=True))
+    assert all((whole_labels == other).all() for whole_labels, other in zip(*marks, strict=True))
 
 
 def test_some_spoiled_motions_hold_strokes_and_some_hold_none():
-    told = [outcome(segment_whole, spoiled(seed)) for seed in range(60) if len(spoiled(seed)) >= 20]
-    assert 10 < sum(isinstance(one, pd.DataFrame) for one in told) < len(told)
+    outcomes = [outcome(segment_whole, spoiled(seed)) for seed in range(60) if len(spoiled(seed)) >= 20]
+    assert 10 < sum(isinstance(answer, pd.DataFrame) for answer in outcomes) < len(outcomes)
 
 
 @pytest.mark.parametrize("suffix", [".parquet", ".csv", ".csv.gz"])
@@ -143,9 +143,9 @@ def test_times_of_day_go_on_from_piece_to_piece_and_past_midnight(make_run, tmp_
 
 def test_a_run_on_disk_has_the_tare_the_noise_and_the_rests_of_one_in_memory(make_run, tmp_path, short_pieces):
     folder = make_run("a-01", recording(4))
-    held, stored = read(folder), read_long(folder, tmp_path / "samples.parquet")
-    assert isinstance(stored.samples, Stored) and isinstance(held.samples, pd.DataFrame)
-    assert stored.span_s == held.span_s and stored.level_mm(0, 40) == held.level_mm(0, 40)
+    run_in_memory, stored = read(folder), read_long(folder, tmp_path / "samples.parquet")
+    assert isinstance(stored.samples, Stored) and isinstance(run_in_memory.samples, pd.DataFrame)
+    assert stored.span_s == run_in_memory.span_s and stored.level_mm(0, 40) == run_in_memory.level_mm(0, 40)
 
 
 MAIN = (
@@ -185,12 +185,12 @@ def test_a_captured_run_in_pieces_is_the_one_that_is_read_whole(tmp_path, monkey
     path.write_bytes(data)
     info = recover(folder)
     assert info["frames"]["lost"] in (2, 3) and info["samples"]["received"] == 36_000 - info["frames"]["lost"]
-    made = []
+    table_bytes = []
     for piece in (1 << 30, size):
         monkeypatch.setattr(wire, "PIECE", piece)
         run, *_ = stored_strokes(folder, tmp_path / f"{piece}.parquet")
-        made.append((tmp_path / f"{piece}.parquet").read_bytes())
-    assert made[0] == made[1] and len(data) > 10 * size and run.run == "a-01"
+        table_bytes.append((tmp_path / f"{piece}.parquet").read_bytes())
+    assert table_bytes[0] == table_bytes[1] and len(data) > 10 * size and run.run == "a-01"
     _, samples = read_samples(folder)
     assert len(samples) == info["samples"]["received"]
     _, turns, *_ = long_recordings.motion(0, 36_000, np.random.default_rng(1))

@@ -183,8 +183,8 @@ def test_recording_must_be_one_and_finished(make_run):
     with pytest.raises(BadInput, match=r"capture\.json: is missing, so the recording is unfinished"):
         recording_path(folder)
     (folder / "recording.frames").rename(folder / "recording.lines")
-    for there in ((), ("recording.csv",)):  # killed before, and while, the lines became a table
-        for name in there:
+    for present_files in ((), ("recording.csv",)):  # killed before, and while, the lines became a table
+        for name in present_files:
             (folder / name).write_text("x")
         with pytest.raises(BadInput, match=r"is unfinished. Mend: wait .* python -m pipeline.capture --recover .*a-01"):
             recording_path(folder)

@@ -99,5 +99,5 @@ def borders_with_spikes(table):
 def test_the_table_of_strokes_says_what_the_label_of_each_sample_says():
     table = recording(4)
     marks = label(table["time_s"].to_numpy(), table["motor_turns"].to_numpy())
-    for given, kept in zip(marks, of_samples(segment(table, "motor_turns", "made")), strict=True):
-        np.testing.assert_array_equal(given, kept)
+    for sample_labels, kept in zip(marks, of_samples(segment(table, "motor_turns", "made")), strict=True):
+        np.testing.assert_array_equal(sample_labels, kept)

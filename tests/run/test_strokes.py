@@ -30,8 +30,8 @@ FULL = [(n, phase) for n in (1, 2, 3) for phase in ("winding", "hold", "unwindin
 @pytest.mark.parametrize("noise_turns", [0.0, 0.003])
 @pytest.mark.parametrize("rate_hz", [10.0, 50.0, 1000.0])
 def test_clean_protocol(rate_hz, noise_turns):
-    found, table = phases_of(motion(3), rate_hz=rate_hz, noise_turns=noise_turns)
-    assert found == [(0, "rest"), *FULL]
+    stroke_phases, table = phases_of(motion(3), rate_hz=rate_hz, noise_turns=noise_turns)
+    assert stroke_phases == [(0, "rest"), *FULL]
     assert table["complete"][1:].all()
 
 
@@ -43,40 +43,40 @@ def test_boundaries_lie_where_the_motor_starts_and_stops():
 
 
 def test_last_winding_without_unwinding_is_a_partial_stroke():
-    found, table = phases_of(motion(3)[:-3])
-    assert found[-1] == (3, "winding")
+    stroke_phases, table = phases_of(motion(3)[:-3])
+    assert stroke_phases[-1] == (3, "winding")
     assert table.groupby("stroke")["complete"].first().to_dict() == {0: False, 1: True, 2: True, 3: False}
 
 
 def test_small_reversals_stay_inside_their_stroke():
     corners = [(0, 0), (5, 20), (6, 16), (7, 20), (12, 0), (17, 20), (22, 0)]
-    found, _ = phases_of(corners)
-    assert max(stroke for stroke, _ in found) == 2
-    assert found[:4] == [(1, "winding"), (1, "unwinding"), (1, "winding"), (1, "unwinding")]
+    stroke_phases, _ = phases_of(corners)
+    assert max(stroke for stroke, _ in stroke_phases) == 2
+    assert stroke_phases[:4] == [(1, "winding"), (1, "unwinding"), (1, "winding"), (1, "unwinding")]
 
 
 def test_a_reversal_of_a_third_makes_a_new_stroke():
-    found, _ = phases_of([(0, 0), (5, 20), (7, 13), (9, 20), (14, 0)])
-    assert max(stroke for stroke, _ in found) == 2
+    stroke_phases, _ = phases_of([(0, 0), (5, 20), (7, 13), (9, 20), (14, 0)])
+    assert max(stroke for stroke, _ in stroke_phases) == 2
 
 
 def test_partial_strokes_count():
     corners = [(0, 0), (10, 20), (20, 0), (25, 10), (30, 0), (33, 6), (36, 0)]
-    found, _ = phases_of(corners)
-    assert max(stroke for stroke, _ in found) == 3
+    stroke_phases, _ = phases_of(corners)
+    assert max(stroke for stroke, _ in stroke_phases) == 3
 
 
 def test_dwells_half_way_are_holds_and_split_nothing():
     corners = [(0, 0), (5, 10), (15, 10), (20, 20), (25, 8), (40, 8), (44, 0), (50, 0), (60, 20), (70, 0)]
-    found, _ = phases_of(corners)
-    one = ["winding", "hold", "winding", "unwinding", "hold", "unwinding", "rest"]
-    assert found == [*((1, phase) for phase in one), (2, "winding"), (2, "unwinding")]
+    stroke_phases, _ = phases_of(corners)
+    first_phases = ["winding", "hold", "winding", "unwinding", "hold", "unwinding", "rest"]
+    assert stroke_phases == [*((1, phase) for phase in first_phases), (2, "winding"), (2, "unwinding")]
 
 
 def test_unwinding_before_the_first_winding_is_no_stroke():
-    found, _ = phases_of([(0, 20), (10, 0), (12, 0), (22, 20), (32, 0)])
-    assert found[:2] == [(0, "unwinding"), (0, "rest")]
-    assert found[2:] == [(1, "winding"), (1, "unwinding")]
+    stroke_phases, _ = phases_of([(0, 20), (10, 0), (12, 0), (22, 20), (32, 0)])
+    assert stroke_phases[:2] == [(0, "unwinding"), (0, "rest")]
+    assert stroke_phases[2:] == [(1, "winding"), (1, "unwinding")]
 
 
 def test_sinusoid_that_starts_half_way():
@@ -95,11 +95,11 @@ def test_gaps_dropped_samples_jitter_and_outliers_change_nothing():
     keep[400:450] = False  # a second of nothing, within the first winding
     time_s, turns = time_s[keep] + rng.uniform(0, 0.008, keep.sum()), turns[keep].copy()
     turns[rng.choice(len(turns), 5, replace=False)] += 40.0
-    found = segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns}), "motor_turns", "here")
-    assert found["stroke"].tolist() == expected["stroke"].tolist()
-    assert found["phase"].tolist() == expected["phase"].tolist()
-    assert found["end_s"].to_numpy() == pytest.approx(expected["end_s"].to_numpy(), abs=0.2)
-    assert found["missing_samples"].sum() == pytest.approx((~keep).sum(), abs=3)
+    stroke_table = segment(pd.DataFrame({"time_s": time_s, "motor_turns": turns}), "motor_turns", "here")
+    assert stroke_table["stroke"].tolist() == expected["stroke"].tolist()
+    assert stroke_table["phase"].tolist() == expected["phase"].tolist()
+    assert stroke_table["end_s"].to_numpy() == pytest.approx(expected["end_s"].to_numpy(), abs=0.2)
+    assert stroke_table["missing_samples"].sum() == pytest.approx((~keep).sum(), abs=3)
 
 
 def test_slow_and_fast_strokes_in_one_run():
@@ -108,8 +108,11 @@ def test_slow_and_fast_strokes_in_one_run():
         for duration, turns in ((27 / speed, 27.0), (27 / speed, 0.0), (2.0, 0.0)):
             at += duration
             corners.append((at, turns))
-    found, _ = phases_of(corners, noise_turns=0.002)
-    assert found == [(0, "rest"), *((n, phase) for n in (1, 2, 3) for phase in ("winding", "unwinding", "rest"))]
+    stroke_phases, _ = phases_of(corners, noise_turns=0.002)
+    assert stroke_phases == [
+        (0, "rest"),
+        *((n, phase) for n in (1, 2, 3) for phase in ("winding", "unwinding", "rest")),
+    ]
 
 
 @settings(max_examples=50)
@@ -154,15 +157,15 @@ def test_every_sample_has_one_stretch():
 
 @pytest.mark.parametrize(("back", "strokes"), [(0.24, 1), (0.26, 2)])
 def test_a_quarter_of_the_range_parts_strokes(back, strokes):
-    found, _ = phases_of([(0, 0), (10, 20), (13, 20 * (1 - back)), (16, 20), (26, 0)])
-    assert max(stroke for stroke, _ in found) == strokes
+    stroke_phases, _ = phases_of([(0, 0), (10, 20), (13, 20 * (1 - back)), (16, 20), (26, 0)])
+    assert max(stroke for stroke, _ in stroke_phases) == strokes
 
 
 @pytest.mark.parametrize(("level", "phase"), [(0.04, "rest"), (0.06, "hold")])
 def test_a_rest_is_a_hold_within_five_percent_of_the_lowest_twist(level, phase):
     low = 20 * level
-    found, _ = phases_of([(0, 0), (10, 20), (20, low), (25, low), (35, 20), (45, 0), (48, 0)])
-    assert found[2] == (1, phase)
+    stroke_phases, _ = phases_of([(0, 0), (10, 20), (20, low), (25, low), (35, 20), (45, 0), (48, 0)])
+    assert stroke_phases[2] == (1, phase)
 
 
 @pytest.mark.parametrize("noise_turns", [0.01, 0.03])
@@ -180,8 +183,8 @@ def test_a_winding_in_small_steps_is_a_winding(step):
     for number in range(1, round(20 / step) + 1):
         corners += [(corners[-1][0] + 0.1, step * number), (corners[-1][0] + 1.1, step * number)]
     corners += [(corners[-1][0] + 10, 0.0), (corners[-1][0] + 13, 0.0)]
-    found, table = phases_of(corners)
-    assert (1, "winding") in found and (1, "unwinding") in found and table["stroke"].max() == 1
+    stroke_phases, table = phases_of(corners)
+    assert (1, "winding") in stroke_phases and (1, "unwinding") in stroke_phases and table["stroke"].max() == 1
 
 
 def test_a_twist_of_less_than_a_tenth_of_a_turn_is_no_stroke():
@@ -214,12 +217,12 @@ def test_a_beginning_as_large_as_a_reversal_is_a_leg_of_its_own():
     assert turning_points(np.array([0.0, 0.9, -2.0]), 1.0).tolist() == [0, 2]
 
 
-@pytest.mark.parametrize(("stand_s", "held"), [(0.40, False), (0.60, True)])
+@pytest.mark.parametrize(("stand_s", "has_hold"), [(0.40, False), (0.60, True)])
 @pytest.mark.parametrize("rate_hz", [50.0, 1000.0])
-def test_the_speed_is_taken_over_a_tenth_of_a_second_on_either_side_at_any_rate(rate_hz, stand_s, held):
+def test_the_speed_is_taken_over_a_tenth_of_a_second_on_either_side_at_any_rate(rate_hz, stand_s, has_hold):
     corners = [(0, 0), (5, 10), (5 + stand_s, 10), (10 + stand_s, 20), (20 + stand_s, 0)]
-    found, _ = phases_of(corners, rate_hz=rate_hz)
-    assert ((1, "hold") in found) is held
+    stroke_phases, _ = phases_of(corners, rate_hz=rate_hz)
+    assert ((1, "hold") in stroke_phases) is has_hold
 
 
 def test_an_unwinding_half_way_down_in_small_steps_is_no_hold():
@@ -227,14 +230,14 @@ def test_an_unwinding_half_way_down_in_small_steps_is_no_hold():
     for number in range(1, 64):
         corners += [(corners[-1][0] + 0.1, 20 - 0.16 * number), (corners[-1][0] + 1.1, 20 - 0.16 * number)]
     corners += [(corners[-1][0] + 10, 20.0), (corners[-1][0] + 20, 0.0)]
-    found, table = phases_of(corners)
+    stroke_phases, table = phases_of(corners)
     down = table[(table["phase"] == "unwinding") & (table["stroke"] == 1)]
-    assert (1, "unwinding") in found and down["end_turns"].min() < 11 and (down["start_turns"].max()) > 19
+    assert (1, "unwinding") in stroke_phases and down["end_turns"].min() < 11 and (down["start_turns"].max()) > 19
 
 
 def test_a_winding_alone_is_a_stroke_that_is_not_complete():
-    found, table = phases_of([(0, 0), (10, 20)])
-    assert found == [(1, "winding")] and not table["complete"].any()
+    stroke_phases, table = phases_of([(0, 0), (10, 20)])
+    assert stroke_phases == [(1, "winding")] and not table["complete"].any()
 
 
 def test_a_logger_that_slows_down_within_a_winding_does_not_make_a_hold_of_it():
@@ -249,20 +252,20 @@ def test_two_bad_samples_in_a_row_are_no_motion():
     time_s, turns = sampled(motion(3))
     spoilt = turns.copy()
     spoilt[[40, 41, 700, 701]] += 40.0
-    before, after = (label(time_s, one) for one in (turns, spoilt))
+    before, after = (label(time_s, motor_turns) for motor_turns in (turns, spoilt))
     assert (before[0] == after[0]).all() and (before[1] == after[1]).mean() > 0.995
 
 
 @pytest.mark.parametrize(("jump", "phases"), [(0.008, ["rest"]), (0.015, ["rest", "unwinding", "rest"])])
 def test_a_jump_of_less_than_a_hundredth_of_the_range_within_a_rest_is_none(jump, phases):
     corners = [(0, 0), (10, 20), (20, 0), (23, 0), (23.04, 20 * jump), (26, 20 * jump)]
-    found, _ = phases_of(corners)
-    assert [phase for _, phase in found[2:]] == phases
+    stroke_phases, _ = phases_of(corners)
+    assert [phase for _, phase in stroke_phases[2:]] == phases
 
 
 def test_a_rest_goes_on_to_the_end_of_the_recording_where_its_last_samples_jitter():
-    found, table = phases_of([(0, 0), (10, 20), (20, 0), (25, 0), (25.2, 0.15)])
-    assert found[:3] == [(1, "winding"), (1, "unwinding"), (1, "rest")]
+    stroke_phases, table = phases_of([(0, 0), (10, 20), (20, 0), (25, 0), (25.2, 0.15)])
+    assert stroke_phases[:3] == [(1, "winding"), (1, "unwinding"), (1, "rest")]
     assert table["end_s"][2] == pytest.approx(25.2, abs=0.05)
 
 
@@ -281,7 +284,7 @@ def test_turning_points_are_the_same_whatever_pieces_the_motion_comes_in(cuts):
 
 def test_the_speed_of_the_first_and_of_the_last_sample_is_taken_up_to_the_ends():
     time_s = np.arange(0.0, 2.0, 0.02)
-    found = Motion(rows_of(pd.DataFrame({"time_s": time_s, "motor_turns": time_s**2})), "motor_turns")
-    speed = found.speed(0, len(time_s))
+    motor_motion = Motion(rows_of(pd.DataFrame({"time_s": time_s, "motor_turns": time_s**2})), "motor_turns")
+    speed = motor_motion.speed(0, len(time_s))
     assert speed[0] == pytest.approx(time_s[5], abs=0.01) and speed[50] == pytest.approx(2 * time_s[50], abs=1e-6)
     assert speed[-1] == pytest.approx(time_s[-1] + time_s[-6], abs=0.05)

@@ -70,12 +70,12 @@ def test_rows_of_differing_length_are_said_in_a_sentence(log):
     assert "take the fields that are too many out of line 62" in done.stderr and "tokeniz" not in done.stderr
 
 
-@pytest.mark.parametrize(("end", "left"), [("\n9,9", 0), ("\n9,9,", 0), ("\n9,9,9,", 0), ("\n9,9,9,9", 1)])
-def test_only_a_last_row_that_was_cut_is_left_out(make_run, capsys, end, left):
+@pytest.mark.parametrize(("end", "kept_rows"), [("\n9,9", 0), ("\n9,9,", 0), ("\n9,9,9,", 0), ("\n9,9,9,9", 1)])
+def test_only_a_last_row_that_was_cut_is_left_out(make_run, capsys, end, kept_rows):
     folder = make_run("a-01", suffix=".csv")
     path = folder / "recording.csv"
     rest = np.flatnonzero(GOOD["time_s"] < 90)
     text = GOOD.iloc[rest].to_csv(index=False).rstrip("\n")
     path.write_text(text + end.replace("9", "95", 1))
-    assert len(read_samples(folder)[1]) == len(rest) + left
-    assert ("cut off" in capsys.readouterr().err) == (not left)
+    assert len(read_samples(folder)[1]) == len(rest) + kept_rows
+    assert ("cut off" in capsys.readouterr().err) == (not kept_rows)

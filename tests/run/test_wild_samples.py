@@ -46,8 +46,8 @@ def test_one_impossible_sample_is_left_out_and_said(make_run, tmp_path, column, 
     samples.loc[row, column] = value
     done = ingested(make_run("a-01", samples), tmp_path / "samples.parquet")
     assert done.returncode == 0, done.stderr
-    said = f"1 sample will not count; the recording keeps it: {column} reads {value:.3g} in row {row + 1}"
-    assert f"{said}, where its neighbours" in done.stderr
+    warning = f"1 sample will not count; the recording keeps it: {column} reads {value:.3g} in row {row + 1}"
+    assert f"{warning}, where its neighbours" in done.stderr
     assert schemas.read(tmp_path / "samples.parquet").equals(GOOD.drop(index=row).reset_index(drop=True))
 
 
@@ -77,11 +77,11 @@ def test_an_import_keeps_what_ingest_leaves_out(tmp_path, make_run, capsys):
     samples.to_csv(tmp_path / "log.csv", index=False)
     mapping = tmp_path / "map.yaml"
     mapping.write_text((folder / "run.yaml").read_text().replace("run: a-01\n", ""))
-    said = import_run(tmp_path / "log.csv", mapping, "b-01", tmp_path)
+    summary = import_run(tmp_path / "log.csv", mapping, "b-01", tmp_path)
     assert "1 sample will not count; the recording keeps it: displacement_mm reads 1e+06" in capsys.readouterr().err
-    assert f"log.csv has {len(GOOD)} samples, of which 1 will not count (see the warning)." in said
+    assert f"log.csv has {len(GOOD)} samples, of which 1 will not count (see the warning)." in summary
     most = GOOD["displacement_mm"].drop(index=300).max()
-    assert f"displacement_mm {GOOD['displacement_mm'].min():.4g} to {most:.4g}" in said and "1e+06" not in said
+    assert f"displacement_mm {GOOD['displacement_mm'].min():.4g} to {most:.4g}" in summary and "1e+06" not in summary
     assert len(pd.read_parquet(tmp_path / "b-01" / "recording.parquet")) == len(GOOD)
     assert len(read_samples(tmp_path / "b-01")[1]) == len(GOOD) - 1
 

@@ -23,8 +23,8 @@ SIZES = {"radius-mm": 0.4, "length-mm": 400, "stiffness-n-per-mm": 15, "torsion-
 def set_up(folder: Path) -> None:
     """A set-up with a poor motion, equal strokes under one load, and concealed friction."""
     content = yaml.safe_load((ROOT / "pipeline" / "rig" / "setups" / "small.yaml").read_text())
-    one = {"repeat": 8, "top_turns": 20, "speed_turns_per_s": 4, "speed_up_s": 0.2, "slow_down_s": 0.2}
-    content["motion"] = {"rest_s": 3, "strokes": [one | {"hold_s": 0.2, "rest_s": 0.2, "load_n": 20}]}
+    stroke = {"repeat": 8, "top_turns": 20, "speed_turns_per_s": 4, "speed_up_s": 0.2, "slow_down_s": 0.2}
+    content["motion"] = {"rest_s": 3, "strokes": [stroke | {"hold_s": 0.2, "rest_s": 0.2, "load_n": 20}]}
     content["effects"] = {"friction_hysteresis": {"turns_per_n": 0.01, "reach_turns": 0.2}}
     (folder / "rig.yaml").write_text(yaml.safe_dump(content))
 
@@ -51,15 +51,15 @@ def program(place: Path, module: str, *words: object) -> Program:
 def ended(place: Path, module: str, *words: object) -> subprocess.CompletedProcess:
     """The same program at its end, with what it said."""
     process = program(place, module, *words)
-    said = process.communicate(timeout=400)[0]
-    return subprocess.CompletedProcess(process.args, process.returncode, said)
+    printed = process.communicate(timeout=400)[0]
+    return subprocess.CompletedProcess(process.args, process.returncode, printed)
 
 
 def described(place: Path) -> None:
     """The folder of the poor run, without a recording."""
     sizes = [word for name, value in SIZES.items() for word in (f"--{name}", value)]
-    made = ended(place, "new_run", "poor-1", "--material", "example", *sizes, "--string-id", "poor-1", "--out", "raw")
-    assert made.returncode == 0, made.stdout
+    done = ended(place, "new_run", "poor-1", "--material", "example", *sizes, "--string-id", "poor-1", "--out", "raw")
+    assert done.returncode == 0, done.stdout
 
 
 def begun(place: Path) -> str:
@@ -67,11 +67,11 @@ def begun(place: Path) -> str:
     set_up(place)
     described(place)
     with rig(place, "--pace", "inf") as port:
-        made = ended(place, "capture", port, "raw/poor-1")
-        assert made.returncode == 0, made.stdout
-        asked = ended(place, "settle", "raw/poor-1", "--port", port, "--out", "out")
-    assert asked.returncode == 2, asked.stdout
-    return asked.stdout
+        captured = ended(place, "capture", port, "raw/poor-1")
+        assert captured.returncode == 0, captured.stdout
+        loop = ended(place, "settle", "raw/poor-1", "--port", port, "--out", "out")
+    assert loop.returncode == 2, loop.stdout
+    return loop.stdout
 
 
 def begun_once(factory: pytest.TempPathFactory) -> tuple[Path, str]:
@@ -113,8 +113,8 @@ def started(place: Path, *words: object) -> Program:
     return program(place, "settle", *fixed, *words)
 
 
-def until(one: Program, there: Path, least: int = 1) -> None:
+def until(process: Program, path: Path, least: int = 1) -> None:
     """Wait until a file has so many bytes."""
-    while not there.is_file() or there.stat().st_size < least:
-        assert one.poll() is None, one.stdout.read() if one.stdout else ""
+    while not path.is_file() or path.stat().st_size < least:
+        assert process.poll() is None, process.stdout.read() if process.stdout else ""
         time.sleep(0.01)

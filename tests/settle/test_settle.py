@@ -27,9 +27,9 @@ def place(waiting, tmp_path) -> Path:
 
 @pytest.mark.long
 def test_nothing_moves_before_somebody_approves_and_the_run_is_drawn_before(waiting):
-    place, said = waiting
-    assert "no terminal in which to ask; nothing was moved" in said
-    assert "proposed: one stroke under twice the load" in said
+    place, printed = waiting
+    assert "no terminal in which to ask; nothing was moved" in printed
+    assert "proposed: one stroke under twice the load" in printed
     assert state(place)["state"] == "proposed" and state(place, 0)["verdict"] == "ambiguous"
     for ending in ("png", "pdf"):
         assert (place / "out" / "step-1" / f"proposed.{ending}").stat().st_size > 5000
@@ -40,15 +40,15 @@ def test_unattended_it_ends_in_the_right_and_firm_verdict(place):
     with rig(place, "--pace", "inf"):
         done = auto(place)
     assert done.returncode == 0, done.stdout
-    found = settled(place)
-    assert (found["verdict"], found["mechanisms"]) == ("explained", ["friction_hysteresis"])
-    assert found["runs"] == ["raw/poor-1", "raw/poor-1-s1"] and found["spent"]["runs"] == 1
+    outcome = settled(place)
+    assert (outcome["verdict"], outcome["mechanisms"]) == ("explained", ["friction_hysteresis"])
+    assert outcome["runs"] == ["raw/poor-1", "raw/poor-1-s1"] and outcome["spent"]["runs"] == 1
     assert state(place)["approved_by"] == "--approve auto, within --limits"
     assert (place / "out" / "step-1" / "came.png").is_file()
     recording = read_recording((place / "raw" / "poor-1-s1" / "recording.frames").read_bytes())
     assert recording.channels["load_n"].max() == pytest.approx(40.0, abs=0.5)
     again = auto(place)  # no rig is there, and none is needed
-    assert again.returncode == 0 and settled(place) == found
+    assert again.returncode == 0 and settled(place) == outcome
 
 
 def test_without_limits_nothing_moves_unattended(place):
@@ -64,9 +64,11 @@ def test_where_the_limits_allow_no_run_it_says_so_and_ends(place):
     with rig(place):
         done = auto(place, limits="{turns: [0, 21], turns_per_s: 9, load_n: [15, 25], seconds: 4}")
     assert done.returncode == 0, done.stdout
-    found = settled(place)
-    assert found["why"] == "no run" and found["verdict"] == "ambiguous" and found["spent"]["runs"] == 0
-    assert "gap is allowed: leg 2 asks for 40 N, and the rig hangs 15 to 25 N (one stroke under tw" in found["sentence"]
+    outcome = settled(place)
+    assert outcome["why"] == "no run" and outcome["verdict"] == "ambiguous" and outcome["spent"]["runs"] == 0
+    assert (
+        "gap is allowed: leg 2 asks for 40 N, and the rig hangs 15 to 25 N (one stroke under tw" in outcome["sentence"]
+    )
     assert not (place / "raw" / "poor-1-s1").exists()
 
 
@@ -122,11 +124,11 @@ def test_started_again_with_other_limits_it_proposes_anew_and_says_so(place):
 
 def test_ctrl_c_stops_the_motor_first(place):
     with rig(place, "--pace", 1):
-        one = started(place)
-        until(one, place / "raw" / "poor-1-s1" / "recording.frames", 1500)
-        one.send_signal(signal.SIGINT)
-        said = one.communicate()[0]
-    assert one.returncode == 130, said
+        loop = started(place)
+        until(loop, place / "raw" / "poor-1-s1" / "recording.frames", 1500)
+        loop.send_signal(signal.SIGINT)
+        printed = loop.communicate()[0]
+    assert loop.returncode == 130, printed
     recording = read_recording((place / "raw" / "poor-1-s1" / "recording.frames").read_bytes())
     assert recording.account.end.reason == Reason.STOPPED and len(recording.time_s) < 200
     assert state(place)["ended"] == "ended by person"
@@ -137,18 +139,18 @@ def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_fo
     with rig(place, "--pace", "inf") as port:  # somebody else moves it, as the sheet says
         legs = place / "program.json"
         legs.write_text((place / "out" / "step-0" / "diagnosis.json").read_text())
-        made = ended(place, "capture", port, "by-hand", "--program", legs)
-        assert made.returncode == 0, made.stdout
+        captured = ended(place, "capture", port, "by-hand", "--program", legs)
+        assert captured.returncode == 0, captured.stdout
     old = ScriptedRig(replace(Hello("an old rig", "1", "1", 50.0, 9, CHANNELS), protocol=1))
-    one = program(place, "settle", "raw/poor-1", "--port", old.port, "--out", "out")
-    until(one, place / "out" / "step-1" / "sheet.txt")
+    loop = program(place, "settle", "raw/poor-1", "--port", old.port, "--out", "out")
+    until(loop, place / "out" / "step-1" / "sheet.txt")
     sheet = (place / "out" / "step-1" / "sheet.txt").read_text()
     assert "go from 0.00 to 20.0" in sheet and "hang 40 N" in sheet and "declares no limits" in sheet
     for name in ("recording.frames", "capture.json"):
         shutil.copy(place / "by-hand" / name, place / "raw" / "poor-1-s1" / name)
-    said = one.communicate(timeout=60)[0]
-    assert one.returncode == 0, said
-    table = said[said.index("Before it the motor stands") : said.index("Run poor-1-s1:")]
+    printed = loop.communicate(timeout=60)[0]
+    assert loop.returncode == 0, printed
+    table = printed[printed.index("Before it the motor stands") : printed.index("Run poor-1-s1:")]
     assert "under 40 N" in table and " 20\n" not in table, "the sheet hangs the load before the run, and the table too"
     assert "stand at 0.00 turns for 2.5 s" in sheet and "The loop to expect" in sheet
     assert settled(place)["mechanisms"] == ["friction_hysteresis"] and set(old.heard) == {Kind.GREET}
@@ -156,13 +158,15 @@ def test_a_rig_that_takes_no_program_gets_a_sheet_and_the_recording_is_waited_fo
 
 def test_a_rig_that_is_moved_by_hand_under_one_load_is_asked_for_no_other(place):
     """The verdict said "leave this run out" to such a rig, and settle asked it for 40 N whatever --limits said."""
-    one = program(place, "settle", "raw/poor-1", "--limits", "{load_n: [20, 20]}", "--out", "out")
-    said = ""
-    while one.poll() is None and "When the recording is there" not in said:
-        said += one.stdout.readline()
-    one.kill()
-    said += one.communicate()[0]
-    assert "passed over: leg 2 asks for 40 N, and the rig hangs 20 N (" in said and "hang 40 N" not in said, said
+    loop = program(place, "settle", "raw/poor-1", "--limits", "{load_n: [20, 20]}", "--out", "out")
+    printed = ""
+    while loop.poll() is None and "When the recording is there" not in printed:
+        printed += loop.stdout.readline()
+    loop.kill()
+    printed += loop.communicate()[0]
+    assert "passed over: leg 2 asks for 40 N, and the rig hangs 20 N (" in printed and "hang 40 N" not in printed, (
+        printed
+    )
     proposed = json.loads((place / "out" / "step-1" / "state.json").read_text())["proposal"]
     assert all(leg.get("load_n") is None for leg in proposed["legs"]) and "load" not in proposed["title"]
 
@@ -199,15 +203,15 @@ def test_a_state_that_was_damaged_is_a_sentence(place):
 def test_killed_in_every_state_it_goes_on_to_the_same_end(place):
     run = place / "raw" / "poor-1-s1"
     with rig(place, "--pace", 4):
-        one = started(place)  # proposed, and then while it moves
-        until(one, run / "recording.frames", 800)
-        one.kill()
-        one.communicate()
+        loop = started(place)  # proposed, and then while it moves
+        until(loop, run / "recording.frames", 800)
+        loop.kill()
+        loop.communicate()
         assert state(place)["state"] == "approved" and not (run / "capture.json").exists()
-        one = started(place)  # what came is made usable; a second run is proposed; killed while it diagnoses that
-        until(one, place / "raw" / "poor-1-s2" / "capture.json")
-        one.kill()
-        one.communicate()
+        loop = started(place)  # what came is made usable; a second run is proposed; killed while it diagnoses that
+        until(loop, place / "raw" / "poor-1-s2" / "capture.json")
+        loop.kill()
+        loop.communicate()
         assert state(place)["state"] == "diagnosed" and (run / "capture.json").exists()
         assert state(place, 2)["state"] in ("approved", "recorded")
         path = place / "out" / "step-2" / "state.json"
@@ -215,32 +219,32 @@ def test_killed_in_every_state_it_goes_on_to_the_same_end(place):
         done = auto(place)
     assert done.returncode == 0, done.stdout
     assert settled(place)["mechanisms"] == ["friction_hysteresis"] and settled(place)["verdict"] == "explained"
-    made = sorted(
+    run_names = sorted(
         path.name for path in (place / "raw").glob("poor-1-s*")
     )  # the third: where the name is to be confirmed
-    assert made[:2] == ["poor-1-s1", "poor-1-s2"] and settled(place)["spent"]["runs"] == len(made) <= 3
+    assert run_names[:2] == ["poor-1-s1", "poor-1-s2"] and settled(place)["spent"]["runs"] == len(run_names) <= 3
 
 
 def test_each_run_that_could_be_next_has_a_curve_of_every_explanation(waiting):
     place = waiting[0] / "out" / "step-0"
-    options, found = (json.loads((place / name).read_text()) for name in ("next_runs.json", "diagnosis.json"))
-    assert options[0]["title"] == found["next_run"]["title"] and options[0]["legs"] == found["next_run"]["legs"]
+    options, diagnosis = (json.loads((place / name).read_text()) for name in ("next_runs.json", "diagnosis.json"))
+    assert options[0]["title"] == diagnosis["next_run"]["title"] and options[0]["legs"] == diagnosis["next_run"]["legs"]
     built, candidates = options[: -len(CANDIDATES)], options[-len(CANDIDATES) :]
     assert 1 <= len(built) <= 3 and built[0]["decides"] and "load" in built[0]["title"]
     assert all("load" not in entry["title"] for entry in built[1:])
     gaps = [entry["gap_then"] for entry in candidates]
     assert {entry["title"] for entry in candidates} == set(CANDIDATES) and gaps == sorted(gaps, reverse=True)
     sets = [
-        " + ".join(entry["id"] for entry in found["mechanisms"]),
-        *(" + ".join(one) for one in found["alternatives"]),
+        " + ".join(entry["id"] for entry in diagnosis["mechanisms"]),
+        *(" + ".join(alternative) for alternative in diagnosis["alternatives"]),
     ]
     for entry in options:
         curves = entry["curves"]
         assert sorted(curves["rivals"]) == sorted(sets)
-        assert all(len(one) == len(curves["time_s"]) <= 400 and one[0] == 0 for one in curves["rivals"].values())
+        assert all(len(curve) == len(curves["time_s"]) <= 400 and curve[0] == 0 for curve in curves["rivals"].values())
 
     def apart(entry: dict) -> float:
-        one, other = entry["curves"]["rivals"].values()
-        return max(abs(a - b) for a, b in zip(one, other, strict=True))
+        first_curve, other = entry["curves"]["rivals"].values()
+        return max(abs(a - b) for a, b in zip(first_curve, other, strict=True))
 
     assert apart(options[0]) > 3 * apart(next(e for e in options if e["title"] == "one more stroke as before"))

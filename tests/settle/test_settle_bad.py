@@ -23,8 +23,8 @@ def place(tmp_path) -> Path:
     return tmp_path
 
 
-def words(one: ScriptedRig, limits: str = LIMITS) -> list[str]:
-    return ["raw/poor-1", "--port", one.port, "--out", "out", "--approve", "auto", "--limits", limits]
+def words(device: ScriptedRig, limits: str = LIMITS) -> list[str]:
+    return ["raw/poor-1", "--port", device.port, "--out", "out", "--approve", "auto", "--limits", limits]
 
 
 def rig(*answers: tuple[float, bytes], limits: Limits = RIG) -> ScriptedRig:
@@ -32,7 +32,7 @@ def rig(*answers: tuple[float, bytes], limits: Limits = RIG) -> ScriptedRig:
 
 
 @pytest.mark.parametrize(
-    ("answers", "said"),
+    ("answers", "message"),
     [
         ([(0.0, HALF)] * 3, "the device did not answer it; nothing was moved"),
         ([(0.0, TAKEN.pack(14, 7, Answer.BROKEN, 0))] * 3, "the device refused it: it did not get it whole"),
@@ -42,34 +42,34 @@ def rig(*answers: tuple[float, bytes], limits: Limits = RIG) -> ScriptedRig:
     ],
     ids=["took half of it", "says that it has half", "lacks a load", "a reason of its own", "answers too late"],
 )
-def test_a_program_that_is_not_taken_moves_nothing_and_is_a_sentence(answers, said, place):
-    one = rig(*answers)
-    done = ended(place, "settle", *words(one))
-    assert done.returncode == 2 and said in done.stdout and "Mend:" in done.stdout, done.stdout
-    assert Kind.START not in one.heard and not (place / "raw" / "poor-1" / "recording.frames").exists()
+def test_a_program_that_is_not_taken_moves_nothing_and_is_a_sentence(answers, message, place):
+    device = rig(*answers)
+    done = ended(place, "settle", *words(device))
+    assert done.returncode == 2 and message in done.stdout and "Mend:" in done.stdout, done.stdout
+    assert Kind.START not in device.heard and not (place / "raw" / "poor-1" / "recording.frames").exists()
     assert state(place, 0)["state"] == "approved"
 
 
 def test_an_answer_that_comes_late_is_taken(place):
-    one = rig((0.6, b""))
-    loop = program(place, "settle", *words(one))
+    device = rig((0.6, b""))
+    loop = program(place, "settle", *words(device))
     until(loop, place / "raw" / "poor-1" / "recording.frames")
-    while Kind.START not in one.heard:
+    while Kind.START not in device.heard:
         assert loop.poll() is None, loop.stdout.read()
     Answers(place / "out").stop()
-    said = loop.communicate(timeout=120)[0]  # the rig says nothing more: that is a stop in good order
-    assert loop.returncode in (1, 130) and "poor-1" in said
+    printed = loop.communicate(timeout=120)[0]  # the rig says nothing more: that is a stop in good order
+    assert loop.returncode in (1, 130) and "poor-1" in printed
 
 
 @pytest.mark.parametrize(
-    ("limits", "given", "said"),
+    ("limits", "allowed", "message"),
     [
         (replace(RIG, load_n=(5.0, 60.0)), "{turns: [0, 21], turns_per_s: 9, seconds: 300}", "load_n must be given"),
         (RIG, "{turns: [0, 21], turns_per_s: 9, seconds: 10}", "does not fit in what is allowed"),
         (replace(RIG, legs=10), LIMITS, "and the device takes 1 to 10"),
     ],
 )
-def test_what_the_rig_cannot_do_is_said_before_anything_moves(limits, given, said, place):
-    one = rig(limits=limits)
-    done = ended(place, "settle", *words(one, given))
-    assert done.returncode == 2 and said in done.stdout and set(one.heard) == {Kind.GREET}, done.stdout
+def test_what_the_rig_cannot_do_is_said_before_anything_moves(limits, allowed, message, place):
+    device = rig(limits=limits)
+    done = ended(place, "settle", *words(device, allowed))
+    assert done.returncode == 2 and message in done.stdout and set(device.heard) == {Kind.GREET}, done.stdout

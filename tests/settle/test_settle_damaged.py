@@ -72,8 +72,8 @@ def test_before_a_run_is_made_it_is_refused(place, kind):
     name, content, field = BROKEN[kind]
     path = place / "out" / name
     path.write_text(content if isinstance(content, str) else changed(path, **content))
-    said = refused(place, path, field)
-    assert "restore it, or begin anew: name another --out, and every run that is recorded so far" in said
+    message = refused(place, path, field)
+    assert "restore it, or begin anew: name another --out, and every run that is recorded so far" in message
 
 
 @pytest.mark.parametrize(
@@ -93,8 +93,8 @@ def test_before_a_run_is_proposed_it_is_refused_and_its_mend_mends_it(place, nam
     shutil.rmtree(place / "out" / "step-1")
     path, whole = place / "out" / name, (place / "out" / name).read_bytes()
     path.write_text(content if isinstance(content, str) else changed(path, **content))
-    said = refused(place, path, field)
-    assert 'set "state" in out/step-0/state.json to "recorded", and start again' in said
+    message = refused(place, path, field)
+    assert 'set "state" in out/step-0/state.json to "recorded", and start again' in message
     if content != "{":
         return
     stands = place / "out" / "step-0" / "state.json"

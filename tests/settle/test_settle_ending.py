@@ -27,8 +27,8 @@ More: details.txt
 def said(tmp_path, capsys, verdict: str, why: str, sentence: str, page: str = "", more: dict | None = None) -> str:
     place, ids = Place(tmp_path / "out"), ["creep"] if verdict == "explained" else []
     place.folder(1).mkdir(parents=True)
-    found = {"verdict": verdict, "mechanisms": [{"id": id_} for id_ in ids], "alternatives": []} | (more or {})
-    (place.folder(1) / "diagnosis.json").write_text(json.dumps(found))
+    diagnosis = {"verdict": verdict, "mechanisms": [{"id": id_} for id_ in ids], "alternatives": []} | (more or {})
+    (place.folder(1) / "diagnosis.json").write_text(json.dumps(diagnosis))
     if page:
         (place.folder(1) / "verdict.txt").write_text(page)
     settled(place, [Step(0, "diagnosed"), Step(1, "diagnosed")], RUNS, Budget(3, 30.0, 40), why, sentence)

@@ -18,8 +18,8 @@ def test_the_page_says_how_to_conceal_one_effect_alone(tmp_path):
     """`small` conceals four effects, and a newcomer took it for one of the table's two."""
     text = (ROOT / "docs" / "settle.md").read_text()
     block = next(part for part in text.split("```") if part.startswith("\nsed "))
-    made, words = block.strip().splitlines()[:2], "pipeline/rig/setups/small.yaml"
-    script = "\n".join(made).replace(words, str(ROOT / words))
+    commands, words = block.strip().splitlines()[:2], "pipeline/rig/setups/small.yaml"
+    script = "\n".join(commands).replace(words, str(ROOT / words))
     subprocess.run(["bash", "-ec", script], cwd=tmp_path, check=True)
     path = tmp_path / "concealed.yaml"
     assert read_setup(str(path)).effects == {"friction_hysteresis": {"turns_per_n": 0.01, "reach_turns": 0.2}}
@@ -44,5 +44,5 @@ def test_the_example_goes_from_nothing_to_a_right_and_firm_verdict_with_the_page
     assert f"the last verdict: {out}/step-" in done.stdout and "RUN_OF_RECORDING" not in done.stdout
     assert "stroke 1 of 1, about 0:0" in done.stdout, "how long the run with a hold still takes"
     assert "RUN_OF_RECORDING" in (tmp_path / "rig.log").read_text()
-    found = json.loads((tmp_path / "reports" / "settle" / "poor-1" / "settled.json").read_text())
-    assert found["spent"]["runs"] >= 1 and (tmp_path / "raw" / "poor-1" / "capture.json").is_file()
+    outcome = json.loads((tmp_path / "reports" / "settle" / "poor-1" / "settled.json").read_text())
+    assert outcome["spent"]["runs"] >= 1 and (tmp_path / "raw" / "poor-1" / "capture.json").is_file()

@@ -33,8 +33,8 @@ def place(tmp_path) -> Path:
     return tmp_path
 
 
-def made_of(run: Path, limits: Limits | None = RIG, left: Budget = PLENTY) -> dict:
-    return first_run(read_run(run), limits, left)
+def made_of(run: Path, limits: Limits | None = RIG, budget: Budget = PLENTY) -> dict:
+    return first_run(read_run(run), limits, budget)
 
 
 def test_it_is_equal_strokes_within_the_limits_and_the_simulator_is_foretold(place):
@@ -49,7 +49,7 @@ def test_it_is_equal_strokes_within_the_limits_and_the_simulator_is_foretold(pla
 
 
 @pytest.mark.parametrize(
-    ("limits", "left", "strokes"),
+    ("limits", "budget", "strokes"),
     [
         (RIG, Budget(3, 30.0, 5), 5),
         (replace(RIG, seconds=80.0), PLENTY, 4),
@@ -58,8 +58,8 @@ def test_it_is_equal_strokes_within_the_limits_and_the_simulator_is_foretold(pla
         (replace(RIG, turns=(2.0, 4.0)), PLENTY, 6),
     ],
 )
-def test_it_fits_in_what_is_allowed(limits, left, strokes, place):
-    entry = made_of(place / "raw" / "poor-1", limits, left)
+def test_it_fits_in_what_is_allowed(limits, budget, strokes, place):
+    entry = made_of(place / "raw" / "poor-1", limits, budget)
     assert f": {strokes} equal" in entry["title"]
     legs = as_legs(entry["legs"])
     assert refusal(legs, limits) is None
@@ -67,7 +67,7 @@ def test_it_fits_in_what_is_allowed(limits, left, strokes, place):
 
 
 @pytest.mark.parametrize(
-    ("limits", "left", "said"),
+    ("limits", "budget", "message"),
     [
         (replace(RIG, seconds=20.0), PLENTY, "and the device takes 20 s"),
         (RIG, Budget(3, 0.3, 40), "of --minutes 0.3 are left"),
@@ -75,24 +75,24 @@ def test_it_fits_in_what_is_allowed(limits, left, strokes, place):
         (replace(RIG, turns=(-5.0, 0.0)), PLENTY, "leave nothing to wind"),
     ],
 )
-def test_where_it_does_not_fit_it_is_a_sentence(limits, left, said, place):
-    with pytest.raises(BadInput, match=said):
-        made_of(place / "raw" / "poor-1", limits, left)
+def test_where_it_does_not_fit_it_is_a_sentence(limits, budget, message, place):
+    with pytest.raises(BadInput, match=message):
+        made_of(place / "raw" / "poor-1", limits, budget)
 
 
 def test_an_approval_is_of_the_question_that_is_asked_now(tmp_path):
-    answers, found = Answers(tmp_path), []
+    answers, approvals = Answers(tmp_path), []
     assert answers.question() is None and not answers.approve("anything")
-    asking = threading.Thread(target=lambda: found.append(answers.approved(3)))
+    asking = threading.Thread(target=lambda: approvals.append(answers.approved(3)))
     asking.start()
-    while (asked := answers.question()) is None:
+    while (question := answers.question()) is None:
         time.sleep(0.01)
-    assert asked["step"] == 3 and not answers.approve("of an earlier question")
+    assert question["step"] == 3 and not answers.approve("of an earlier question")
     (tmp_path / "approved.json").write_text(json.dumps({"step": 3, "question": "of an earlier question"}))
     time.sleep(0.3)
-    assert found == [] and answers.approve(asked["question"])
+    assert approvals == [] and answers.approve(question["question"])
     asking.join(timeout=10)
-    assert found == [True] and [path.name for path in tmp_path.iterdir()] == []
+    assert approvals == [True] and [path.name for path in tmp_path.iterdir()] == []
 
 
 @pytest.mark.parametrize("text", ["{", "[]", '{"step": 1}', '{"step": 1, "question": 5}', "[" * 9999])
@@ -104,9 +104,9 @@ def test_files_of_somebody_else_approve_nothing(text, tmp_path):
 @pytest.mark.long
 def test_from_nothing_to_a_right_and_firm_verdict(place):
     with rig(place, "--pace", "inf"):
-        one = started(place)
-        said = one.communicate(timeout=400)[0]
-    assert one.returncode == 0, said
+        loop = started(place)
+        printed = loop.communicate(timeout=400)[0]
+    assert loop.returncode == 0, printed
     first = state(place, 0)
     assert first["approved_by"] == "--approve auto, within --limits" and first["run_dir"] == "raw/poor-1"
     assert first["verdict"] == "ambiguous" and first["proposal"]["title"].startswith("a first recording: 6 equal")
@@ -114,19 +114,19 @@ def test_from_nothing_to_a_right_and_firm_verdict(place):
         assert (place / "out" / "step-0" / name).is_file(), name
     recording = read_recording((place / "raw" / "poor-1" / FRAMES).read_bytes())
     assert recording.channels["motor_turns"].max() == pytest.approx(21.0, abs=0.02)
-    found = settled(place)
-    assert (found["verdict"], found["mechanisms"]) == ("explained", ["friction_hysteresis"])
-    assert found["runs"][:2] == ["raw/poor-1", "raw/poor-1-s1"] and found["spent"]["strokes"] >= 7
-    assert found["spent"]["runs"] == len(found["runs"]) - 1
+    outcome = settled(place)
+    assert (outcome["verdict"], outcome["mechanisms"]) == ("explained", ["friction_hysteresis"])
+    assert outcome["runs"][:2] == ["raw/poor-1", "raw/poor-1-s1"] and outcome["spent"]["strokes"] >= 7
+    assert outcome["spent"]["runs"] == len(outcome["runs"]) - 1
 
 
 def test_ctrl_c_in_the_first_recording_stops_the_motor(place):
     with rig(place, "--pace", 1):
-        one = started(place)
-        until(one, place / "raw" / "poor-1" / FRAMES, 1500)
-        one.send_signal(signal.SIGINT)
-        said = one.communicate(timeout=120)[0]
-    assert one.returncode == 130, said
+        loop = started(place)
+        until(loop, place / "raw" / "poor-1" / FRAMES, 1500)
+        loop.send_signal(signal.SIGINT)
+        printed = loop.communicate(timeout=120)[0]
+    assert loop.returncode == 130, printed
     recording = read_recording((place / "raw" / "poor-1" / FRAMES).read_bytes())
     assert recording.account.end.reason == Reason.STOPPED and len(recording.time_s) < 400
     assert state(place, 0)["ended"] == "ended by person"
@@ -136,11 +136,11 @@ def test_ctrl_c_in_the_first_recording_stops_the_motor(place):
 
 def test_a_stop_that_is_said_elsewhere_stops_the_motor_and_then_the_loop(place):
     with rig(place, "--pace", 1):
-        one = started(place)
-        until(one, place / "raw" / "poor-1" / FRAMES, 1500)
+        loop = started(place)
+        until(loop, place / "raw" / "poor-1" / FRAMES, 1500)
         Answers(place / "out").stop()
-        said = one.communicate(timeout=120)[0]
-    assert one.returncode == 130, said
+        printed = loop.communicate(timeout=120)[0]
+    assert loop.returncode == 130, printed
     recording = read_recording((place / "raw" / "poor-1" / FRAMES).read_bytes())
     assert recording.account.end.reason == Reason.STOPPED and state(place, 0)["state"] == "recorded"
 
@@ -148,15 +148,15 @@ def test_a_stop_that_is_said_elsewhere_stops_the_motor_and_then_the_loop(place):
 @pytest.mark.long
 def test_killed_in_the_first_recording_it_makes_what_came_usable(place):
     with rig(place, "--pace", 4):
-        one = started(place)
-        until(one, place / "raw" / "poor-1" / FRAMES, 20_000)
-        one.kill()
-        one.communicate()
+        loop = started(place)
+        until(loop, place / "raw" / "poor-1" / FRAMES, 20_000)
+        loop.kill()
+        loop.communicate()
         assert state(place, 0)["state"] == "approved" and not (place / "raw" / "poor-1" / "capture.json").exists()
-        one = started(place)
-        until(one, place / "out" / "step-1" / "state.json")
-        one.kill()
-        one.communicate()
+        loop = started(place)
+        until(loop, place / "out" / "step-1" / "state.json")
+        loop.kill()
+        loop.communicate()
     assert state(place, 0)["state"] == "diagnosed" and state(place, 0)["ended"] == "recovered"
 
 
@@ -165,29 +165,29 @@ def test_nothing_moves_before_the_page_says_yes(place):
     refused = ended(place, "settle", *words)
     assert refused.returncode == 2 and "needs --limits" in refused.stdout
     with rig(place, "--pace", "inf"):
-        one = program(place, "settle", *words, "--limits", LIMITS)
-        until(one, place / "out" / "question.json")
+        loop = program(place, "settle", *words, "--limits", LIMITS)
+        until(loop, place / "out" / "question.json")
         other = ended(place, "settle", *words, "--limits", LIMITS)
         assert other.returncode == 2 and "is the folder of a loop that is at work" in other.stdout
         time.sleep(0.5)
         assert state(place, 0)["state"] == "proposed" and not (place / "raw" / "poor-1" / FRAMES).exists()
         answers = Answers(place / "out")
         assert answers.approve(answers.question()["question"])
-        until(one, place / "raw" / "poor-1" / FRAMES)
-        until(one, place / "out" / "question.json")  # of step 1
+        until(loop, place / "raw" / "poor-1" / FRAMES)
+        until(loop, place / "out" / "question.json")  # of step 1
         answers.stop()
-        said = one.communicate(timeout=120)[0]
-    assert one.returncode == 130, said
+        printed = loop.communicate(timeout=120)[0]
+    assert loop.returncode == 130, printed
     assert state(place, 0)["approved_by"] == "a person, on the page" and state(place, 1)["state"] == "proposed"
-    assert "stopped by somebody at the page: nothing moves" in said and not (place / "raw" / "poor-1-s1").exists()
+    assert "stopped by somebody at the page: nothing moves" in printed and not (place / "raw" / "poor-1-s1").exists()
 
 
 def test_a_rig_that_takes_no_program_has_its_first_recording_made_by_a_person(place):
     old = ScriptedRig(replace(Hello("an old rig", "1", "1", 50.0, 9, CHANNELS), protocol=1))
-    one = program(place, "settle", "raw/poor-1", "--port", old.port, "--out", "out")
-    until(one, place / "out" / "step-0" / "sheet.txt")
+    loop = program(place, "settle", "raw/poor-1", "--port", old.port, "--out", "out")
+    until(loop, place / "out" / "step-0" / "sheet.txt")
     sheet = (place / "out" / "step-0" / "sheet.txt").read_text()
     assert "at least four strokes from rest to rest" in sheet and "What the motor does" not in sheet
     Answers(place / "out").stop()
-    said = one.communicate(timeout=120)[0]
-    assert one.returncode == 130 and not (place / "raw" / "poor-1" / FRAMES).exists(), said
+    printed = loop.communicate(timeout=120)[0]
+    assert loop.returncode == 130 and not (place / "raw" / "poor-1" / FRAMES).exists(), printed

@@ -45,20 +45,20 @@ def entry(title: str, top: float = 20.0, load_n: float = 20.0, decides: bool = T
 
 
 def test_what_both_allow_is_the_narrower_of_the_two():
-    found = Allowed.read("{turns: [-5, 25], turns_per_s: 9, load_n: [10, 90], seconds: 60}").within(RIG)
-    assert (found.turns, found.turns_per_s, found.load_n, found.seconds) == ((0.0, 25), 8.0, (10, 60.0), 60)
+    limits = Allowed.read("{turns: [-5, 25], turns_per_s: 9, load_n: [10, 90], seconds: 60}").within(RIG)
+    assert (limits.turns, limits.turns_per_s, limits.load_n, limits.seconds) == ((0.0, 25), 8.0, (10, 60.0), 60)
     assert Allowed.read("{}").within(RIG) == RIG
 
 
 @pytest.mark.parametrize(
-    ("given", "title"),
+    ("limits_text", "title"),
     [("{load_n: [20, 20]}", "one stroke"), ("{turns: [0, 15]}", "half"), ("{}", "one stroke under half the load")],
 )
-def test_a_person_who_moves_the_rig_may_say_limits_too(given, title):
+def test_a_person_who_moves_the_rig_may_say_limits_too(limits_text, title):
     options = [entry("one stroke under half the load", load_n=10.0), entry("one stroke"), entry("half", top=12.0)]
-    bounds = Motor(None, 9600, Allowed.read(given), False).bounds()
+    bounds = Motor(None, 9600, Allowed.read(limits_text), False).bounds()
     assert chosen(options, 1, bounds, Budget(3, 9.0, 9))[0].proposal["title"] == title
-    assert (bounds is None) == (given == "{}")
+    assert (bounds is None) == (limits_text == "{}")
 
 
 @pytest.mark.parametrize(
@@ -103,13 +103,13 @@ def test_without_a_run_that_decides_the_tie_is_said_to_be_one_by_construction():
 
 
 @pytest.mark.parametrize(
-    ("budget", "said"),
+    ("budget", "option"),
     [(Budget(1, 10.0, 10), "--runs"), (Budget(5, 0.39, 10), "--minutes"), (Budget(5, 10.0, 1), "--strokes")],
 )
-def test_a_budget_counts_what_was_spent(budget, said):
-    one = chosen([entry("one")], 1, RIG, Budget(1, 10.0, 10))[0].at("diagnosed")
-    step, why = chosen([entry("two")], 2, RIG, budget.left([Step(0, "diagnosed"), one]))
-    assert step is None and said in why
+def test_a_budget_counts_what_was_spent(budget, option):
+    spent_step = chosen([entry("one")], 1, RIG, Budget(1, 10.0, 10))[0].at("diagnosed")
+    step, why = chosen([entry("two")], 2, RIG, budget.left([Step(0, "diagnosed"), spent_step]))
+    assert step is None and option in why
 
 
 def test_the_way_to_where_a_run_begins_is_slow_enough_for_the_rig():
@@ -119,12 +119,12 @@ def test_the_way_to_where_a_run_begins_is_slow_enough_for_the_rig():
     assert [leg.load_n for leg in reachable(entry("two", load_n=40.0), at)] == [20.0, 40.0, 40.0]
 
 
-@pytest.mark.parametrize(("turns_per_s", "made"), [(4.0, True), (3.3, False), (8.0, True)])
-def test_a_run_that_is_a_little_too_fast_for_the_rig_is_made_as_fast_as_it_goes(turns_per_s, made):
+@pytest.mark.parametrize(("turns_per_s", "is_chosen"), [(4.0, True), (3.3, False), (8.0, True)])
+def test_a_run_that_is_a_little_too_fast_for_the_rig_is_made_as_fast_as_it_goes(turns_per_s, is_chosen):
     rig = Limits(100, (0.0, 30.0), turns_per_s, 40.0, 600.0, 1.5, 0.0, (0.0, 60.0))
     run = entry("quick")  # 20 turns in 5 s, with ramps faster than 4 turns/s
     step, why = chosen([run], 1, rig, Budget(2, 10.0, 10))
-    assert (step is not None) == made, why
+    assert (step is not None) == is_chosen, why
     if step is None:
         assert "and the rig makes 3.3" in why
         return
@@ -153,9 +153,9 @@ def test_a_run_that_is_a_little_too_fast_for_the_rig_is_made_as_fast_as_it_goes(
 )
 def test_a_person_is_asked_and_once_more_after_what_is_neither_yes_nor_no(answers, moves, monkeypatch, tmp_path):
     """`y` ended the program as "not approved"."""
-    left, questions = iter(answers), []
+    remaining, questions = iter(answers), []
     monkeypatch.setattr(sys.stdin, "isatty", lambda: True, raising=False)
-    monkeypatch.setattr("builtins.input", lambda question: questions.append(question) or next(left))
+    monkeypatch.setattr("builtins.input", lambda question: questions.append(question) or next(remaining))
     step = approved(Step(1, "proposed"), "ask", Answers(tmp_path))
     assert (step is not None) == moves and (step is None or step.state == "approved")
     assert len(questions) == len(answers) and all("neither yes nor no" in question for question in questions[1:])

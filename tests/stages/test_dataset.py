@@ -22,10 +22,12 @@ def test_points_move_and_carry_the_string():
 
 
 def test_every_sample_of_a_moving_stretch_is_a_point_the_last_one_too():
-    one = recorded(samples=recording(2))
-    moving = one.strokes[one.strokes["phase"].isin(["winding", "unwinding"]) & (one.strokes["stroke"] > 0)]
+    recorded_run = recorded(samples=recording(2))
+    moving = recorded_run.strokes[
+        recorded_run.strokes["phase"].isin(["winding", "unwinding"]) & (recorded_run.strokes["stroke"] > 0)
+    ]
     at = np.concatenate([np.arange(a, b + 1) for a, b in moving[["first_sample", "last_sample"]].to_numpy()])
-    assert make_dataset([one])["time_s"].tolist() == one.samples["time_s"].iloc[np.sort(at)].tolist()
+    assert make_dataset([recorded_run])["time_s"].tolist() == recorded_run.samples["time_s"].iloc[np.sort(at)].tolist()
 
 
 def test_exactly_5000_training_points_in_both_splits():
@@ -104,19 +106,19 @@ def test_later_is_skipped_below_four_strokes():
 
 
 def test_tare_sets_the_rest_before_the_first_stroke_to_the_models_value():
-    one = recorded()
-    rest = one.samples["time_s"] < 1.8
-    tared = one.samples.loc[rest, "displacement_mm"] + tare_mm(one)
+    recorded_run = recorded()
+    rest = recorded_run.samples["time_s"] < 1.8
+    tared = recorded_run.samples.loc[rest, "displacement_mm"] + tare_mm(recorded_run)
     assert tared.median() == pytest.approx(BASE.contraction_mm(0.0, 20.0), abs=1e-6)
 
 
 def test_tare_without_a_rest_takes_the_first_sample():
     samples = recording(3)
     samples = samples[samples["time_s"] > 6.0].reset_index(drop=True)  # begins within the first winding
-    one = recorded(samples=samples)
+    recorded_run = recorded(samples=samples)
     first = samples.iloc[0]
     expected = BASE.contraction_mm(first["motor_turns"], 20.0) - first["displacement_mm"]
-    assert tare_mm(one) == pytest.approx(float(expected))
+    assert tare_mm(recorded_run) == pytest.approx(float(expected))
 
 
 def test_runs_of_one_string_continue_each_other_and_share_the_tare():
@@ -151,37 +153,39 @@ def test_order_of_runs():
     early, late = recording(1), recording(1)
     late["time_s"] += 1000.0
     b_late, c_early = recorded("b", samples=late), recorded("c", samples=early)
-    names = [one.run.run for one in in_order([b_late, c_early])]
+    names = [recorded_run.run.run for recorded_run in in_order([b_late, c_early])]
     assert names == ["c", "b"]
     same = [recorded("c", samples=early), recorded("b", samples=early)]
-    assert [one.run.run for one in in_order(same)] == ["b", "c"]
+    assert [recorded_run.run.run for recorded_run in in_order(same)] == ["b", "c"]
     noted = [recorded("b", "2026-11-21T12:00:00Z", early), recorded("c", "2026-11-21T09:00:00Z", early)]
-    assert [one.run.run for one in in_order(noted)] == ["c", "b"]
+    assert [recorded_run.run.run for recorded_run in in_order(noted)] == ["c", "b"]
 
 
 def test_order_of_runs_without_a_clock_goes_by_strokes_before_or_by_number():
     same = recording(1)
-    told = [
+    counted_runs = [
         recorded(name, samples=same, string=string(strokes_before=n)) for name, n in (("a-late", 10), ("b-early", 0))
     ]
-    assert [one.run.run for one in in_order(told)] == ["b-early", "a-late"]
+    assert [recorded_run.run.run for recorded_run in in_order(counted_runs)] == ["b-early", "a-late"]
     booted = same.assign(time_s=same["time_s"] + 5000.0)  # a logger whose clock began anew before the second run
     clocks = [recorded("b-late", samples=same, string=string(strokes_before=7))]
     clocks.append(recorded("a-early", samples=booted, string=string(strokes_before=0)))
-    assert [one.run.run for one in in_order(clocks)] == ["a-early", "b-late"]
+    assert [recorded_run.run.run for recorded_run in in_order(clocks)] == ["a-early", "b-late"]
     numbered = [recorded(name, samples=same) for name in ("r-10", "r-2")]
-    assert [one.run.run for one in in_order(numbered)] == ["r-2", "r-10"]
+    assert [recorded_run.run.run for recorded_run in in_order(numbered)] == ["r-2", "r-10"]
 
 
 def test_the_last_rest_before_the_first_stroke_is_the_tare():
-    one = recorded()
-    rest = one.strokes.iloc[[0]]
+    recorded_run = recorded()
+    rest = recorded_run.strokes.iloc[[0]]
     earlier = rest.assign(last_sample=20)
     later = rest.assign(first_sample=21)
-    samples = one.samples.copy()
+    samples = recorded_run.samples.copy()
     samples.loc[:20, "displacement_mm"] += 2.0  # the zero moved before the last rest
-    two = Recorded(one.run, "", samples, pd.concat([earlier, later, one.strokes.iloc[1:]], ignore_index=True))
-    assert tare_mm(two) == pytest.approx(tare_mm(one), abs=0.02)
+    two = Recorded(
+        recorded_run.run, "", samples, pd.concat([earlier, later, recorded_run.strokes.iloc[1:]], ignore_index=True)
+    )
+    assert tare_mm(two) == pytest.approx(tare_mm(recorded_run), abs=0.02)
 
 
 def test_the_runs_own_tolerance_goes_with_its_points():
@@ -204,8 +208,8 @@ def test_unwinding_blocks_count_from_the_top_too():
 def test_held_out_points_are_capped_evenly():
     dataset = make_dataset([recorded(samples=recording(9, rate_hz=600.0))])
     assert (dataset["within"] == "test").sum() == HELD_OUT_POINTS == (dataset["later"] == "test").sum()
-    held = dataset[dataset["within"] == "test"].groupby(["stroke", "phase"]).size()
-    assert len(held) == 18 and held.max() < 1.2 * held.min()
+    point_counts = dataset[dataset["within"] == "test"].groupby(["stroke", "phase"]).size()
+    assert len(point_counts) == 18 and point_counts.max() < 1.2 * point_counts.min()
 
 
 def test_a_stiffness_that_nobody_measured_is_the_usual_one_of_its_size():

@@ -42,7 +42,7 @@ STROKES = pd.DataFrame(
 )
 def test_a_gap_touches_the_stroke_in_whose_movement_it_lies(after, strokes):
     for kind in ("gaps", "holes"):
-        assert touched(STROKES, {kind: [{"after_samples": one} for one in after]}) == strokes
+        assert touched(STROKES, {kind: [{"after_samples": count} for count in after]}) == strokes
 
 
 def test_gaps_that_are_no_longer_listed_may_be_anywhere_later():
@@ -51,7 +51,7 @@ def test_gaps_that_are_no_longer_listed_may_be_anywhere_later():
 
 
 def made(folder, processed, out, *options):
-    folders = [str(one) for one in (folder if isinstance(folder, list) else [folder])]
+    folders = [str(run_folder) for run_folder in (folder if isinstance(folder, list) else [folder])]
     done = programs.run("pipeline.stages.dataset", *folders, "--processed", processed, "--out", out, *options)
     return done, schemas.read(out, schemas.DATASET) if done.returncode == 0 else None
 
@@ -67,17 +67,17 @@ def test_the_program_leaves_lossy_strokes_out_and_says_so(make_run, tmp_path):
     assert f"{strokes['stroke'].max()} strokes in {len(strokes)} stretches" in done.stdout
     second = strokes[(strokes["stroke"] == 2) & (strokes["phase"] == "winding")].iloc[0]
     (folder / "capture.json").write_text(json.dumps({"gaps": [{"after_samples": int(second["first_sample"]) + 3}]}))
-    done, left = made(folder, processed, tmp_path / "left.parquet")
-    assert "samples are missing in stroke 2: left out" in done.stdout and 2 not in set(left["stroke"])
+    done, clean_points = made(folder, processed, tmp_path / "left.parquet")
+    assert "samples are missing in stroke 2: left out" in done.stdout and 2 not in set(clean_points["stroke"])
     jumps = tmp_path / "jumps.json"
     done, kept = made(folder, processed, tmp_path / "kept.parquet", "--keep-lossy", "--out-jumps", jumps)
-    assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(left["stroke"]) != set(
+    assert "kept all the same" in done.stdout and set(kept["stroke"]) - {2} == set(clean_points["stroke"]) != set(
         kept["stroke"]
     )
     assert read_jumps([jumps]) == [] and jumps.read_text().endswith("\n")
     for split in ("within", "later"):
-        learnt, asked = ((kept[split] == part).sum() for part in ("train", "test"))
-        assert f"{split}: {learnt} points to train on, {asked} held out\n" in done.stdout
+        learnt, held_out_count = ((kept[split] == part).sum() for part in ("train", "test"))
+        assert f"{split}: {learnt} points to train on, {held_out_count} held out\n" in done.stdout
 
 
 def test_a_run_in_which_every_stroke_is_lossy_is_left_out_and_its_strokes_still_count(make_run, tmp_path):
@@ -88,7 +88,10 @@ def test_a_run_in_which_every_stroke_is_lossy_is_left_out_and_its_strokes_still_
         schemas.write(recording(), schemas.samples(list(recording().columns)), samples)
         strokes = segment(recording(), "motor_turns", samples)
         schemas.write(strokes, schemas.STROKES, samples.with_name("strokes.parquet"))
-    gaps = [{"after_samples": int(one) + 3} for one in strokes.loc[strokes["phase"] == "winding", "first_sample"]]
+    gaps = [
+        {"after_samples": int(first_sample) + 3}
+        for first_sample in strokes.loc[strokes["phase"] == "winding", "first_sample"]
+    ]
     (folders[0] / "capture.json").write_text(json.dumps({"gaps": gaps}))
     more = ["--out-left-out", str(tmp_path / "left.json")]
     done, _ = made(folders, processed, tmp_path / "d.parquet", *more)
@@ -96,7 +99,7 @@ def test_a_run_in_which_every_stroke_is_lossy_is_left_out_and_its_strokes_still_
     done, points = made(folders, processed, tmp_path / "d.parquet", *more, "--note-refusals")
     assert done.returncode == 0, done.stderr
     assert set(points["run"]) == {"run-2"} and set(points["stroke"]) == {4, 5, 6}
-    assert [one.run for one in read_left_out(tmp_path / "left.json")] == ["run-1"]
+    assert [refusal.run for refusal in read_left_out(tmp_path / "left.json")] == ["run-1"]
 
 
 @pytest.mark.parametrize(
@@ -115,7 +118,7 @@ def test_the_configuration_says_whether_they_are_kept(tmp_path, value, kept, sta
     ]
     command = [sys.executable, "-m", "snakemake", "--snakefile", str(ROOT / "Snakefile"), "--directory", str(tmp_path)]
     done = subprocess.run([*command, *what], capture_output=True, text=True)
-    said = done.stdout + done.stderr
-    assert done.returncode == status, said
-    assert ("--keep-lossy" in said) == kept
-    assert ("pipeline.stages.dataset raw/synthetic-01" in said) == (status == 0)
+    printed = done.stdout + done.stderr
+    assert done.returncode == status, printed
+    assert ("--keep-lossy" in printed) == kept
+    assert ("pipeline.stages.dataset raw/synthetic-01" in printed) == (status == 0)

@@ -16,9 +16,9 @@ def dataset():
 
 
 def write_predictions(dataset, path, split="within", **errors):
-    held = np.flatnonzero(dataset[split] == "test")
-    points = dataset.iloc[held]
-    table = pd.DataFrame({"point": held})
+    held_out = np.flatnonzero(dataset[split] == "test")
+    points = dataset.iloc[held_out]
+    table = pd.DataFrame({"point": held_out})
     for column in ("displacement_mm", "motor_turns"):
         table[column] = points[column].to_numpy() + errors.get(column, 0.0)
     schemas.write(table, schemas.PREDICTIONS, path)
@@ -34,23 +34,23 @@ def pick(metrics, **where):
 
 
 def test_metrics_by_hand(dataset, tmp_path):
-    held = np.flatnonzero(dataset["within"] == "test")
-    error = np.where(dataset["stroke"].iloc[held] == 5, 0.4, -0.2)
+    held_out = np.flatnonzero(dataset["within"] == "test")
+    error = np.where(dataset["stroke"].iloc[held_out] == 5, 0.4, -0.2)
     path = write_predictions(dataset, tmp_path / "toy" / "within-3.predictions.parquet", displacement_mm=error)
     metrics = evaluate(dataset, path, "UHMWPE")
     assert set(metrics["model"]) == {"toy"} and set(metrics["seed"]) == {3} and set(metrics["material"]) == {"UHMWPE"}
     where = {"map": "forward", "phase": "winding", "angle_band": "all"}
     assert pick(metrics, **where, stroke="5", metric="average")["value"] == pytest.approx(0.4)
     assert pick(metrics, **where, stroke="1", metric="maximum")["value"] == pytest.approx(0.2)
-    share = (dataset.iloc[held].query("phase == 'winding'")["stroke"] == 5).mean()
+    share = (dataset.iloc[held_out].query("phase == 'winding'")["stroke"] == 5).mean()
     rmse = np.sqrt(share * 0.16 + (1 - share) * 0.04)
     assert pick(metrics, **where, stroke="all", metric="rmse")["value"] == pytest.approx(rmse)
     assert pick(metrics, **{**where, "map": "inverse"}, stroke="all", metric="rmse")["unit"] == "turns"
 
 
 def test_every_number_can_be_recomputed_from_the_stored_predictions(dataset, tmp_path):
-    held = np.flatnonzero(dataset["within"] == "test")
-    points = dataset.iloc[held]
+    held_out = np.flatnonzero(dataset["within"] == "test")
+    points = dataset.iloc[held_out]
     forward, inverse = point_contraction_mm(points), point_motor_turns(points)
     errors = {
         "displacement_mm": forward - points["displacement_mm"].to_numpy(),
@@ -67,9 +67,9 @@ def test_every_number_can_be_recomputed_from_the_stored_predictions(dataset, tmp
 
 
 def test_errors_of_both_signs_do_not_cancel(dataset, tmp_path):
-    held = np.flatnonzero(dataset["within"] == "test")
+    held_out = np.flatnonzero(dataset["within"] == "test")
     path = write_predictions(
-        dataset, tmp_path / "toy" / "within-0.predictions.parquet", motor_turns=np.resize([1.0, -1.0], len(held))
+        dataset, tmp_path / "toy" / "within-0.predictions.parquet", motor_turns=np.resize([1.0, -1.0], len(held_out))
     )
     metrics = evaluate(dataset, path, "m")
     where = {"map": "inverse", "phase": "all", "angle_band": "all", "stroke": "all", "metric": "average"}

@@ -39,16 +39,18 @@ def floors(dataset):
 
 @pytest.mark.parametrize("half_loop_mm", [0.0, 0.05, 0.3])
 def test_the_forward_floors_are_the_noise_and_the_loop(half_loop_mm):
-    found = floors(strokes(half_loop_mm, curve_mm=6.0))
-    assert found["floor"][0] == pytest.approx(NOISE_MM, rel=0.05)
-    assert found["floor_blind"][0] == pytest.approx(np.hypot(NOISE_MM, half_loop_mm), rel=0.05)
+    floor_sizes = floors(strokes(half_loop_mm, curve_mm=6.0))
+    assert floor_sizes["floor"][0] == pytest.approx(NOISE_MM, rel=0.05)
+    assert floor_sizes["floor_blind"][0] == pytest.approx(np.hypot(NOISE_MM, half_loop_mm), rel=0.05)
 
 
 @pytest.mark.parametrize("half_loop_mm", [0.0, 0.1])
 def test_the_inverse_floors_of_a_straight_law_are_those_over_its_slope(half_loop_mm):
-    found = floors(strokes(half_loop_mm))
-    assert found["floor"][1] == pytest.approx(NOISE_MM / SLOPE_MM_PER_TURN, rel=0.05)
-    assert found["floor_blind"][1] == pytest.approx(np.hypot(NOISE_MM, half_loop_mm) / SLOPE_MM_PER_TURN, rel=0.05)
+    floor_sizes = floors(strokes(half_loop_mm))
+    assert floor_sizes["floor"][1] == pytest.approx(NOISE_MM / SLOPE_MM_PER_TURN, rel=0.05)
+    assert floor_sizes["floor_blind"][1] == pytest.approx(
+        np.hypot(NOISE_MM, half_loop_mm) / SLOPE_MM_PER_TURN, rel=0.05
+    )
 
 
 def test_a_bent_laws_inverse_floor_is_what_the_truth_itself_leaves():
@@ -63,8 +65,8 @@ def test_a_bent_laws_inverse_floor_is_what_the_truth_itself_leaves():
 
 def test_few_points_do_not_make_the_floor_too_low():
     """The curve's own freedom would: with 40 points a stroke, a fifth of the noise's energy."""
-    found = [floors(strokes(per_phase=40, count=3, curve_mm=6.0, seed=seed))["floor"][0] for seed in range(20)]
-    assert rms(found) == pytest.approx(NOISE_MM, rel=0.05)
+    forward_floors = [floors(strokes(per_phase=40, count=3, curve_mm=6.0, seed=seed))["floor"][0] for seed in range(20)]
+    assert rms(forward_floors) == pytest.approx(NOISE_MM, rel=0.05)
 
 
 def test_unequal_directions_leave_the_blind_oracle_less_than_half_the_loop():
@@ -84,14 +86,14 @@ def test_a_lone_point_or_place_is_no_trouble():
 def test_the_oracle_sees_the_held_out_answers_and_no_model_does():
     """A single wild held-out point draws the oracle's curve towards it: what it answers depends on the answer."""
     dataset = strokes()
-    held = int(np.flatnonzero(dataset["within"] == "test")[17])
+    held_out_row = int(np.flatnonzero(dataset["within"] == "test")[17])
     moved = dataset.copy()
-    moved.loc[held, "displacement_mm"] += 1.0
+    moved.loc[held_out_row, "displacement_mm"] += 1.0
     answers = [
         predictions(table, "within", *residuals(table, FLOORS["floor"])).set_index("point")["displacement_mm"]
         for table in (dataset, moved)
     ]
-    assert answers[1][held] > answers[0][held] + 0.001
+    assert answers[1][held_out_row] > answers[0][held_out_row] + 0.001
 
 
 def test_the_floors_are_judged_as_a_model_is(tmp_path):

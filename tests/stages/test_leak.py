@@ -39,11 +39,11 @@ def rms(errors):
 
 def test_a_network_that_hands_everything_on_leaks_nothing(points):
     """Fresh blocks are the identity; so is their composite: the inverse is off by the residual alone."""
-    found = values(fitted(points, **UNTRAINED, composite="identity"), points)
-    assert found["inverse", "leak_rmse"] == pytest.approx(0.0, abs=1e-5)
-    assert found["inverse", "residual_rmse"] == pytest.approx(found["inverse", "rmse"], rel=1e-4)
+    metrics = values(fitted(points, **UNTRAINED, composite="identity"), points)
+    assert metrics["inverse", "leak_rmse"] == pytest.approx(0.0, abs=1e-5)
+    assert metrics["inverse", "residual_rmse"] == pytest.approx(metrics["inverse", "rmse"], rel=1e-4)
     assert all(
-        found["forward", f"offset_{name}"] < 1e-6 and found["inverse", f"slope_{name}"] == 0.0 for name in "blrn"
+        metrics["forward", f"offset_{name}"] < 1e-6 and metrics["inverse", f"slope_{name}"] == 0.0 for name in "blrn"
     )
 
 
@@ -52,29 +52,29 @@ def test_a_network_that_swaps_its_columns_leaks_everything(points, seed):
     """Then θ leaves through a column that should be constant, and no displacement brings it back."""
     model = fitted(points, **UNTRAINED, composite="random", permutation_seed=seed)
     column = product(model.network.mixing, 5).tolist().index(0)
-    found = values(model, points)
-    slopes = [found["inverse", f"slope_{name}"] for name in "blrn"]
+    metrics = values(model, points)
+    slopes = [metrics["inverse", f"slope_{name}"] for name in "blrn"]
     assert slopes == [float(column == place) for place in range(1, 5)]
     if column in (1, 2, 3):  # constants: all that is known of θ is its mean
         turns = points["motor_turns"] - points.loc[points["within"] == "train", "motor_turns"].mean()
-        assert found["inverse", "rmse"] == pytest.approx(rms(turns), rel=1e-5)
-        assert found["inverse", "leak_rmse"] == pytest.approx(rms(turns), rel=1e-5)
-        assert found["inverse", "residual_rmse"] == pytest.approx(0.0, abs=1e-5)
+        assert metrics["inverse", "rmse"] == pytest.approx(rms(turns), rel=1e-5)
+        assert metrics["inverse", "leak_rmse"] == pytest.approx(rms(turns), rel=1e-5)
+        assert metrics["inverse", "residual_rmse"] == pytest.approx(0.0, abs=1e-5)
 
 
 def test_errors_are_those_of_the_model_and_its_own_outputs_lead_back(points):
     model = fitted(points, **TINY, composite="random")
-    found = values(model, points)
-    assert found["forward", "rmse"] == pytest.approx(rms(model.forward(points) - points["displacement_mm"]), rel=1e-6)
-    assert found["inverse", "rmse"] == pytest.approx(rms(model.inverse(points) - points["motor_turns"]), rel=1e-6)
-    parts = [found["inverse", f"{part}_rmse"] for part in ("leak", "residual")]
-    assert min(parts) > 0.0 and found["inverse", "rmse"] == pytest.approx(np.hypot(*parts), rel=0.5)
+    metrics = values(model, points)
+    assert metrics["forward", "rmse"] == pytest.approx(rms(model.forward(points) - points["displacement_mm"]), rel=1e-6)
+    assert metrics["inverse", "rmse"] == pytest.approx(rms(model.inverse(points) - points["motor_turns"]), rel=1e-6)
+    parts = [metrics["inverse", f"{part}_rmse"] for part in ("leak", "residual")]
+    assert min(parts) > 0.0 and metrics["inverse", "rmse"] == pytest.approx(np.hypot(*parts), rel=0.5)
 
 
 def test_slopes_are_what_a_small_step_gives(points):
     model = fitted(points, **TINY, composite="random")
     few = points.iloc[::40]
-    found = values(model, few)
+    metrics = values(model, few)
     outputs = contraction_and_conditions(few, model.settings.log_stroke)
     x = torch.as_tensor(model.outputs.scaled(outputs), dtype=torch.float32)
     model.network.double()
@@ -82,7 +82,7 @@ def test_slopes_are_what_a_small_step_gives(points):
     with torch.no_grad():
         for place, name in enumerate("blrn", start=1):
             ends = [model.network.inverse(x.double() + sign * step[place])[:, 0].numpy() for sign in (1, -1)]
-            assert found["inverse", f"slope_{name}"] == pytest.approx(rms((ends[0] - ends[1]) / 2e-5), rel=1e-2)
+            assert metrics["inverse", f"slope_{name}"] == pytest.approx(rms((ends[0] - ends[1]) / 2e-5), rel=1e-2)
 
 
 def test_the_stage_names_variants_and_seeds_by_their_files(points, tmp_path, monkeypatch):

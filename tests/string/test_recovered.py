@@ -24,7 +24,7 @@ QUANTUM_MM = SETUP.sensors["displacement_mm"].quantum
 
 def strings_runs(strokes: tuple[int, ...], zeroed: bool = True) -> tuple[list[Recorded], list[float]]:
     """Recordings of one string of the example rig, a minute apart, and where its sensor stood at each start in mm."""
-    rig, made, starts = Standing(SETUP, 1, zeroed=zeroed), [], []
+    rig, runs, starts = Standing(SETUP, 1, zeroed=zeroed), [], []
     for number, count in enumerate(strokes):
         rig.setup = SETUP.model_copy(update={"motion": SETUP.motion.of_strokes(count)})
         simulated, name = rig.own(), f"a-{number + 1}"
@@ -37,8 +37,8 @@ def strings_runs(strokes: tuple[int, ...], zeroed: bool = True) -> tuple[list[Re
         }
         samples = pd.DataFrame(columns)
         run = described(SETUP, Path(f"raw/{name}/run.yaml")).model_copy(update={"tare": "run" if number else "string"})
-        made.append(Recorded(run, "", samples, segment(samples, "motor_turns", name)))
-    return made, starts
+        runs.append(Recorded(run, "", samples, segment(samples, "motor_turns", name)))
+    return runs, starts
 
 
 def test_a_sensor_that_was_set_to_zero_is_tared_without_what_the_string_took_back() -> None:
@@ -77,19 +77,21 @@ def rests_of(parts: list[pd.DataFrame]) -> list[Rests]:
 
 
 def test_wear_alone_is_not_taken_back_and_a_slip_counts_no_more_than_was_lost() -> None:
-    one, two = halves()
-    assert recovered_mm(*rests_of([one, two])) == 0.0
+    first_half, two = halves()
+    assert recovered_mm(*rests_of([first_half, two])) == 0.0
     late = two["time_s"] > 130.0  # amid the first stroke of the second run
     slipped = two.assign(displacement_mm=two["displacement_mm"] - 3.0 * late)
-    assert recovered_mm(*rests_of([one, slipped])) == pytest.approx(0.4, abs=0.05), "four strokes of 0.1 mm were lost"
+    assert recovered_mm(*rests_of([first_half, slipped])) == pytest.approx(0.4, abs=0.05), (
+        "four strokes of 0.1 mm were lost"
+    )
 
 
 def test_rests_under_another_load_tell_nothing() -> None:
-    one, two = halves()
+    first_half, two = halves()
     lost = two["time_s"] > 130.0
     dropped = two.assign(displacement_mm=two["displacement_mm"] - 0.2 * lost)
-    assert recovered_mm(*rests_of([one, dropped])) > 0.15
-    assert recovered_mm(*rests_of([one, dropped.assign(load_n=20.0 + 5.0 * lost)])) == 0.0
+    assert recovered_mm(*rests_of([first_half, dropped])) > 0.15
+    assert recovered_mm(*rests_of([first_half, dropped.assign(load_n=20.0 + 5.0 * lost)])) == 0.0
 
 
 def test_what_is_left_in_is_said() -> None:
@@ -104,17 +106,17 @@ def test_what_is_left_in_is_said() -> None:
 
 def test_the_words_say_between_which_readings_and_at_which_twist_it_was_measured() -> None:
     """It was called all that the string took back: a string that took back 0.48 mm was said to have taken 0.17."""
-    one, two = halves()
+    first_half, two = halves()
     fell = two["time_s"] > 130.0  # after the first stroke of the second run, and by half as much after its second
     second = two["time_s"] > 160.0
     slow = two.assign(displacement_mm=5.0 + two["displacement_mm"] - 0.2 * fell - 0.1 * second)
-    rests = rests_of([one, slow])
+    rests = rests_of([first_half, slow])
     (jump,) = jumps_among(rests)
     assert 0.05 < jump.recovered_mm < 0.3 and jump.rest_turns == pytest.approx(rests[1].turns[0])
     at = f"at rest, at {rests[1].turns[0]:.1g} turns,"
     measured = f"so much less a-2 reads {at} after its first stroke than before it"
-    for said in (jump.advice, zero(jump)):
-        assert measured in said and "perhaps more that later strokes take." in said, said
+    for words in (jump.advice, zero(jump)):
+        assert measured in words and "perhaps more that later strokes take." in words, words
     assert f"{jump.recovered_mm:.2f} mm stay in: so much less" in zero(jump)
 
 

@@ -32,21 +32,19 @@ def runs(tmp_path: Path) -> list[Path]:
 
 
 def test_all_recorded_runs_of_a_string_are_named_and_no_other(runs: list[Path]) -> None:
-    two, ten, one = runs
-    assert others_recorded(two, read_run(two)) == [one, ten]
+    two, ten, first_run = runs
+    assert others_recorded(two, read_run(two)) == [first_run, ten]
     elsewhere = made(two.parent / "there", "a-9")
-    assert others_recorded(two, read_run(two), like=elsewhere) == [one, elsewhere, ten]
-    assert others_recorded(two, read_run(two), like=one) == [one, ten]
+    assert others_recorded(two, read_run(two), like=elsewhere) == [first_run, elsewhere, ten]
+    assert others_recorded(two, read_run(two), like=first_run) == [first_run, ten]
 
 
 def test_what_comes_next_names_all_runs_of_the_string(runs: list[Path]) -> None:
-    two, ten, one = runs
-    diagnose, life = next_steps(ten, 9)
-    assert diagnose.endswith(f"pipeline.diagnose {one} {two} {ten} --together --out reports/mine/a-10")
-    assert (
-        life
-        == f"Next: ask how long the string lasts by: python -m pipeline.lifespan {one} {two} {ten} --out reports/mine"
-    )
+    two, ten, first_run = runs
+    diagnose, lifespan = next_steps(ten, 9)
+    assert diagnose.endswith(f"pipeline.diagnose {first_run} {two} {ten} --together --out reports/mine/a-10")
+    command = f"python -m pipeline.lifespan {first_run} {two} {ten} --out reports/mine"
+    assert lifespan == f"Next: ask how long the string lasts by: {command}"
 
 
 def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: list[Path]) -> None:
@@ -87,11 +85,13 @@ def test_the_next_run_has_the_next_free_number(tmp_path: Path, name: str, follow
 
 
 def test_what_the_runs_say_of_their_zero_is_told(runs: list[Path]) -> None:
-    two, ten, one = runs
-    said = tares(read_run(two), [one, ten])
-    assert "`tare: string` (the default) in a-1; `tare: run` in a-10; a-2 has `tare: string` (the default): its" in said
-    assert "If it was set to zero since, as that of a-10 was, add `tare: run` to its run.yaml." in said
-    assert tares(read_run(two), [one]).endswith("If it was set to zero since, add `tare: run` to its run.yaml.")
-    assert "a-10 has `tare: run`: its sensor was set to zero since the run before." in tares(read_run(ten), [one, two])
+    two, ten, first_run = runs
+    text = tares(read_run(two), [first_run, ten])
+    assert "`tare: string` (the default) in a-1; `tare: run` in a-10; a-2 has `tare: string` (the default): its" in text
+    assert "If it was set to zero since, as that of a-10 was, add `tare: run` to its run.yaml." in text
+    assert tares(read_run(two), [first_run]).endswith("If it was set to zero since, add `tare: run` to its run.yaml.")
+    assert "a-10 has `tare: run`: its sensor was set to zero since the run before." in tares(
+        read_run(ten), [first_run, two]
+    )
     many = [made(two.parent / "more", f"m-{number}") for number in range(1, 8)]
     assert "`tare: string` (the default) in m-4, m-5, m-6, m-7 and 3 more;" in tares(read_run(two), many)

@@ -34,14 +34,16 @@ NAMES = ("a-1", "a-2")
 def halves(jump_mm: float, **how: float) -> list[pd.DataFrame]:
     """Two recordings of one string, one after the other, between which the zero jumps."""
     whole = recording(8, rate_hz=20.0, **how)
-    one, two = (whole[part].reset_index(drop=True) for part in (whole["time_s"] < CUT_S, whole["time_s"] >= CUT_S))
-    return [one, two.assign(displacement_mm=two["displacement_mm"] + jump_mm)]
+    first_half, two = (
+        whole[part].reset_index(drop=True) for part in (whole["time_s"] < CUT_S, whole["time_s"] >= CUT_S)
+    )
+    return [first_half, two.assign(displacement_mm=two["displacement_mm"] + jump_mm)]
 
 
 def runs(jump_mm: float, tare: str | None = None, **second: object) -> list[Recorded]:
-    one, two = halves(jump_mm)
+    first_half, two = halves(jump_mm)
     return [
-        recorded(NAMES[0], samples=one, string=string(id="a")),
+        recorded(NAMES[0], samples=first_half, string=string(id="a")),
         recorded(NAMES[1], samples=two, string=string(id="a", **second), tare=tare),
     ]
 
@@ -58,7 +60,7 @@ def whole() -> pd.DataFrame:
 
 
 def test_the_cut_lies_in_a_rest() -> None:
-    assert [int(one.strokes["stroke"].max()) for one in runs(0.0)] == [4, 4]
+    assert [int(recorded_run.strokes["stroke"].max()) for recorded_run in runs(0.0)] == [4, 4]
 
 
 @pytest.mark.parametrize("jump_mm", [JUMP_MM, -JUMP_MM])
@@ -81,11 +83,11 @@ def test_wear_and_noise_are_no_jump() -> None:
 
 
 def test_rests_that_do_not_compare_say_nothing() -> None:
-    one, two = runs(JUMP_MM)
+    first_run, two = runs(JUMP_MM)
     loaded = two.samples.assign(load_n=30.0)
-    assert jumps([one, Recorded(two.run, "", loaded, two.strokes)]) == []
+    assert jumps([first_run, Recorded(two.run, "", loaded, two.strokes)]) == []
     late = two.samples[two.samples["time_s"] > CUT_S + 10.0].reset_index(drop=True)  # begins high up
-    assert jumps([one, Recorded(two.run, "", late, segment(late, "motor_turns", "a-2"))]) == []
+    assert jumps([first_run, Recorded(two.run, "", late, segment(late, "motor_turns", "a-2"))]) == []
 
 
 def test_strokes_in_between_are_said() -> None:
@@ -110,23 +112,23 @@ def test_tare_run_takes_the_jump_off_and_leaves_the_wear_in(whole: pd.DataFrame)
 
 
 def test_a_run_after_the_one_that_was_moved_goes_with_it() -> None:
-    one, two = runs(JUMP_MM, tare="run")
+    first_run, two = runs(JUMP_MM, tare="run")
     later = two.samples.assign(time_s=two.samples["time_s"] + 500.0)
     three = recorded("a-3", samples=later, string=string(id="a"))
-    first, second, third = offsets_mm([one, two, three])
+    first, second, third = offsets_mm([first_run, two, three])
     assert second == third == pytest.approx(first - JUMP_MM, abs=0.02)
 
 
 def folders(place: Path, jump_mm: float, tare: str | None = None) -> list[Path]:
-    made = []
+    run_folders = []
     for name, part in zip(NAMES, halves(jump_mm), strict=True):
         folder = place / name
         folder.mkdir(parents=True)
-        told = content(name, string=string(id="a"), tare=tare if name == "a-2" else None)
-        (folder / "run.yaml").write_text(json.dumps(told))
+        run_yaml = content(name, string=string(id="a"), tare=tare if name == "a-2" else None)
+        (folder / "run.yaml").write_text(json.dumps(run_yaml))
         part.to_parquet(folder / "recording.parquet", index=False)
-        made.append(folder)
-    return made
+        run_folders.append(folder)
+    return run_folders
 
 
 def program(module: str, *words: object) -> str:
@@ -136,19 +138,21 @@ def program(module: str, *words: object) -> str:
 
 
 @pytest.mark.parametrize(
-    ("tare", "said"),
+    ("tare", "expected_words"),
     [(None, "write `tare: run` in run.yaml of a-2"), ("run", "is taken off the displacement before the tables")],
 )
-def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, said: str) -> None:
-    made, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
-    for folder in made:
+def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, expected_words: str) -> None:
+    run_folders, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
+    for folder in run_folders:
         samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
         program("stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
     notes = tmp_path / "zero_jumps.json"
     words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
-    text = program("stages.dataset", *made, *words)
-    assert [said in one for one in read_jumps([notes])] == ([True] if tare is None else [])
-    assert text.count("The zero jumps between two runs of one string: at rest a-2 reads") == 1 and said in text
+    text = program("stages.dataset", *run_folders, *words)
+    assert [expected_words in sentence for sentence in read_jumps([notes])] == ([True] if tare is None else [])
+    assert (
+        text.count("The zero jumps between two runs of one string: at rest a-2 reads") == 1 and expected_words in text
+    )
     assert len(schemas.read(tmp_path / "dataset.parquet", schemas.DATASET))
 
 
@@ -174,8 +178,12 @@ def test_lifespan_takes_no_jump_for_wear(tmp_path: Path) -> None:
     assert not calm.jumps and [jump.run for jump in jumped.jumps] == ["a-2"]
     text = " ".join(program("lifespan", *folders(tmp_path / "said", JUMP_MM), "--out", tmp_path / "life").split())
     assert "write `tare: run` in run.yaml of a-2" in text and "Here it is taken off: it is no wear." in text
-    (told,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["zero_jumps"]
-    assert told["run"] == "a-2" and told["taken_off"] and told["jump_mm"] == pytest.approx(JUMP_MM, abs=0.02)
+    (zero_jump,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["zero_jumps"]
+    assert (
+        zero_jump["run"] == "a-2"
+        and zero_jump["taken_off"]
+        and zero_jump["jump_mm"] == pytest.approx(JUMP_MM, abs=0.02)
+    )
 
 
 def test_lifespan_asks_for_no_mend_that_was_made(tmp_path: Path) -> None:
@@ -188,40 +196,43 @@ def test_lifespan_asks_for_no_mend_that_was_made(tmp_path: Path) -> None:
 def test_a_run_that_continues_another_beside_it_is_told_of_the_jump(tmp_path: Path) -> None:
     from pipeline.string.from_raw import read
 
-    one, two = folders(tmp_path, JUMP_MM)
+    first_folder, two = folders(tmp_path, JUMP_MM)
     (tmp_path / "broken").mkdir()
     (tmp_path / "broken" / "run.yaml").write_text("a: [")
-    for asked, seen in (([two], ["a-2"]), ([one, two], ["a-2"]), ([one], [])):
-        found = jumps_into([Rests.of(read(folder)) for folder in asked], Beside())
-        assert [jump.run for jump in found] == seen
+    for asked_folders, seen in (([two], ["a-2"]), ([first_folder, two], ["a-2"]), ([first_folder], [])):
+        zero_jumps = jumps_into([Rests.of(read(folder)) for folder in asked_folders], Beside())
+        assert [jump.run for jump in zero_jumps] == seen
 
 
 def test_the_verdict_says_it(tmp_path: Path) -> None:
-    made = []
+    run_folders = []
     for name, seed, jump_mm in (("a-1", 0, 0.0), ("a-2", 1, 1.0)):
         samples = recording(2, rate_hz=10.0, seed=seed, top=15.0)
         folder = tmp_path / name
         folder.mkdir()
         (folder / "run.yaml").write_text(json.dumps(content(name, string=string(id="a"))))
         samples.assign(displacement_mm=samples["displacement_mm"] + jump_mm).to_parquet(folder / "recording.parquet")
-        made.append(folder)
-    text = program("diagnose", *made, "--together", "--out", tmp_path / "out")
+        run_folders.append(folder)
+    text = program("diagnose", *run_folders, "--together", "--out", tmp_path / "out")
     lines = text.splitlines()
     start = lines.index("What to know first")
     rest = takewhile(lambda line: line.startswith(" "), lines[start + 1 :])  # to the next heading
     doubts = [lines[start], *rest]
-    said = " ".join(" ".join(doubts).split())
+    doubts_text = " ".join(" ".join(doubts).split())
     assert len(doubts) > 2 and max(map(len, doubts)) <= 120
-    assert "The zero jumps between two runs of one string: at rest a-2 reads" in said and "`tare: run`" in said
-    assert "This verdict does not depend on it" in said
+    assert (
+        "The zero jumps between two runs of one string: at rest a-2 reads" in doubts_text
+        and "`tare: run`" in doubts_text
+    )
+    assert "This verdict does not depend on it" in doubts_text
     assert text.strip() == (tmp_path / "out" / "verdict.txt").read_text().strip()
-    assert [one["run"] for one in json.loads((tmp_path / "out" / "diagnosis.json").read_text())["zero_jumps"]] == [
-        "a-2"
-    ]
+    assert [
+        zero_jump["run"] for zero_jump in json.loads((tmp_path / "out" / "diagnosis.json").read_text())["zero_jumps"]
+    ] == ["a-2"]
 
 
 @pytest.mark.parametrize(
-    ("tares", "said"),
+    ("tares", "expected_notes"),
     [
         ((None, None, None), []),
         (("run", None, None), []),  # the first run of a string is its zero
@@ -232,38 +243,40 @@ def test_the_verdict_says_it(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_a_small_jump_is_asked_about_where_another_run_was_zeroed(whole: pd.DataFrame, tares, said) -> None:
+def test_a_small_jump_is_asked_about_where_another_run_was_zeroed(whole: pd.DataFrame, tares, expected_notes) -> None:
     """A sensor that starts at 0 in each recording: a jump of less than six floors stayed in, and nobody said so."""
     parts = [whole[(whole["time_s"] >= a) & (whole["time_s"] < b)] for a, b in pairwise((0.0, 61.0, 121.0, 400.0))]
-    made = [
+    rests = [
         Rests.of(recorded(name, samples=part.reset_index(drop=True), string=string(id="a"), tare=tare))
         for name, part, tare in zip("abc", parts, tares, strict=True)
     ]
-    notes = tare_notes(made)
-    assert len(notes) == len(said) and all(words in note for words, (_, note) in zip(said, notes, strict=True))
-    if tares[2] is None and said:
+    notes = tare_notes(rests)
+    assert len(notes) == len(expected_notes) and all(
+        words in note for words, (_, note) in zip(expected_notes, notes, strict=True)
+    )
+    if tares[2] is None and expected_notes:
         assert "mm" in notes[1][1] and notes[1][0] == "c" and "write `tare: run` in run.yaml of c too" in notes[1][1]
 
 
 def test_where_a_jump_is_said_the_tare_is_not_said_again() -> None:
-    made = [Rests.of(run) for run in runs(JUMP_MM, tare="run")]
-    assert jumps(runs(JUMP_MM, tare="run")) and not tare_notes(made)
+    rests = [Rests.of(run) for run in runs(JUMP_MM, tare="run")]
+    assert jumps(runs(JUMP_MM, tare="run")) and not tare_notes(rests)
 
 
 def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Path) -> None:
-    one, two = folders(tmp_path / "raw", 0.0)
-    text = program("lifespan", one, "--out", tmp_path / "life")
+    first_folder, two = folders(tmp_path / "raw", 0.0)
+    text = program("lifespan", first_folder, "--out", tmp_path / "life")
     assert "1 more run of the string a beside, not given" in text
     assert "4 strokes seen; at least 12 are needed, 8 more than there are. Name the runs beside as well.\n" in text
     assert "Record 8" not in text
     life = tmp_path / "life"
-    again = f"python -m pipeline.lifespan {one} {two} --out {life}"
+    again = f"python -m pipeline.lifespan {first_folder} {two} --out {life}"
     assert again in map(str.strip, text.splitlines()) and "replaces" not in text
     path = life / "a" / "lifespan.json"
     assert f"Written: {path} and {path.with_name('lifespan.png')}." in " ".join(text.split())
-    text = program("lifespan", one, two, "--out", life)
+    text = program("lifespan", first_folder, two, "--out", life)
     assert "not given" not in text and "This replaces the answer that was there, from a-1.\n" in text
-    assert "replaces" not in program("lifespan", one, two, "--out", life), "an answer from the same runs"
+    assert "replaces" not in program("lifespan", first_folder, two, "--out", life), "an answer from the same runs"
     lacks = program("lifespan", two, "--out", life)
     assert "This replaces the answer that was there, from a-1, a-2, and lacks a-1." in lacks
     path.write_text("[1]")
@@ -273,45 +286,45 @@ def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Pat
 def test_lifespan_says_a_tare_that_is_smaller_than_a_jump(tmp_path: Path) -> None:
     text = program("lifespan", *folders(tmp_path / "raw", 0.05, "run"), "--out", tmp_path / "life")
     assert "  run.yaml of a-2 says `tare: run`: at rest it reads 0.0" in text and "and that is taken off" in text
-    (told,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["tares"]
-    assert told in text
+    (tare_note,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["tares"]
+    assert tare_note in text
     assert "`tare" not in program("lifespan", *folders(tmp_path / "plain", 0.05), "--out", tmp_path / "life")
 
 
 def test_of_many_runs_of_a_string_the_last_ones_before_the_new_one_are_read(tmp_path: Path) -> None:
-    one, two = folders(tmp_path / "raw", JUMP_MM)
+    first_folder, two = folders(tmp_path / "raw", JUMP_MM)
     for number in range(6):
         folder = tmp_path / "raw" / f"old-{number}"
         folder.mkdir()
         (folder / "run.yaml").write_text(json.dumps(content(folder.name, string=string(id="a"))))
         (folder / "recording.parquet").write_bytes(b"never read")
         (folder / "capture.json").write_text(json.dumps({"started_utc": f"2026-01-0{number + 1}T00:00:00+00:00"}))
-    for folder, day in ((one, 8), (two, 9)):
+    for folder, day in ((first_folder, 8), (two, 9)):
         (folder / "capture.json").write_text(json.dumps({"started_utc": f"2026-01-0{day}T00:00:00+00:00"}))
-    assert [last.name for last in _last([*sorted((tmp_path / "raw").glob("o*")), one], "2026-01-09")] == [
+    assert [last.name for last in _last([*sorted((tmp_path / "raw").glob("o*")), first_folder], "2026-01-09")] == [
         "old-3", "old-4", "old-5", "a-1",
     ]  # fmt: skip
     (sentence,) = advice_on(two)
-    assert "write `tare: run` in run.yaml of a-2" in sentence and advice_on(one) == []
+    assert "write `tare: run` in run.yaml of a-2" in sentence and advice_on(first_folder) == []
 
 
 def of_other_loads(place: Path) -> list[Path]:
     """Two runs of one string, the second under 30 N in place of 20 N; its zero was moved as well."""
-    made = folders(place, JUMP_MM)
-    table = pd.read_parquet(made[1] / "recording.parquet")
-    table.assign(load_n=30.0).to_parquet(made[1] / "recording.parquet", index=False)
-    return made
+    run_folders = folders(place, JUMP_MM)
+    table = pd.read_parquet(run_folders[1] / "recording.parquet")
+    table.assign(load_n=30.0).to_parquet(run_folders[1] / "recording.parquet", index=False)
+    return run_folders
 
 
 def test_a_zero_that_is_not_compared_is_said_in_the_log_of_the_dataset(tmp_path: Path) -> None:
     """The list of jumps was empty, as if the zeros had been compared and were the same."""
-    made, processed = of_other_loads(tmp_path / "raw"), tmp_path / "processed"
-    for folder in made:
+    run_folders, processed = of_other_loads(tmp_path / "raw"), tmp_path / "processed"
+    for folder in run_folders:
         samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
         program("stages.ingest", folder, "--out", samples, "--out-strokes", strokes)
     notes = tmp_path / "zero_jumps.json"
     words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
-    text = program("stages.dataset", *made, *words)
+    text = program("stages.dataset", *run_folders, *words)
     why = "a-1 rests last at 20 N, a-2 begins at 30 N"
     (note,) = read_jumps([notes])
     assert note.startswith(f"{NOT_COMPARED} a-1 and a-2: {why}. If the sensor"), (
@@ -322,35 +335,35 @@ def test_a_zero_that_is_not_compared_is_said_in_the_log_of_the_dataset(tmp_path:
 
 @pytest.mark.long
 def test_a_zero_that_is_not_compared_is_said_of_runs_that_are_diagnosed_together(tmp_path: Path) -> None:
-    made = of_other_loads(tmp_path / "raw")
-    done = programs.run("pipeline.diagnose", *made, "--together", "--out", tmp_path / "out")
+    run_folders = of_other_loads(tmp_path / "raw")
+    done = programs.run("pipeline.diagnose", *run_folders, "--together", "--out", tmp_path / "out")
     assert done.returncode == 0, done.stderr
-    said = "a-1+a-2: zero not compared between a-1 and a-2: a-1 rests last at 20 N, a-2 begins at 30 N."
-    assert said in done.stderr and "This verdict does not depend on it" in done.stderr
+    warning = "a-1+a-2: zero not compared between a-1 and a-2: a-1 rests last at 20 N, a-2 begins at 30 N."
+    assert warning in done.stderr and "This verdict does not depend on it" in done.stderr
 
 
 def test_why_a_zero_is_not_compared_is_told_once() -> None:
-    one, two = runs(JUMP_MM)
+    first_run, two = runs(JUMP_MM)
     late = two.samples[two.samples["time_s"] > CUT_S + 10.0].reset_index(drop=True)  # begins high up
     begun = Recorded(two.run, "", late, segment(late, "motor_turns", "a-2"))
-    (note,) = not_compared([Rests.of(one), Rests.of(begun)])
+    (note,) = not_compared([Rests.of(first_run), Rests.of(begun)])
     assert re.search(r"between a-1 and a-2: a-1 rests last at 0 turns, a-2 begins at 1\d(\.\d)? turns\.", note)
-    beginning = Rests.of(one)  # of a run that ends while it unwinds: its load changed since its only rest
+    beginning = Rests.of(first_run)  # of a run that ends while it unwinds: its load changed since its only rest
     alone = replace(beginning, after=(0,), **{name: getattr(beginning, name)[:1] for name in ("turns", "load_n")})
     (note,) = not_compared([alone, Rests.of(begun)])
     assert "a-1 begins at 0 turns and rests no more, a-2 begins at" in note
     assert not_compared([Rests.of(run) for run in runs(JUMP_MM)]) == []
-    tared = [Rests.of(one), replace(Rests.of(begun), run=runs(JUMP_MM, tare="run")[1].run)]
+    tared = [Rests.of(first_run), replace(Rests.of(begun), run=runs(JUMP_MM, tare="run")[1].run)]
     assert not_compared(tared) == [] and len(tare_notes(tared)) == 1
     assert to_confirm(tared) == [], "its run.yaml confirms it"
 
 
 def test_a_zero_that_is_not_compared_stands_on_the_pages_where_another_run_is_tared_anew() -> None:
     """There the log says it in other words, which are no sentence of `not_compared`."""
-    one, two = runs(JUMP_MM)
+    first_run, two = runs(JUMP_MM)
     begun = other_load(Rests.of(two))
-    tared = replace(Rests.of(two), run=one.run.model_copy(update={"run": "a-3", "tare": "run"}))
-    every = [Rests.of(one), begun, tared]
+    tared = replace(Rests.of(two), run=first_run.run.model_copy(update={"run": "a-3", "tare": "run"}))
+    every = [Rests.of(first_run), begun, tared]
     assert [note.split(":")[0] for note in to_confirm(every)] == [f"{NOT_COMPARED} a-1 and a-2"]
     assert not_compared(every) == []
 

@@ -54,24 +54,24 @@ def test_each_kind_of_string_is_one_of_the_string_actuators():
 
 def test_dimensions_are_named_once_and_have_tolerances(system, run):
     parameters = system.parameters(run)
-    assert len({one.name for one in parameters}) == len(parameters)
-    assert all(np.isfinite(one.nominal) and one.sigma >= 0.0 for one in parameters)
-    assert any(one.sigma > 0.0 for one in parameters)
+    assert len({parameter.name for parameter in parameters}) == len(parameters)
+    assert all(np.isfinite(parameter.nominal) and parameter.sigma >= 0.0 for parameter in parameters)
+    assert any(parameter.sigma > 0.0 for parameter in parameters)
     run.tolerance = {key: 2.0 * value for key, value in system.tolerance.items()}
-    for one, wider in zip(parameters, system.parameters(run), strict=True):
-        assert wider.sigma == pytest.approx(2.0 * one.sigma)
-    assert system.homed is None or system.homed in [one.name for one in parameters]
+    for parameter, wider in zip(parameters, system.parameters(run), strict=True):
+        assert wider.sigma == pytest.approx(2.0 * parameter.sigma)
+    assert system.homed is None or system.homed in [parameter.name for parameter in parameters]
 
 
 def test_it_reads_one_value_a_sample_and_each_dimension_and_port_moves_it(system, run, inputs):
     parameters = system.parameters(run)
-    values = np.array([one.nominal for one in parameters])
+    values = np.array([parameter.nominal for parameter in parameters])
     reading = system.simulate(values, inputs, {})
     assert reading.shape == (SAMPLES,) and np.isfinite(reading).all()
-    for place, one in enumerate(parameters):
-        if one.sigma > 0.0:
-            moved = values + one.sigma * (np.arange(len(values)) == place)
-            assert np.abs(system.simulate(moved, inputs, {}) - reading).max() > 0.0, one.name
+    for place, parameter in enumerate(parameters):
+        if parameter.sigma > 0.0:
+            moved = values + parameter.sigma * (np.arange(len(values)) == place)
+            assert np.abs(system.simulate(moved, inputs, {}) - reading).max() > 0.0, parameter.name
     for port, key in system.ports.items():
         if port != "sensor":
             pushed = system.simulate(values, inputs, {key: np.full(SAMPLES, 0.01)})
@@ -79,7 +79,7 @@ def test_it_reads_one_value_a_sample_and_each_dimension_and_port_moves_it(system
 
 
 def test_lever_and_travel_are_finite(system, run, inputs):
-    values = np.array([one.nominal for one in system.parameters(run)])
+    values = np.array([parameter.nominal for parameter in system.parameters(run)])
     sine, tangent = system.lever(values, inputs)
     assert np.isfinite(sine).all() and np.isfinite(tangent).all()
     assert np.isfinite(system.travel(values, inputs)).all()
@@ -92,6 +92,8 @@ def test_a_stiffness_that_nobody_measured_may_be_moved_and_a_measured_one_may_no
     for name, moves in (("separator", True), ("twisted_pair", False)):  # the pair's equation has no stiffness
         for string in (STRING, unknown):
             run = SimpleNamespace(string=string, rig=rig, tolerance={})
-            found = {one.name: one for one in systems()[name].parameters(run)}["stiffness_n_per_mm"]
-            assert found.nominal == pytest.approx(30.0 if string is STRING else 7000.0 * np.pi * 0.25 / 300.0)
-            assert found.sigma == (pytest.approx(0.3 * found.nominal) if moves and string is unknown else 0.0)
+            stiffness = {parameter.name: parameter for parameter in systems()[name].parameters(run)}[
+                "stiffness_n_per_mm"
+            ]
+            assert stiffness.nominal == pytest.approx(30.0 if string is STRING else 7000.0 * np.pi * 0.25 / 300.0)
+            assert stiffness.sigma == (pytest.approx(0.3 * stiffness.nominal) if moves and string is unknown else 0.0)

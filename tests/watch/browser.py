@@ -31,19 +31,19 @@ class Browser:
         self._session = self._ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         self._ask("Runtime.enable", self._session)
 
-    def _ask(self, method: str, session: str | None = None, **given: Any) -> dict:
+    def _ask(self, method: str, session: str | None = None, **params: Any) -> dict:
         number = next(self._numbers)
-        said = {"id": number, "method": method, "params": given} | ({"sessionId": session} if session else {})
-        os.write(self._says, json.dumps(said).encode() + b"\0")
+        request = {"id": number, "method": method, "params": params} | ({"sessionId": session} if session else {})
+        os.write(self._says, json.dumps(request).encode() + b"\0")
         while True:
             while b"\0" not in self._rest:
                 self._rest += os.read(self._hears, 1 << 16)
             message, self._rest = self._rest.split(b"\0", 1)
-            found = json.loads(message)
-            self._hear(found.get("method"), found.get("params", {}))
-            if found.get("id") == number:
-                assert "error" not in found, found
-                return found["result"]
+            reply = json.loads(message)
+            self._hear(reply.get("method"), reply.get("params", {}))
+            if reply.get("id") == number:
+                assert "error" not in reply, reply
+                return reply["result"]
 
     def _hear(self, method: str | None, params: dict) -> None:
         """Keep an error that nobody catches, or that a script says to the console."""
@@ -63,18 +63,18 @@ class Browser:
 
     def run(self, script: str) -> Any:
         """The value of a sentence, whose promise is waited for."""
-        asked = {"expression": script, "returnByValue": True, "awaitPromise": True}
-        found = self._ask("Runtime.evaluate", self._session, **asked)
-        assert "exceptionDetails" not in found, found
-        return found["result"].get("value")
+        params = {"expression": script, "returnByValue": True, "awaitPromise": True}
+        reply = self._ask("Runtime.evaluate", self._session, **params)
+        assert "exceptionDetails" not in reply, reply
+        return reply["result"].get("value")
 
     def until(self, script: str, seconds: float = 90.0) -> Any:
         """Wait until a sentence is true."""
         end_s = time.monotonic() + seconds
-        while not (found := self.run(f"Boolean({script})")):
+        while not (is_true := self.run(f"Boolean({script})")):
             assert time.monotonic() < end_s, (script, self.run("document.body.innerText"))
             time.sleep(0.2)
-        return found
+        return is_true
 
     def text(self, name: str) -> str:
         """What stands in an element."""
@@ -98,7 +98,9 @@ def browser(home: Path) -> Iterator[Browser]:
     plumbing = f"exec chromium {' '.join(WORDS)} --user-data-dir={home}/profile 3<&{theirs_in} 4>&{theirs_out}"
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     environment = {**os.environ, "HOME": str(home)}
-    with subprocess.Popen(["bash", "-c", plumbing], pass_fds=(theirs_in, theirs_out), env=environment, **quiet) as one:
+    with subprocess.Popen(
+        ["bash", "-c", plumbing], pass_fds=(theirs_in, theirs_out), env=environment, **quiet
+    ) as chromium:
         try:
             os.close(theirs_in)
             os.close(theirs_out)
@@ -107,6 +109,6 @@ def browser(home: Path) -> Iterator[Browser]:
             seen.run("0")  # hears what was said last
             assert not seen.faults, seen.faults
         finally:
-            one.terminate()
+            chromium.terminate()
             os.close(says)
             os.close(hears)

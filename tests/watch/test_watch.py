@@ -58,10 +58,10 @@ def samples(first: int, count: int) -> bytes:
 
 def folder(place: Path, name: str = "run-1", **changes: object) -> Path:
     """A run folder without a recording."""
-    made = place / "raw" / name
-    made.mkdir(parents=True)
-    (made / "run.yaml").write_text(yaml.safe_dump(content(name, **changes)))
-    return made
+    run_folder = place / "raw" / name
+    run_folder.mkdir(parents=True)
+    (run_folder / "run.yaml").write_text(yaml.safe_dump(content(name, **changes)))
+    return run_folder
 
 
 def ready_made(*words: object) -> ready.Program:
@@ -101,14 +101,14 @@ def get(port: int, path: str, **headers: str) -> tuple[int, bytes, http.client.H
         connection.close()
 
 
-def told(port: int, until=lambda found: True, seconds: float = 20.0) -> dict:
+def told(port: int, until=lambda snapshot: True, seconds: float = 20.0) -> dict:
     """What the page is told, as soon as that holds."""
     end_s = time.monotonic() + seconds
     while True:
-        found = json.loads(get(port, "/data.json")[1])
-        if "run" in found and until(found):
-            return found
-        assert time.monotonic() < end_s, found
+        snapshot = json.loads(get(port, "/data.json")[1])
+        if "run" in snapshot and until(snapshot):
+            return snapshot
+        assert time.monotonic() < end_s, snapshot
         time.sleep(0.1)
 
 
@@ -116,26 +116,28 @@ def test_what_the_page_is_told_is_what_the_capture_program_recorded(tmp_path: Pa
     run = folder(tmp_path)
     with synthetic_rig(tmp_path / "port", ROOT / "pipeline/rig/setups/small.yaml", "--pace", 20), watched(run) as at:
         process = ready.start("pipeline.capture", tmp_path / "port", run)
-        live = told(at[0], lambda found: found["samples"] > 0)
+        live = told(at[0], lambda snapshot: snapshot["samples"] > 0)
         assert process.poll() is None and not live["ended"], "it is shown while it is recorded"
         process.communicate()
-        found = told(at[0], lambda found: found["ended"])
+        snapshot = told(at[0], lambda snapshot: snapshot["ended"])
     recorded = read_recording((run / "recording.frames").read_bytes())
     info = json.loads((run / "capture.json").read_text())
-    assert found["state"] == "complete" and found["samples"] == info["samples"]["received"]
-    assert (found["lost"], found["bad"]) == (info["frames"]["lost"], info["frames"]["bad"])
-    assert found["strokes"] == found["planned"] == 5
-    one = {channel["name"]: channel for channel in found["channels"]}
+    assert snapshot["state"] == "complete" and snapshot["samples"] == info["samples"]["received"]
+    assert (snapshot["lost"], snapshot["bad"]) == (info["frames"]["lost"], info["frames"]["bad"])
+    assert snapshot["strokes"] == snapshot["planned"] == 5
+    channels = {channel["name"]: channel for channel in snapshot["channels"]}
     for name, values in recorded.channels.items():
-        assert min(one[name]["low"]) == pytest.approx(values.min(), rel=1e-5, abs=1e-9)
-        assert max(one[name]["high"]) == pytest.approx(values.max(), rel=1e-5)
-    assert found["time_s"][-1] <= recorded.time_s[-1] < found["time_s"][-1] + 2.0
-    loop = found["loops"][-1]
-    assert len(found["loops"]) == 3 and max(loop["motor_turns"]) == pytest.approx(16, abs=0.1)
+        assert min(channels[name]["low"]) == pytest.approx(values.min(), rel=1e-5, abs=1e-9)
+        assert max(channels[name]["high"]) == pytest.approx(values.max(), rel=1e-5)
+    assert snapshot["time_s"][-1] <= recorded.time_s[-1] < snapshot["time_s"][-1] + 2.0
+    loop = snapshot["loops"][-1]
+    assert len(snapshot["loops"]) == 3 and max(loop["motor_turns"]) == pytest.approx(16, abs=0.1)
     wound = slice(0, int(np.argmax(loop["motor_turns"])))
-    here = slice(0, int(np.argmax(loop["simulated_turns"])))
-    measured = np.interp(loop["simulated_turns"][here], loop["motor_turns"][wound], loop["displacement_mm"][wound])
-    off = np.array(loop["simulated_mm"][here]) - measured
+    simulated_wound = slice(0, int(np.argmax(loop["simulated_turns"])))
+    measured = np.interp(
+        loop["simulated_turns"][simulated_wound], loop["motor_turns"][wound], loop["displacement_mm"][wound]
+    )
+    off = np.array(loop["simulated_mm"][simulated_wound]) - measured
     assert 0.0 < np.abs(off).max() < 10.0, "the simulator is near, and not the recording itself"
 
 
@@ -146,9 +148,9 @@ def test_losses_are_counted_and_a_clock_that_jumps_moves_nothing(tmp_path: Path)
     frames = encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 500) + samples(511, 500) + b"\x05\x05\0"
     (run / "recording.frames").write_bytes(frames + encode(Kind.SAMPLE, 1011, jumped.tobytes()) + samples(1012, 9))
     with watched(run) as (port, _):
-        found = told(port, lambda found: found["samples"] == 1010)
-    assert (found["lost"], found["bad"], found["jumps"]) == (10, 1, 2)
-    assert max(found["time_s"]) == found["time_s"][-1] == pytest.approx(1.02, abs=0.01)
+        snapshot = told(port, lambda snapshot: snapshot["samples"] == 1010)
+    assert (snapshot["lost"], snapshot["bad"], snapshot["jumps"]) == (10, 1, 2)
+    assert max(snapshot["time_s"]) == snapshot["time_s"][-1] == pytest.approx(1.02, abs=0.01)
 
 
 def test_a_recording_that_grows_is_replaced_and_is_recovered(tmp_path: Path):
@@ -156,18 +158,18 @@ def test_a_recording_that_grows_is_replaced_and_is_recovered(tmp_path: Path):
     with watched(run) as (port, _):
         assert told(port)["state"] == "no recording yet"
         place.write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 300)[:-5])
-        assert told(port, lambda found: found["samples"] == 299)
+        assert told(port, lambda snapshot: snapshot["samples"] == 299)
         with open(place, "ab") as file:
             file.write(samples(1, 300)[-5:] + encode(Kind.EVENT, 301, EVENT.pack(0, Event.STROKE_END, 1)))
-        found = told(port, lambda found: found["samples"] == 300)
-        assert found["lost"] == 0
+        snapshot = told(port, lambda snapshot: snapshot["samples"] == 300)
+        assert snapshot["lost"] == 0
         other = tmp_path / "other"
         other.write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 40))
         other.replace(place)
-        found = told(port, lambda found: found["samples"] == 40)
-        assert found["replaced"] == 1
+        snapshot = told(port, lambda snapshot: snapshot["samples"] == 40)
+        assert snapshot["replaced"] == 1
         assert ready.run("pipeline.capture", "--recover", run).returncode == 0
-        assert told(port, lambda found: found["ended"])["state"] == "recovered"
+        assert told(port, lambda snapshot: snapshot["ended"])["state"] == "recovered"
 
 
 def test_printed_lines_are_shown_too(tmp_path: Path):
@@ -175,9 +177,9 @@ def test_printed_lines_are_shown_too(tmp_path: Path):
     lines = "".join(f"{at * 10},{at / 100},{at / 200}\n" for at in range(1, 900))
     (run / "recording.lines").write_text("time_ms,motor_turns,displacement_mm\n" + lines)
     with watched(run, start=bare) as (port, _):
-        found = told(port, lambda found: found["samples"] == 899)
-    assert found["lost"] is None and found["columns"] == ["motor_turns", "displacement_mm"]
-    assert found["time_s"][-1] == pytest.approx(8.98, abs=0.02)
+        snapshot = told(port, lambda snapshot: snapshot["samples"] == 899)
+    assert snapshot["lost"] is None and snapshot["columns"] == ["motor_turns", "displacement_mm"]
+    assert snapshot["time_s"][-1] == pytest.approx(8.98, abs=0.02)
 
 
 def test_nothing_outside_reports_is_served_and_nothing_is_taken(tmp_path: Path):
@@ -201,9 +203,11 @@ def test_nothing_outside_reports_is_served_and_nothing_is_taken(tmp_path: Path):
         connection.request("POST", "/", body="x")
         assert connection.getresponse().status == 405
         connection.close()
-        found = told(port)
-    assert found["verdict"] == SAID and found["verdicts"][0]["verdict"] == SAID, "its warning stands on the second line"
-    assert found["verdicts"][0]["page"].endswith("verdict.txt")
+        snapshot = told(port)
+    assert snapshot["verdict"] == SAID and snapshot["verdicts"][0]["verdict"] == SAID, (
+        "its warning stands on the second line"
+    )
+    assert snapshot["verdicts"][0]["page"].endswith("verdict.txt")
 
 
 def test_another_host_needs_the_token(tmp_path: Path):
@@ -221,10 +225,10 @@ def test_a_second_client_and_one_that_goes_away_change_nothing(tmp_path: Path):
     run = folder(tmp_path)
     (run / "recording.frames").write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 3000))
     with watched(run) as (port, _):
-        for said in (b"", b"GET /da", b"\xff\0\r\n\r\n", b"GET /data.json HTTP/1.1\r\nHost: localhost\r\n\r\n"):
+        for request in (b"", b"GET /da", b"\xff\0\r\n\r\n", b"GET /data.json HTTP/1.1\r\nHost: localhost\r\n\r\n"):
             with socket.create_connection(("127.0.0.1", port)) as client:
-                client.sendall(said)
-        told(port, lambda found: found["samples"] == 3000)
+                client.sendall(request)
+        told(port, lambda snapshot: snapshot["samples"] == 3000)
         assert [get(port, "/data.json")[0] for _ in range(40)] == [200] * 40
         with contextlib.ExitStack() as idle:  # more than there is room for
             for _ in range(30):
@@ -240,7 +244,7 @@ def test_a_browser_shows_the_recording_and_no_hostile_text_acts(tmp_path: Path):
     (reports / "verdict.txt").write_text(f"explained: {HOSTILE}\n")
     (run / "recording.frames").write_bytes(encode(Kind.HELLO, 0, HELLO.pack()) + samples(1, 3000) + samples(3011, 9))
     with watched(run) as (port, _):
-        told(port, lambda found: found["samples"] == 3009)
+        told(port, lambda snapshot: snapshot["samples"] == 3009)
         browser = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'home'}"]
         page = [*browser, "--virtual-time-budget=4000", "--dump-dom", f"http://127.0.0.1:{port}/"]
         home = {**os.environ, "HOME": str(tmp_path)}
@@ -304,17 +308,21 @@ def test_names_that_a_person_gave_are_known_while_it_is_recorded_and_afterwards(
     columns = ("time_ms", "motor_turns", "displacement_mm")
     with watched(run) as (port, _):
         with written_to(run / "recording.lines"):
-            found = told(port, lambda found: found["state"] == "recording" and found["empty"] != "No sample came yet.")
-            assert found["samples"] == 0 and found["empty"].startswith("No line is read yet, but all are kept")
-            assert "name them in the order in which the rig prints them, with a name for each ... (" in found["empty"]
-            assert found["empty"].endswith(f": python -m pipeline.capture --recover {run} --columns ...,...,...")
+            snapshot = told(
+                port, lambda snapshot: snapshot["state"] == "recording" and snapshot["empty"] != "No sample came yet."
+            )
+            assert snapshot["samples"] == 0 and snapshot["empty"].startswith("No line is read yet, but all are kept")
+            assert (
+                "name them in the order in which the rig prints them, with a name for each ... (" in snapshot["empty"]
+            )
+            assert snapshot["empty"].endswith(f": python -m pipeline.capture --recover {run} --columns ...,...,...")
             note(run, datetime.now(UTC), columns)
-            found = told(port, lambda found: found["samples"])
-            assert found["columns"] == [*columns[1:]] and found["state"] in ("recording", "silent")
-            assert found["empty"] == ""
+            snapshot = told(port, lambda snapshot: snapshot["samples"])
+            assert snapshot["columns"] == [*columns[1:]] and snapshot["state"] in ("recording", "silent")
+            assert snapshot["empty"] == ""
         assert ready.run("pipeline.capture", "--recover", run).returncode == 0, "the note names them here too"
-        found = told(port, lambda found: found["ended"])
-    assert found["samples"] == 898 and found["columns"] == [*columns[1:]] and found["replaced"] == 0
+        snapshot = told(port, lambda snapshot: snapshot["ended"])
+    assert snapshot["samples"] == 898 and snapshot["columns"] == [*columns[1:]] and snapshot["replaced"] == 0
 
 
 def test_a_run_whose_columns_nobody_named_says_so_everywhere_with_the_command_that_works(tmp_path: Path):
@@ -328,11 +336,15 @@ def test_a_run_whose_columns_nobody_named_says_so_everywhere_with_the_command_th
     mend = re.search(rf"pipeline\.capture (--recover {run} --columns (\.\.\.|time_ms),\.\.\.,\.\.\.)", refused.stderr)
     assert mend and "wait for the capture" not in refused.stderr
     with watched(run) as (port, _):
-        found = told(port, lambda found: found["unnamed"])
-        assert (found["samples"], found["unnamed"], found["state"]) == (0, 898, "kept; its columns have no names")
+        snapshot = told(port, lambda snapshot: snapshot["unnamed"])
+        assert (snapshot["samples"], snapshot["unnamed"], snapshot["state"]) == (
+            0,
+            898,
+            "kept; its columns have no names",
+        )
         filled = [*mend[1].split()[:-1], "time_ms,motor_turns,displacement_mm"]
         assert ready.run("pipeline.capture", *filled).returncode == 0
-        assert told(port, lambda found: found["ended"])["unnamed"] == 0
+        assert told(port, lambda snapshot: snapshot["ended"])["unnamed"] == 0
     assert not (run / "capture-pending.json").exists()
 
 
@@ -341,9 +353,9 @@ def test_a_column_is_shown_as_the_channel_that_run_yaml_reads_it_as(tmp_path: Pa
     run = folder(tmp_path, channels=channels)
     (run / "recording.lines").write_text("time_ms,theta,x\n" + NAMELESS)
     with watched(run) as (port, _):
-        found = told(port, lambda found: found["samples"] == 899)
-    assert found["columns"] == ["motor_turns", "displacement_mm"] and found["loops"] and found["empty"] == ""
-    assert found["last"] == pytest.approx([8.98, 8.99 / (2 * np.pi), 8.99], rel=1e-4)
+        snapshot = told(port, lambda snapshot: snapshot["samples"] == 899)
+    assert snapshot["columns"] == ["motor_turns", "displacement_mm"] and snapshot["loops"] and snapshot["empty"] == ""
+    assert snapshot["last"] == pytest.approx([8.98, 8.99 / (2 * np.pi), 8.99], rel=1e-4)
 
 
 def test_a_silent_recording_is_told_from_one_that_was_cut_off_and_one_that_ended_says_when(tmp_path: Path):
@@ -353,13 +365,13 @@ def test_a_silent_recording_is_told_from_one_that_was_cut_off_and_one_that_ended
         assert told(port)["empty"] == "Nothing is recorded yet."
         lines.write_text("time_ms,motor_turns,displacement_mm\n" + NAMELESS)
         os.utime(lines, (time.time() - 500, time.time() - 500))
-        found = told(port, lambda found: found["samples"])
-        assert found["state"] == "no end was written" and 490 < found["age_s"] < 600, "by the file, not the start"
+        snapshot = told(port, lambda snapshot: snapshot["samples"])
+        assert snapshot["state"] == "no end was written" and 490 < snapshot["age_s"] < 600, "by the file, not the start"
         with written_to(lines):
-            assert told(port, lambda found: found["state"] == "silent")
+            assert told(port, lambda snapshot: snapshot["state"] == "silent")
         assert ready.run("pipeline.capture", "--recover", run).returncode == 0
-        found = told(port, lambda found: found["ended"])
-    assert found["ended_utc"] == json.loads((run / "capture.json").read_text())["ended_utc"]
+        snapshot = told(port, lambda snapshot: snapshot["ended"])
+    assert snapshot["ended_utc"] == json.loads((run / "capture.json").read_text())["ended_utc"]
 
 
 def test_a_diagnosis_and_a_forecast_are_shown_wherever_they_lie_in_reports_the_newest_one(tmp_path: Path):
@@ -367,25 +379,28 @@ def test_a_diagnosis_and_a_forecast_are_shown_wherever_they_lie_in_reports_the_n
     string = content("run-1")["string"] | {"id": "spool-1"}
     run, reports = folder(tmp_path, string=string), tmp_path / "reports"
 
-    def diagnosed(place: str, verdict: str, left: float, seconds: float) -> None:
+    def diagnosed(place: str, verdict: str, median_left: float, seconds: float) -> None:
         for name in ("run-1", "spool-1"):
             (reports / place / name).mkdir(parents=True)
         (reports / place / "run-1" / "verdict.txt").write_text(f"{verdict},\n  surely.\n\nmore\n")
-        strokes = {"low": left - 1, "median": left, "high": left + 1}
+        strokes = {"low": median_left - 1, "median": median_left, "high": median_left + 1}
         forecast = {"first": "a", "questions": {"a": {"strokes_left": strokes}}}
-        for path, held in (("run-1/diagnosis.json", {}), ("spool-1/lifespan.json", forecast)):
-            (reports / place / path).write_text(json.dumps(held))
+        for path, report in (("run-1/diagnosis.json", {}), ("spool-1/lifespan.json", forecast)):
+            (reports / place / path).write_text(json.dumps(report))
             os.utime(reports / place / path, (seconds, seconds))
 
     diagnosed("diagnosis", "explained: creep", 9.0, 1e9)
     diagnosed("mine", "explained: friction", 5.0, 2e9)
     with watched(run) as (port, _):
-        found = told(port)
-        assert (found["verdict"], found["verdict_page"]) == ("explained: friction, surely.", "mine/run-1/verdict.txt")
-        assert (found["left"]["median"], found["left"]["file"]) == (5.0, "mine/spool-1/lifespan.json")
-        assert get(port, f"/reports/{found['verdict_page']}")[0] == 200
+        snapshot = told(port)
+        assert (snapshot["verdict"], snapshot["verdict_page"]) == (
+            "explained: friction, surely.",
+            "mine/run-1/verdict.txt",
+        )
+        assert (snapshot["left"]["median"], snapshot["left"]["file"]) == (5.0, "mine/spool-1/lifespan.json")
+        assert get(port, f"/reports/{snapshot['verdict_page']}")[0] == 200
         (reports / "mine" / "run-1" / "diagnosis.json").unlink()
-        assert told(port, lambda found: found["verdict"] == "explained: creep, surely.")
+        assert told(port, lambda snapshot: snapshot["verdict"] == "explained: creep, surely.")
     diagnosed("mine/deep", "explained: wear", 3.0, 2e9)
     with watched(run, "--reports", reports / "mine" / "deep") as (port, _):
         assert told(port)["verdict_page"] == "run-1/verdict.txt"
@@ -411,23 +426,23 @@ def test_a_verdict_of_settle_or_of_several_runs_is_shown_as_theirs(tmp_path: Pat
             ("both", ["run-2", "run-1", "run-3"], "open", 2.5e9, "together with run-2 and run-3"),
         ):
             diagnosed(place, runs, verdict, seconds)
-            found = told(port, lambda found, verdict=verdict: found["verdict"] == verdict)
-            assert found["verdict_page"] == f"{place}/verdict.txt" and found["verdict_of"].startswith(words)
+            snapshot = told(port, lambda snapshot, verdict=verdict: snapshot["verdict"] == verdict)
+            assert snapshot["verdict_page"] == f"{place}/verdict.txt" and snapshot["verdict_of"].startswith(words)
 
 
 def test_the_strokes_left_say_of_which_limit_by_which_strokes_and_promise_no_more_than_the_terminal(tmp_path: Path):
     """`16.9 (9.93 to –)`: of what, by what, and the terminal said 9 and 16."""
-    left = tmp_path / "spool-1"
-    left.mkdir()
+    lifespan_folder = tmp_path / "spool-1"
+    lifespan_folder.mkdir()
     strokes = {"low": 9.93, "median": 16.927, "high": None}
-    asked = {"model_error": {"limit": 1.0, "unit": "mm", "strokes_left": strokes}}
-    asked["stroke_loss"] = {"limit": 0.1, "unit": "1", "strokes_left": {"low": 62.2, "median": None, "high": None}}
+    questions = {"model_error": {"limit": 1.0, "unit": "mm", "strokes_left": strokes}}
+    questions["stroke_loss"] = {"limit": 0.1, "unit": "1", "strokes_left": {"low": 62.2, "median": None, "high": None}}
     for first, words, until in (
         ("model_error", "16 (median), at least 9 in 90 % of the futures", "is off by 1 mm"),
         ("stroke_loss", "at least 62 in 90 % of the futures", "10 % of the stroke is lost"),
     ):
-        forecast = {"first": first, "questions": asked, "level": 0.9, "strokes_seen": 18, "runs": ["a-1", "a-2"]}
-        (left / "lifespan.json").write_text(json.dumps(forecast))
-        found = strokes_left(tmp_path, "spool-1")
-        assert found and (found["words"], found["rests"]) == (words, "18 strokes of a-1 and a-2")
-        assert found["until"].endswith(until)
+        forecast = {"first": first, "questions": questions, "level": 0.9, "strokes_seen": 18, "runs": ["a-1", "a-2"]}
+        (lifespan_folder / "lifespan.json").write_text(json.dumps(forecast))
+        tile = strokes_left(tmp_path, "spool-1")
+        assert tile and (tile["words"], tile["rests"]) == (words, "18 strokes of a-1 and a-2")
+        assert tile["until"].endswith(until)

@@ -36,7 +36,9 @@ def press(port: int, button: str, token: str, body: object = None, **headers: st
     head = {"Content-Type": "application/json", "X-Watch-Token": token} | headers
     connection = http.client.HTTPConnection("127.0.0.1", port, timeout=20)
     try:
-        connection.request("POST", f"/{button}", text, {name.replace("_", "-"): one for name, one in head.items()})
+        connection.request(
+            "POST", f"/{button}", text, {name.replace("_", "-"): header_text for name, header_text in head.items()}
+        )
         return connection.getresponse().status
     finally:
         connection.close()
@@ -49,18 +51,18 @@ def token_of(printed: str) -> str:
 def waits(place: Path, *words: object):
     """A loop that is started and asks the page."""
     fixed = ["raw/poor-1", "--port", "port", "--out", "out", "--approve", "page", "--limits", LIMITS]
-    one = program(place, "settle", *fixed, *words)
-    until(one, place / "out" / "question.json")
-    return one
+    loop = program(place, "settle", *fixed, *words)
+    until(loop, place / "out" / "question.json")
+    return loop
 
 
 def test_a_button_needs_the_token_and_this_page_and_what_is_asked_now(place):
     with rig(place, "--pace", "inf"), page(place) as (port, printed):
         token = token_of(printed)
         assert press(port, "stop", token) == 409, "no loop is at work"
-        one = waits(place)
-        asked = told(port, lambda found: found["loop"] and found["loop"]["question"])["loop"]["question"]
-        yes = {"question": asked}
+        loop = waits(place)
+        question = told(port, lambda snapshot: snapshot["loop"] and snapshot["loop"]["question"])["loop"]["question"]
+        yes = {"question": question}
         foreign = {"Origin": "http://127.0.0.1:9"}
         for status, told_it in (
             (403, press(port, "approve", "", yes)),
@@ -80,28 +82,28 @@ def test_a_button_needs_the_token_and_this_page_and_what_is_asked_now(place):
         time.sleep(0.5)
         assert state(place, 0)["state"] == "proposed" and not (place / "raw" / "poor-1" / FRAMES).exists()
         assert press(port, "approve", token, yes) == 200
-        until(one, place / "raw" / "poor-1" / FRAMES)
+        until(loop, place / "raw" / "poor-1" / FRAMES)
         assert press(port, "approve", token, yes) == 409, "a second browser comes too late"
         assert press(port, "stop", token) == 200 and press(port, "stop", token) in (200, 409)
-        said = one.communicate(timeout=120)[0]
-        assert one.returncode == 130, said
-        assert not told(port, lambda found: not found["loop"]["at_work"])["loop"]["question"]
+        output = loop.communicate(timeout=120)[0]
+        assert loop.returncode == 130, output
+        assert not told(port, lambda snapshot: not snapshot["loop"]["at_work"])["loop"]["question"]
 
 
 def test_a_question_that_nobody_asks_any_more_is_not_shown(place):
     with rig(place, "--pace", "inf"), page(place) as (port, printed):
-        one = waits(place)
-        asked = told(port, lambda found: found["loop"] and found["loop"]["question"])["loop"]["question"]
-        one.kill()
-        one.communicate()
-        found = told(port, lambda found: not found["loop"]["at_work"])
-        assert found["loop"]["question"] is None and found["loop"]["state"] == "proposed"
-        assert press(port, "approve", token_of(printed), {"question": asked}) == 409
-        one = waits(place)
-        new = told(port, lambda found: found["loop"]["question"])["loop"]["question"]
-        assert new != asked and press(port, "approve", token_of(printed), {"question": asked}) == 409
+        loop = waits(place)
+        question = told(port, lambda snapshot: snapshot["loop"] and snapshot["loop"]["question"])["loop"]["question"]
+        loop.kill()
+        loop.communicate()
+        snapshot = told(port, lambda snapshot: not snapshot["loop"]["at_work"])
+        assert snapshot["loop"]["question"] is None and snapshot["loop"]["state"] == "proposed"
+        assert press(port, "approve", token_of(printed), {"question": question}) == 409
+        loop = waits(place)
+        new = told(port, lambda snapshot: snapshot["loop"]["question"])["loop"]["question"]
+        assert new != question and press(port, "approve", token_of(printed), {"question": question}) == 409
         Answers(place / "out").stop()
-        assert one.communicate(timeout=120) and one.returncode == 130
+        assert loop.communicate(timeout=120) and loop.returncode == 130
         assert not (place / "raw" / "poor-1" / FRAMES).exists()
 
 
@@ -109,17 +111,17 @@ def test_a_loop_whose_state_is_damaged_is_not_shown(place):
     (place / "out" / "step-0").mkdir(parents=True)
     (place / "out" / "step-0" / "state.json").write_text('{"number": 0, "state": "proposed", "run_dir": "../../etc"}')
     with page(place) as (port, _):
-        found = told(port)
-        assert found["run"] == "poor-1" and found["loop"]["foretold"] is None
+        snapshot = told(port)
+        assert snapshot["run"] == "poor-1" and snapshot["loop"]["foretold"] is None
         (place / "out" / "step-0" / "state.json").write_text("{")
-        assert told(port, lambda found: found["loop"] is None)["run"] == "poor-1"
+        assert told(port, lambda snapshot: snapshot["loop"] is None)["run"] == "poor-1"
 
 
 @CHROMIUM
 def test_in_a_browser_a_person_approves_looks_and_stops(place):
     run = place / "raw" / "poor-1"
     with rig(place, "--pace", 5), page(place) as (port, printed), browser(place) as seen:
-        one = waits(place)
+        loop = waits(place)
         seen.open(f"http://127.0.0.1:{port}/")  # without the token it can be read
         seen.until("document.getElementById('approve')?.hidden === false")
         seen.press("clear")
@@ -138,7 +140,7 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         seen.picture(place / "proposed.png")
         seen.press("clear")
         seen.press("approve")
-        until(one, run / FRAMES, 15_000)
+        until(loop, run / FRAMES, 15_000)
         seen.until("document.getElementById('loop-state').textContent == 'is made now'")
         assert seen.text("stop") == "Stop the motor, then the loop" and seen.run(
             "document.getElementById('still').hidden"
@@ -147,8 +149,8 @@ def test_in_a_browser_a_person_approves_looks_and_stops(place):
         seen.until("document.getElementById('strokes').textContent.endsWith('of 6')")  # of its own motion: of 8
         seen.picture(place / "moves.png")
         seen.press("stop")
-        said = one.communicate(timeout=120)[0]
-        assert one.returncode == 130, said
+        output = loop.communicate(timeout=120)[0]
+        assert loop.returncode == 130, output
         seen.until("document.getElementById('state').textContent == 'ended by Ctrl-C or kill'")
         recording = read_recording((run / FRAMES).read_bytes())
         assert recording.account.end.reason == Reason.STOPPED and state(place, 0)["approved_by"].endswith("on the page")
@@ -194,9 +196,9 @@ def test_what_came_is_drawn_beside_what_each_explanation_foretold_where_they_dif
     curves = {name: curve.tolist() for name, curve in curves.items()}
     rivals = {"creep": (0.02 * turns**2).tolist(), "thermal": (0.018 * turns**2).tolist()}
     (step / "proposed.json").write_text(json.dumps({"title": "a", "curves": curves | {"rivals": rivals}}))
-    made = {"number": 0, "state": "recorded", "run_dir": str(run)}
+    step_state = {"number": 0, "state": "recorded", "run_dir": str(run)}
     leg = {"seconds": 16.45, "motor_turns": 20.0}
-    (step / "state.json").write_text(json.dumps(made | {"proposal": {"title": "a", "legs": [leg]}}))
+    (step / "state.json").write_text(json.dumps(step_state | {"proposal": {"title": "a", "legs": [leg]}}))
     with watched(run, "--settle", tmp_path / "out") as (port, _), browser(tmp_path) as seen:
         seen.open(f"http://127.0.0.1:{port}/")
         seen.until("document.getElementById('samples')?.textContent === '655'")
@@ -204,7 +206,7 @@ def test_what_came_is_drawn_beside_what_each_explanation_foretold_where_they_dif
         assert seen.run(f"{BLACK}('apart')") > 200 and seen.run(f"{BLACK}('foretold')") > 200
         assert seen.text("came") == "recorded" and seen.run("!document.getElementById('came').hidden")
         seen.picture(tmp_path / "came.png")
-        (step / "state.json").write_text(json.dumps(made | {"state": "proposed", "proposal": {"legs": [leg]}}))
+        (step / "state.json").write_text(json.dumps(step_state | {"state": "proposed", "proposal": {"legs": [leg]}}))
         seen.until("document.getElementById('loop-state').textContent.startsWith('proposed')")
         assert seen.run(f"{BLACK}('apart')") == 0 and seen.run("document.getElementById('came').hidden")
     mean_turns = np.interp(came["time_s"], time_s, turns)
@@ -214,9 +216,9 @@ def test_what_came_is_drawn_beside_what_each_explanation_foretold_where_they_dif
 @CHROMIUM
 def test_a_page_of_elsewhere_in_the_same_browser_stops_nothing(place):
     with rig(place, "--pace", "inf"), page(place) as (port, printed), browser(place) as seen:
-        one = started(place, "--approve", "page")
-        until(one, place / "out" / "question.json")
-        told(port, lambda found: found["loop"] and found["loop"]["question"])
+        loop = started(place, "--approve", "page")
+        until(loop, place / "out" / "question.json")
+        told(port, lambda snapshot: snapshot["loop"] and snapshot["loop"]["question"])
         seen.open(printed)
         seen.until("document.getElementById('loop-state')?.textContent == 'waits for approval'")
         seen.open("data:text/html,<p>elsewhere")
@@ -227,6 +229,6 @@ def test_a_page_of_elsewhere_in_the_same_browser_stops_nothing(place):
         ):
             seen.run(f"fetch('http://127.0.0.1:{port}/stop', {words}).then(a => a.status, e => 'refused')")
         time.sleep(0.5)
-        assert one.poll() is None and not (place / "out" / "stop").exists()
+        assert loop.poll() is None and not (place / "out" / "stop").exists()
         Answers(place / "out").stop()
-        one.communicate(timeout=120)
+        loop.communicate(timeout=120)

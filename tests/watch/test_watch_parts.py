@@ -46,16 +46,16 @@ def test_the_noise_of_a_sensor_with_steps_is_a_steady_number(tmp_path):
     turning = 8 - 8 * np.cos(time_s / 8)
     readings = np.round((turning + np.random.default_rng(1).normal(0, 0.03, len(time_s))) / 0.02) * 0.02
     true = np.hypot(0.03, 0.02 / np.sqrt(12))
-    said = []
+    sigmas = []
     for pieces in (1, 620, 5000):  # however the file was read
         noise = Noise()
         for piece in np.array_split(readings, pieces):
             noise.add(piece)
-            said.append(noise.sigma)
-        assert said[-1] == said[0] == pytest.approx(true, rel=0.03)
-    early = [sigma for sigma in said if sigma is not None]
+            sigmas.append(noise.sigma)
+        assert sigmas[-1] == sigmas[0] == pytest.approx(true, rel=0.03)
+    early = [sigma for sigma in sigmas if sigma is not None]
     assert min(early) > 0.9 * true and max(early) < 1.1 * true, "it does not jump while samples come"
-    assert None in said, "a few samples tell nothing yet"
+    assert None in sigmas, "a few samples tell nothing yet"
 
 
 def test_what_came_is_drawn_as_means_of_a_bounded_number():
@@ -86,14 +86,14 @@ def test_jobs_are_told_as_the_workflow_did_them(tmp_path):
     (tmp_path / "Snakefile").write_text(SNAKEFILE)
     assert snakemake(tmp_path) == 1
     jobs.poll()
-    found = jobs.told()
-    assert (found["done"], found["total"], found["ended"]) == (2, 4, True)
-    assert (found["failed"], found["failures"], found["running"]) == (["bad"], 1, [])
+    progress = jobs.told()
+    assert (progress["done"], progress["total"], progress["ended"]) == (2, 4, True)
+    assert (progress["failed"], progress["failures"], progress["running"]) == (["bad"], 1, [])
     (tmp_path / "Snakefile").write_text(SNAKEFILE.replace("exit 3", "touch c"))
     assert snakemake(tmp_path) == 0
     jobs.poll()
-    found = jobs.told()  # of the newer log, which plans what was left
-    assert (found["done"], found["total"], found["failed"]) == (2, 2, [])
+    progress = jobs.told()  # of the newer log, which plans what was left
+    assert (progress["done"], progress["total"], progress["failed"]) == (2, 2, [])
 
 
 def test_a_log_is_read_on_while_it_grows_and_hostile_lines_are_text(tmp_path):
@@ -112,7 +112,7 @@ def test_a_log_is_read_on_while_it_grows_and_hostile_lines_are_text(tmp_path):
     with open(path, "ab") as file:
         file.write(b"ne\nError in rule b:\n    message: None\n    jobid: 1\nComplete log(s): x\n")
     jobs.poll()
-    found = jobs.told()
-    assert (found["done"], found["failed"], found["running"], found["ended"]) == (1, ["other"], [], True)
-    at_s = datetime.fromisoformat(found["ended_utc"]).timestamp()
+    progress = jobs.told()
+    assert (progress["done"], progress["failed"], progress["running"], progress["ended"]) == (1, ["other"], [], True)
+    at_s = datetime.fromisoformat(progress["ended_utc"]).timestamp()
     assert abs(at_s - path.stat().st_mtime) < 1e-3, "beside a recording of today stood the jobs of last week"

@@ -75,7 +75,7 @@ def test_a_ramp_of_many_samples_is_drawn_as_a_ramp(tmp_path: Path):
     with watched(run) as (port, _), browser(tmp_path / "home") as page:
         page.open(f"http://127.0.0.1:{port}/")
         page.until("document.getElementById('samples')?.textContent === '12,000'")
-        (turns,) = [one for one in told(port)["channels"] if one["name"] == "motor_turns"]
+        (turns,) = [channel for channel in told(port)["channels"] if channel["name"] == "motor_turns"]
         xs, ys = (np.array(part) for part in page.run(f"inOrder({json.dumps(turns)})"))
         join = page.run("document.querySelector('#channels canvas').getContext('2d').lineJoin")
         words = page.run("document.getElementById('channels-part').textContent")
@@ -100,12 +100,12 @@ def test_the_rate_is_that_at_which_samples_come_where_the_rig_goes_at_another_pa
         page.until("document.getElementById('rate')?.textContent.includes('times')")
         shown = page.text("rate")
         process.communicate()
-        found = told(port, lambda found: found["ended"])
+        snapshot = told(port, lambda snapshot: snapshot["ended"])
         page.until("document.getElementById('state').textContent === 'complete'")
         after = page.run("document.getElementById('rate').parentNode.textContent")
-    own_hz = found["rate_hz"]
-    said = re.fullmatch(rf"([\d.]+) \((\d\.?\d*) times the {own_hz:g} of the rig's own clock\)", shown)
-    assert said and 0.7 * PACE * own_hz < float(said[1]) < 1.4 * PACE * own_hz, shown
+    own_hz = snapshot["rate_hz"]
+    rate_match = re.fullmatch(rf"([\d.]+) \((\d\.?\d*) times the {own_hz:g} of the rig's own clock\)", shown)
+    assert rate_match and 0.7 * PACE * own_hz < float(rate_match[1]) < 1.4 * PACE * own_hz, shown
     assert after == f"samples per second by the rig's clock{own_hz:g}"
 
 
@@ -132,12 +132,12 @@ def test_printed_lines_have_a_rate_by_the_time_that_they_tell():
 def test_the_tile_of_the_strokes_left_names_its_limit_and_the_page_what_the_other_one_leaves(tmp_path: Path):
     """18 strokes until a model is off stood for those that the string has left, of which there were 197."""
     run = folder(tmp_path, string=content("run-1")["string"] | {"id": "spool-1"})
-    left = tmp_path / "reports" / "spool-1"
-    left.mkdir(parents=True)
+    lifespan_folder = tmp_path / "reports" / "spool-1"
+    lifespan_folder.mkdir(parents=True)
     model = {"limit": 1.0, "unit": "mm", "strokes_left": {"low": 12.5, "median": 18.2, "high": 30.0}}
     stroke = {"limit": 0.1, "unit": "1", "strokes_left": {"low": 150.0, "median": 197.9, "high": None}}
     forecast = {"first": "model_error", "questions": {"model_error": model, "stroke_loss": stroke}}
-    (left / "lifespan.json").write_text(json.dumps(forecast))
+    (lifespan_folder / "lifespan.json").write_text(json.dumps(forecast))
     with watched(run) as (port, _), browser(tmp_path / "home") as page:
         page.open(f"http://127.0.0.1:{port}/")
         page.until("document.getElementById('left')?.textContent.startsWith('18')")
@@ -175,10 +175,10 @@ def test_a_recording_that_ended_without_a_rest_counts_its_last_stroke_as_the_pip
     samples = pd.DataFrame({"time_s": recording.time_s, **recording.channels})
     assert segment(samples, "motor_turns", run)["complete"].all() == bool(whole)
     with watched(run) as (port, _):
-        found = told(port, lambda found: found["samples"] == 655)
-        assert (found["strokes"], found["planned"]) == (0, 1), "while it may go on, what the rig told counts"
+        snapshot = told(port, lambda snapshot: snapshot["samples"] == 655)
+        assert (snapshot["strokes"], snapshot["planned"]) == (0, 1), "while it may go on, what the rig told counts"
         assert ready.run("pipeline.capture", "--recover", run).returncode == 0
-        assert told(port, lambda found: found["ended"])["strokes"] == whole
+        assert told(port, lambda snapshot: snapshot["ended"])["strokes"] == whole
 
 
 @CHROMIUM

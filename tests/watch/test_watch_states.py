@@ -23,15 +23,15 @@ PARTS = ("#loop", "#channels canvas")  # of a recording
 @pytest.fixture(scope="module")
 def place(tmp_path_factory) -> Path:
     """A loop that went from nothing to its end."""
-    here = tmp_path_factory.mktemp("states")
-    set_up(here)
-    described(here)
+    folder = tmp_path_factory.mktemp("states")
+    set_up(folder)
+    described(folder)
     words = ("raw/poor-1", "--port", "port", "--out", "reports/settle/poor-1", "--approve", "auto")
-    with rig(here, "--pace", "inf"):
-        done = ended(here, "settle", *words, "--limits", LIMITS)
+    with rig(folder, "--pace", "inf"):
+        done = ended(folder, "settle", *words, "--limits", LIMITS)
     assert done.returncode == 0, done.stdout
-    (here / "out").symlink_to(here / "reports" / "settle" / "poor-1")
-    return here
+    (folder / "out").symlink_to(folder / "reports" / "settle" / "poor-1")
+    return folder
 
 
 def at(place: Path, name: str, number: int = 1) -> None:

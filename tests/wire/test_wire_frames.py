@@ -36,9 +36,9 @@ def test_the_checks_are_crc_16_ccitt_false_and_crc_32():
 
 @given(payloads)
 def test_each_version_reads_its_own_frames_and_whoever_knows_neither_reads_both(payload):
-    one, two = (encode(2, 7, payload, protocol) for protocol in (1, 2))
-    assert len(two) - len(one) in (2, 3)
-    for protocol, stream in ((1, one), (2, two)):
+    protocol_1_frame, two = (encode(2, 7, payload, protocol) for protocol in (1, 2))
+    assert len(two) - len(protocol_1_frame) in (2, 3)
+    for protocol, stream in ((1, protocol_1_frame), (2, two)):
         assert decode(stream[:-1], protocol) == decode(stream[:-1], None) == Frame(2, 7, payload, protocol)
         other = decode(stream[:-1], 3 - protocol)
         assert other is None or protocol == 2  # 16 bits agree once in 65,536
@@ -47,9 +47,9 @@ def test_each_version_reads_its_own_frames_and_whoever_knows_neither_reads_both(
 def test_what_a_device_says_first_decides_which_check_its_frames_must_have():
     for protocol in (1, 2):
         decoder = Decoder()
-        said = encode(1, 0, replace(HELLO, protocol=protocol).pack(), protocol)
-        found = decoder.feed(encode(2, 9, b"before", 3 - protocol) + said + encode(2, 1, b"after", 3 - protocol))
-        assert found[0].frame.payload == b"before" and len(found) == 2
+        hello = encode(1, 0, replace(HELLO, protocol=protocol).pack(), protocol)
+        decoded = decoder.feed(encode(2, 9, b"before", 3 - protocol) + hello + encode(2, 1, b"after", 3 - protocol))
+        assert decoded[0].frame.payload == b"before" and len(decoded) == 2
         assert (decoder.protocol, decoder.bad) == (protocol, 1)
 
 
@@ -82,18 +82,18 @@ def test_unstuffing_refuses_what_the_cobs_package_refuses(data):
 
 
 @given(st.lists(frames, max_size=8), st.data())
-def test_any_chunking_decodes_the_same(said, data):
-    stream = b"".join(map(sent, said))
+def test_any_chunking_decodes_the_same(sent_frames, data):
+    stream = b"".join(map(sent, sent_frames))
     cuts = sorted(data.draw(st.lists(st.integers(0, len(stream)), max_size=12)))
     edges = [0, *cuts, len(stream)]
-    assert heard([stream[a:b] for a, b in pairwise(edges)]) == said
+    assert heard([stream[a:b] for a, b in pairwise(edges)]) == sent_frames
 
 
 @given(frames)
 def test_a_decoder_returns_the_exact_bytes_and_where_they_end(frame):
-    (one,) = Decoder().feed(b"\0" + sent(frame) + b"more")
-    assert one.raw == sent(frame)
-    assert one.end == 1 + len(one.raw)
+    (decoded,) = Decoder().feed(b"\0" + sent(frame) + b"more")
+    assert decoded.raw == sent(frame)
+    assert decoded.end == 1 + len(decoded.raw)
 
 
 @pytest.mark.parametrize("protocol", [1, 2])
@@ -116,13 +116,13 @@ def test_a_single_burst_as_long_as_the_check_is_caught(protocol, frame, data):
 def test_a_damaged_byte_on_the_wire_is_never_another_frame(frame, data):
     stream = bytearray(sent(frame))
     stream[data.draw(st.integers(0, len(stream) - 1))] ^= data.draw(st.integers(1, 255))
-    assert all(found == frame for found in heard([bytes(stream) + b"\0"]))
+    assert all(decoded == frame for decoded in heard([bytes(stream) + b"\0"]))
 
 
 @given(st.binary(max_size=300), st.lists(frames, min_size=1, max_size=4))
-def test_it_finds_its_way_after_garbage(garbage, said):
-    found = heard([garbage + b"\0" + b"".join(map(sent, said))])
-    assert found[-len(said) :] == said
+def test_it_finds_its_way_after_garbage(garbage, sent_frames):
+    heard_frames = heard([garbage + b"\0" + b"".join(map(sent, sent_frames))])
+    assert heard_frames[-len(sent_frames) :] == sent_frames
 
 
 @given(st.lists(st.binary(max_size=400), max_size=10))
@@ -136,7 +136,7 @@ def test_its_memory_is_bounded():
         decoder.feed(b"x" * 1000)
         assert len(decoder.rest) <= MAX_STUFFED
     frame = Frame(2, 7, b"abc")
-    assert [one.frame for one in decoder.feed(b"\0" + sent(frame))] == [frame]
+    assert [decoded.frame for decoded in decoder.feed(b"\0" + sent(frame))] == [frame]
     assert decoder.bad == 1
 
 

@@ -39,8 +39,8 @@ def test_a_burst_as_long_as_may_be_is_mended_as_when_it_is_held_whole(length, er
     steps_us = np.diff(stamps)
     right, counted = mend_whole(stamps, np.arange(300))
     for borders in (range(1, 299), [first, first + length], [150]):
-        found, told, _ = mended(steps_us, borders=list(borders))
-        assert np.array_equal(found, right) and told == counted
+        mended_us, mend_counts, _ = mended(steps_us, borders=list(borders))
+        assert np.array_equal(mended_us, right) and mend_counts == counted
 
 
 def test_a_stamp_is_given_at_most_two_bursts_after_its_sample():
@@ -55,11 +55,11 @@ def test_a_stamp_is_given_at_most_two_bursts_after_its_sample():
             fed.append(piece)
             yield piece
 
-    given = 0
+    stamp_count = 0
     for stamps in mending.stamps(passing()):
-        given += len(stamps)
-        assert len(fed) + 1 - given <= 2 * BURST
-    assert given == 1001
+        stamp_count += len(stamps)
+        assert len(fed) + 1 - stamp_count <= 2 * BURST
+    assert stamp_count == 1001
 
 
 @pytest.mark.parametrize("borders", [[], [1], [399], [1, 399], [150, 300]])
@@ -82,10 +82,10 @@ def test_a_stamp_is_given_at_most_two_bursts_after_its_sample():
 def test_an_end_leaps_by_more_than_ten_usual_steps_and_than_any_other(first_us, last_us, within_us, leaps, borders):
     steps_us = np.full(400, float(STEP_US))
     steps_us[[0, 200, 399]] = first_us, within_us, last_us
-    found, counted, _ = mended(steps_us, borders=borders)
+    mended_us, counted, _ = mended(steps_us, borders=borders)
     assert counted == ({"leaping_time_stamps": len(leaps)} if leaps else {})
     steps_us[leaps] = STEP_US
-    assert np.diff(found).tolist() == steps_us.tolist()
+    assert np.diff(mended_us).tolist() == steps_us.tolist()
 
 
 @pytest.mark.parametrize("missing", [3, 40])
@@ -97,9 +97,9 @@ def test_an_end_that_is_far_away_because_frames_are_missing_is_read_once(missing
     _, counted, times = mended(steps_us, apart)
     assert (counted, times) == ({}, 1)
     steps_us[place] += missing
-    found, counted, times = mended(steps_us, apart)
+    mended_us, counted, times = mended(steps_us, apart)
     assert counted == {"leaping_time_stamps": 1} and times == 2
-    assert np.diff(found)[place] == missing * STEP_US
+    assert np.diff(mended_us)[place] == missing * STEP_US
 
 
 def test_frames_that_are_missing_make_a_step_longer_and_an_event_does_not():
@@ -119,8 +119,8 @@ def test_of_very_few_samples_the_stamps_are_as_when_they_are_held_whole(steps_us
     """A recording that broke off after one, two or three samples is read all the same."""
     stamps = np.cumsum([0, *steps_us]).astype(np.int64)
     right, counted = mend_whole(stamps, np.arange(len(stamps)))
-    found, told, _ = mended(steps_us)
-    assert np.array_equal(found, right) and told == counted
+    mended_us, mend_counts, _ = mended(steps_us)
+    assert np.array_equal(mended_us, right) and mend_counts == counted
 
 
 @pytest.mark.parametrize("sizes", [(12,), (1, 11), (5, 7), (1,) * 12, (4, 1, 6, 1)])
@@ -143,15 +143,15 @@ def ordered(parts, sent):
             taken.append(part)
             yield np.array(part), np.array(part).astype([("t_us", "<u4")])
 
-    given = []
+    releases = []
     for numbers, samples in in_order(passing(), np.array([part[0] for part in parts]), sent):
         assert samples["t_us"].tolist() == numbers.tolist()
-        given.append((len(taken), numbers.tolist()))
-    return given
+        releases.append((len(taken), numbers.tolist()))
+    return releases
 
 
 @pytest.mark.parametrize(
-    ("parts", "sent", "given"),
+    ("parts", "sent", "releases"),
     [
         ([[1, 2], [3, 4], [5]], 6, [(1, [1, 2]), (2, [3, 4]), (3, [5])]),
         ([[1, 2], [4, 5], [3], [6]], 7, [(1, [1, 2]), (3, [3, 4, 5]), (4, [6])]),
@@ -162,8 +162,8 @@ def ordered(parts, sent):
         ([[3], [1], [2], [4]], 5, [(2, [1]), (3, [2, 3]), (4, [4])]),
     ],
 )
-def test_a_sample_is_given_as_soon_as_none_before_it_can_come(parts, sent, given):
-    assert ordered(parts, sent) == given
+def test_a_sample_is_given_as_soon_as_none_before_it_can_come(parts, sent, releases):
+    assert ordered(parts, sent) == releases
 
 
 @pytest.mark.parametrize(("less", "times"), [(0, 1), (1, 3)])

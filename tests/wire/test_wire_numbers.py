@@ -149,16 +149,16 @@ def test_a_few_bad_stamps_cost_themselves(bad, lost, errors):
     stamps = truth.copy()
     for at, error in zip(sorted(bad), errors, strict=False):
         stamps[at] += error
-    there = np.array([at for at in range(300) if at not in lost])
-    time_us, mended = mend(stamps[there], there)
+    numbers = np.array([at for at in range(300) if at not in lost])
+    time_us, mended = mend(stamps[numbers], numbers)
     assert (np.diff(time_us) > 0).all()
-    right = ~np.isin(there, list(bad))
+    right = ~np.isin(numbers, list(bad))
     apart = [b - a for a, b in zip(sorted(bad), sorted(bad)[1:], strict=False)]
     if not lost and min(apart, default=9) > 2:  # with two beside each other nobody can say which is right
-        np.testing.assert_allclose(time_us[right] - time_us[0], truth[there][right], atol=1.0)
-        np.testing.assert_allclose(time_us - time_us[0], truth[there], atol=STEP_US)
+        np.testing.assert_allclose(time_us[right] - time_us[0], truth[numbers][right], atol=1.0)
+        np.testing.assert_allclose(time_us - time_us[0], truth[numbers], atol=STEP_US)
     if not mended:
-        np.testing.assert_array_equal(time_us, stamps[there])
+        np.testing.assert_array_equal(time_us, stamps[numbers])
 
 
 @pytest.mark.parametrize("step_us", [0, -STEP_US])

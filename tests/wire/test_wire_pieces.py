@@ -20,7 +20,7 @@ def in_pieces(data, size):
     """What `read_recording` gives, from chunks of some bytes: times, channels, numbers, and what they came in."""
     pieces = read_pieces(lambda: (data[at : at + size] for at in range(0, len(data), size)))
     times, channels, numbers = zip(*pieces.samples(), strict=True)
-    joined = {name: np.concatenate([one[name] for one in channels]) for name in channels[0]}
+    joined = {name: np.concatenate([piece_channels[name] for piece_channels in channels]) for name in channels[0]}
     return np.concatenate(times), joined, np.concatenate(numbers), pieces, len(times)
 
 
@@ -42,31 +42,31 @@ def _agree(data, size):
 
 @pytest.mark.parametrize("at", range(-2, 24))
 def test_a_damaged_frame_at_the_border_of_two_pieces_is_one_that_is_lost(at):
-    said = frames(1500)
-    data, size = bytearray(b"".join(said)), 4096
+    sent_frames = frames(1500)
+    data, size = bytearray(b"".join(sent_frames)), 4096
     data[2 * size + at] ^= 0x55
     whole, count = agree(bytes(data), size)
-    ends = np.cumsum([len(frame) for frame in said])
+    ends = np.cumsum([len(frame) for frame in sent_frames])
     hit = int(np.searchsorted(ends, 2 * size + at, side="right"))
-    assert whole.account.received + whole.account.lost == len(said) and whole.account.lost in (1, 2)
+    assert whole.account.received + whole.account.lost == len(sent_frames) and whole.account.lost in (1, 2)
     assert hit not in whole.seq and count > 5
     assert len(whole.time_s) == 1500 - whole.account.lost
 
 
 @pytest.mark.parametrize(("at", "to"), [(100, 900), (900, 100), (1, 1400), (600, 601)])
 def test_a_frame_that_comes_many_pieces_late_or_early_is_put_where_it_belongs(at, to):
-    said = frames(1500)
-    right = read_recording(b"".join(said))
-    said.insert(to, said.pop(at))
-    whole, _ = agree(b"".join(said), 700)
+    sent_frames = frames(1500)
+    right = read_recording(b"".join(sent_frames))
+    sent_frames.insert(to, sent_frames.pop(at))
+    whole, _ = agree(b"".join(sent_frames), 700)
     assert whole.account.out_of_order >= 1
     assert np.array_equal(whole.time_s, right.time_s) and np.array_equal(whole.seq, right.seq)
 
 
 def test_samples_after_the_end_are_left_out_of_every_piece():
-    said = frames(300)
-    late = [encode(Kind.SAMPLE, len(said) + number, b"1234567890") for number in range(200)]
-    whole, _ = agree(b"".join([*said, *late]), 500)
+    sent_frames = frames(300)
+    late = [encode(Kind.SAMPLE, len(sent_frames) + number, b"1234567890") for number in range(200)]
+    whole, _ = agree(b"".join([*sent_frames, *late]), 500)
     assert len(whole.time_s) == 300 and whole.account.repeated == 200
 
 
@@ -76,7 +76,7 @@ def test_a_log_without_a_sample_is_one_piece_without_rows():
 
 
 def cut(steps, borders):
-    return [(steps[0][one:other], steps[1][one:other]) for one, other in pairwise([0, *borders, len(steps[0])])]
+    return [(steps[0][start:other], steps[1][start:other]) for start, other in pairwise([0, *borders, len(steps[0])])]
 
 
 @given(
@@ -90,13 +90,13 @@ def test_stamps_are_mended_as_when_they_are_held_whole(count, bad, lost, ticks, 
     stamps = np.arange(700, dtype=np.int64) // ticks * ticks * STEP_US
     for at, error in bad:
         stamps[at] += error
-    there = np.array([at for at in range(count) if at not in lost])
-    steps = (np.diff(stamps[there]).astype(float), usual_steps(np.diff(there)))
+    numbers = np.array([at for at in range(count) if at not in lost])
+    steps = (np.diff(stamps[numbers]).astype(float), usual_steps(np.diff(numbers)))
     pieces = cut(steps, sorted(min(border, len(steps[0])) for border in borders))
     mending = Mending.of(lambda: iter(pieces))
-    found = np.concatenate(list(mending.stamps(pieces)))
-    right, counted = mend_whole(stamps[there] - stamps[there][0], there)
-    assert np.array_equal(found, right) and mending.counted == counted
+    mended_us = np.concatenate(list(mending.stamps(pieces)))
+    right, counted = mend_whole(stamps[numbers] - stamps[numbers][0], numbers)
+    assert np.array_equal(mended_us, right) and mending.counted == counted
 
 
 def test_a_burst_of_bad_stamps_across_a_border_is_mended_as_a_whole():
@@ -105,9 +105,9 @@ def test_a_burst_of_bad_stamps_across_a_border_is_mended_as_a_whole():
     steps = (np.diff(stamps).astype(float), np.ones(999))
     for border in range(400, 600):
         pieces = cut(steps, [border])
-        found = np.concatenate(list(Mending.of(lambda pieces=pieces: iter(pieces)).stamps(pieces)))
-        assert np.array_equal(found, mend_whole(stamps, np.arange(1000))[0])
-        np.testing.assert_allclose(found, np.arange(1000) * STEP_US)
+        mended_us = np.concatenate(list(Mending.of(lambda pieces=pieces: iter(pieces)).stamps(pieces)))
+        assert np.array_equal(mended_us, mend_whole(stamps, np.arange(1000))[0])
+        np.testing.assert_allclose(mended_us, np.arange(1000) * STEP_US)
 
 
 @pytest.mark.parametrize(
@@ -128,8 +128,8 @@ def test_the_usual_step_is_the_median_of_those_that_rise(steps_us, usual_us, bor
 def test_the_shortest_step_that_rises_is_right():
     steps_us = [1000.0, 1000.0, 1.0, 1999.0, 1000.0, -500.0, 2500.0, 1000.0]
     pieces = [(np.array(steps_us), np.ones(len(steps_us)))]
-    found = np.concatenate(list(Mending.of(lambda: iter(pieces)).stamps([(np.array(steps_us), np.ones(8))])))
-    assert found[:6].tolist() == [0.0, 1000.0, 2000.0, 2001.0, 4000.0, 5000.0]
+    mended_us = np.concatenate(list(Mending.of(lambda: iter(pieces)).stamps([(np.array(steps_us), np.ones(8))])))
+    assert mended_us[:6].tolist() == [0.0, 1000.0, 2000.0, 2001.0, 4000.0, 5000.0]
 
 
 @pytest.mark.parametrize("end", ["first", "last"])
@@ -146,9 +146,9 @@ def test_an_end_leaps_by_what_is_missing_there_not_by_its_length(end, missing, b
     mending = Mending.of(lambda: iter(cut((steps_us.copy(), apart), [150, 300])))
     counted = {"backward_time_stamps": back, "repeated_time_stamps": repeated, "leaping_time_stamps": int(not missing)}
     assert mending.counted == {rule: times for rule, times in counted.items() if times}
-    found = np.concatenate(list(mending.stamps(cut((steps_us.copy(), apart), [150, 300]))))
+    mended_us = np.concatenate(list(mending.stamps(cut((steps_us.copy(), apart), [150, 300]))))
     usual_us = 1000.0 * (1.0 - repeated / (400 - back))  # the clock stood at one of the steps that do not fall
-    assert np.diff(found)[place] == pytest.approx(40_000.0 if missing else usual_us, abs=0.1)
+    assert np.diff(mended_us)[place] == pytest.approx(40_000.0 if missing else usual_us, abs=0.1)
 
 
 def test_a_log_with_samples_gives_no_piece_without_any():

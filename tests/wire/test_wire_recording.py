@@ -85,16 +85,16 @@ def test_frames_in_the_wrong_order_are_put_right_and_losses_among_them_located(l
     for at in swaps:
         if at < len(sent) - 2:
             sent[at], sent[at + 1] = sent[at + 1], sent[at]
-    found = read_recording(b"".join(frames[number] for number in sent))
+    recording = read_recording(b"".join(frames[number] for number in sent))
     right = read_recording(b"".join(frames[number] for number in sorted(sent)))
-    assert found.account.gaps == right.account.gaps
-    assert found.account.lost == len(lost) == sum(gap.frames for gap in found.account.gaps)
-    assert found.events == right.events
-    np.testing.assert_array_equal(found.seq, right.seq)
-    np.testing.assert_array_equal(found.time_s, right.time_s)
-    np.testing.assert_array_equal(found.channels["motor_turns"], right.channels["motor_turns"])
+    assert recording.account.gaps == right.account.gaps
+    assert recording.account.lost == len(lost) == sum(gap.frames for gap in recording.account.gaps)
+    assert recording.events == right.events
+    np.testing.assert_array_equal(recording.seq, right.seq)
+    np.testing.assert_array_equal(recording.time_s, right.time_s)
+    np.testing.assert_array_equal(recording.channels["motor_turns"], right.channels["motor_turns"])
     samples = [number for number in sent if number not in (0, 2, 62)]
-    assert found.account.out_of_order == sum(after < before for before, after in pairwise(samples))
+    assert recording.account.out_of_order == sum(after < before for before, after in pairwise(samples))
 
 
 def test_numbers_that_cannot_be_are_not_counted_as_losses():
@@ -156,7 +156,7 @@ def test_it_reads_the_frames_that_the_decoder_hears(flips):
     for at, bits in flips:
         data[at % len(data)] ^= bits
     recording, decoder = read_recording(bytes(data)), Decoder()
-    heard = [one.frame for one in decoder.feed(bytes(data))]
+    heard = [decoded.frame for decoded in decoder.feed(bytes(data))]
     assert recording.account.bad == decoder.bad
     if recording.hello == HELLO:
         assert recording.seq.tolist() == [frame.seq for frame in heard if frame.kind == Kind.SAMPLE]
@@ -193,12 +193,12 @@ def test_frames_after_the_end_are_not_of_the_recording():
 
 def test_an_event_is_timed_however_often_the_clock_has_wrapped():
     step_us = 2_000_000_000  # the clock wraps at every other sample
-    said = [encode(Kind.HELLO, 0, HELLO.pack())]
+    frames = [encode(Kind.HELLO, 0, HELLO.pack())]
     for number in range(1, 21, 2):
         stamp = number * step_us // 2
-        said.append(encode(Kind.SAMPLE, number, struct.pack("<Iih", stamp % 2**32, 0, 0)))
-        said.append(encode(Kind.EVENT, number + 1, EVENT.pack((stamp + 200_000_000) % 2**32, Event.STROKE_START, 1)))
-    events = read_recording(b"".join(said)).events
+        frames.append(encode(Kind.SAMPLE, number, struct.pack("<Iih", stamp % 2**32, 0, 0)))
+        frames.append(encode(Kind.EVENT, number + 1, EVENT.pack((stamp + 200_000_000) % 2**32, Event.STROKE_START, 1)))
+    events = read_recording(b"".join(frames)).events
     assert [event.time_s for event in events] == pytest.approx([number * 2000 + 200 for number in range(10)])
 
 
@@ -215,7 +215,7 @@ def test_without_a_hello_there_is_nothing(data):
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "expected_words"),
     [
         ({"protocol": 3}, "protocol"),
         ({"rate_hz": 0}, "rate_hz"),
@@ -232,9 +232,9 @@ def test_without_a_hello_there_is_nothing(data):
         ({"nonce": 7}, "nonce"),
     ],
 )
-def test_a_hello_that_cannot_be_is_refused_with_the_field(change, said):
+def test_a_hello_that_cannot_be_is_refused_with_the_field(change, expected_words):
     content = json.loads(HELLO.pack()) | change
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises(ValueError, match=expected_words):
         Hello.unpack(json.dumps(content).encode())
 
 
@@ -297,8 +297,8 @@ def test_a_stretch_without_an_end_takes_no_memory():
 
 
 def test_a_long_recording_is_read_fast():
-    one = b"".join(log(2000)[1:2])
-    data = log(1)[0] + one * 200_000
+    sample_frame = b"".join(log(2000)[1:2])
+    data = log(1)[0] + sample_frame * 200_000
     start_s = time.process_time()
     assert read_recording(data).account.repeated == 199_999
     assert time.process_time() - start_s < 3.0

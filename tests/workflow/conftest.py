@@ -34,11 +34,11 @@ class Project:
         return self.rules_of(done.stdout + done.stderr)
 
     @staticmethod
-    def rules_of(said: str) -> dict[str, int]:
+    def rules_of(printed: str) -> dict[str, int]:
         """How many jobs of each rule a main job planned, by the table that it printed before it began."""
-        if "Nothing to be done" in said:
+        if "Nothing to be done" in printed:
             return {}
-        table = said.split("\njob ", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
+        table = printed.split("\njob ", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
         counts = {line.split()[0]: int(line.split()[1]) for line in table if len(line.split()) == 2}
         return {name: count for name, count in counts.items() if name not in ("total", "all", "tables")}
 
@@ -87,9 +87,13 @@ def fewer_models(project: Project) -> None:
     for name in ("default", "ci"):
         path = project.folder / "pipeline" / "config" / f"{name}.yaml"
         config = yaml.safe_load(path.read_text())
-        config["models"] = {model: one for model, one in config["models"].items() if model in ("inn", "traditional")}
-        for one in config["models"].values():
-            one["seeds"] = {"within": 1, "later": 1}
+        config["models"] = {
+            model: model_settings
+            for model, model_settings in config["models"].items()
+            if model in ("inn", "traditional")
+        }
+        for model_settings in config["models"].values():
+            model_settings["seeds"] = {"within": 1, "later": 1}
         path.write_text(yaml.safe_dump(config, sort_keys=False))
 
 

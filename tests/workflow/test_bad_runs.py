@@ -16,10 +16,12 @@ def project(bare_project):
     """A project with one good run, whose tables are made."""
     path = bare_project.folder / "pipeline" / "config" / "default.yaml"
     config = yaml.safe_load(path.read_text())
-    config["models"] = {model: one for model, one in config["models"].items() if model in ("inn", "traditional")}
+    config["models"] = {
+        model: model_settings for model, model_settings in config["models"].items() if model in ("inn", "traditional")
+    }
     config["models"]["inn"]["settings"] = {"blocks": 3, "width": 8, "layers": 1, "epochs": 1}
-    for one in config["models"].values():
-        one["seeds"] = {"within": 1, "later": 1}
+    for model_settings in config["models"].values():
+        model_settings["seeds"] = {"within": 1, "later": 1}
     config["synthetic"] = {}
     path.write_text(yaml.safe_dump(config, sort_keys=False))
     (path.parent / "ci.yaml").write_text("{}\n")

@@ -30,9 +30,9 @@ def test_a_second_main_job_says_that_one_runs_already(bare_project):
     finally:
         first.kill()
         first.wait()
-    said = second.stdout + second.stderr
-    assert second.returncode == 1 and f"a main job runs in this folder already (process {first.pid})" in said
-    assert "A main job runs in this folder already, and makes the same files: wait until it has ended" in said
-    assert "LockException" not in said and "--unlock" not in said
+    printed = second.stdout + second.stderr
+    assert second.returncode == 1 and f"a main job runs in this folder already (process {first.pid})" in printed
+    assert "A main job runs in this folder already, and makes the same files: wait until it has ended" in printed
+    assert "LockException" not in printed and "--unlock" not in printed
     again = bare_project.snakemake(target)
     assert again.returncode == 0, again.stdout + again.stderr

@@ -30,8 +30,10 @@ def test_plan_sorts_runs_by_material(make_run, tmp_path):
     plan = make_plan(tmp_path / "raw", ["synthetic-01"])
     assert plan.materials == {"synthetic": ["synthetic-01"], "UHMWPE": ["a-01", "a-02"], "nylon": ["n-01"]}
     assert plan.others == ["mass-01"] and plan.refused == plan.misnamed == []
-    assert [one.run for one in plan.unfinished] == ["cut-01", "cut-02"] and "--recover" in plan.unfinished[0].why
-    assert {one.material for one in plan.unfinished} == {"UHMWPE"}, "a job of nylon ended with them"
+    assert [left_out.run for left_out in plan.unfinished] == ["cut-01", "cut-02"] and "--recover" in plan.unfinished[
+        0
+    ].why
+    assert {left_out.material for left_out in plan.unfinished} == {"UHMWPE"}, "a job of nylon ended with them"
 
 
 HOSTILE = [
@@ -57,9 +59,9 @@ def test_a_folder_that_can_be_no_run_is_left_out_with_the_mend(make_run, tmp_pat
     (tmp_path / "raw" / ".hidden").mkdir()
     (tmp_path / "raw" / "loop").symlink_to("loop")
     plan = make_plan(tmp_path / "raw", [])
-    assert plan.runs == ["a-01"] and sorted(one.run for one in plan.misnamed) == sorted(HOSTILE)
-    for one in plan.misnamed:
-        assert "rename the folder" in one.why and one.why.isprintable() and one.field == "its name"
+    assert plan.runs == ["a-01"] and sorted(left_out.run for left_out in plan.misnamed) == sorted(HOSTILE)
+    for left_out in plan.misnamed:
+        assert "rename the folder" in left_out.why and left_out.why.isprintable() and left_out.field == "its name"
 
 
 @pytest.mark.parametrize("name", ["diagnosis", "r" * 20, "x" * 101])
@@ -87,9 +89,9 @@ def test_a_bad_run_yaml_costs_its_own_run(make_run, tmp_path, kind):
     (make_run("bad-01") / "run.yaml").write_bytes(BAD[kind].encode("utf-8", "surrogateescape"))
     plan = make_plan(tmp_path / "raw", [])
     assert plan.materials == {"UHMWPE": ["good-01"]} and not plan.others
-    (one,) = plan.refused
-    assert one.run == "bad-01" and "bad-01/run.yaml" in one.file and one.mend
-    assert one.material == ("nylon" if kind == "unknown" else kind if "radius_mm" in BAD[kind] else "")
+    (left_out,) = plan.refused
+    assert left_out.run == "bad-01" and "bad-01/run.yaml" in left_out.file and left_out.mend
+    assert left_out.material == ("nylon" if kind == "unknown" else kind if "radius_mm" in BAD[kind] else "")
 
 
 @pytest.mark.parametrize("named", [r"a\0b", r"a\u202Eb", "<b>", "x" * 5000, r"a\nb"])
@@ -97,8 +99,8 @@ def test_no_word_that_names_no_material_reaches_the_pages(make_run, tmp_path, na
     text = BAD["unknown"].replace("nylon", f'"{named}"')
     assert named in text
     (make_run("bad-01") / "run.yaml").write_text(text)
-    (one,) = make_plan(tmp_path / "raw", []).refused
-    assert one.material == "" and all(sign.isprintable() for sign in one.why)
+    (left_out,) = make_plan(tmp_path / "raw", []).refused
+    assert left_out.material == "" and all(sign.isprintable() for sign in left_out.why)
 
 
 @pytest.mark.parametrize("material", ["nylon", '"nylon"', "'nylon' # soft", "nylon}"])
@@ -106,8 +108,8 @@ def test_a_run_yaml_that_cannot_be_read_still_tells_its_material(make_run, tmp_p
     opening = "{" if material.endswith("}") else "\n  "
     text = f"run: bad-01\n# material: silk\nradius: .nan\nstring: {opening}material: {material}\n"
     (make_run("bad-01") / "run.yaml").write_text(text)
-    (one,) = make_plan(tmp_path / "raw", []).refused
-    assert one.material == "nylon" and ".nan is no finite number" in one.why
+    (left_out,) = make_plan(tmp_path / "raw", []).refused
+    assert left_out.material == "nylon" and ".nan is no finite number" in left_out.why
 
 
 def test_a_run_that_is_refused_leaves_the_plan_and_with_it_a_material_of_its_own(make_run, tmp_path):
@@ -118,7 +120,11 @@ def test_a_run_that_is_refused_leaves_the_plan_and_with_it_a_material_of_its_own
     plan = make_plan(tmp_path / "raw", [])
     plan.leave_out({run: LeftOut(run, "", "f", "g", "h", "i") for run in ("a-02", "s-01", "mass-01")})
     assert plan.materials == {"UHMWPE": ["a-01"]} and plan.others == []
-    assert [(one.run, one.material) for one in plan.refused] == [("a-02", "UHMWPE"), ("s-01", "silk"), ("mass-01", "")]
+    assert [(left_out.run, left_out.material) for left_out in plan.refused] == [
+        ("a-02", "UHMWPE"),
+        ("s-01", "silk"),
+        ("mass-01", ""),
+    ]
 
 
 def test_a_run_yaml_that_is_none_costs_its_own_run(make_run, tmp_path):
@@ -130,7 +136,7 @@ def test_a_run_yaml_that_is_none_costs_its_own_run(make_run, tmp_path):
         make(file)
     plan = make_plan(tmp_path / "raw", [])
     assert plan.runs == ["good-01"]
-    assert [one.run for one in plan.refused] == ["folder-01", "nameless-01", "pipe-01"]
+    assert [left_out.run for left_out in plan.refused] == ["folder-01", "nameless-01", "pipe-01"]
 
 
 def test_every_name_that_a_rule_hands_to_a_shell_is_quoted():

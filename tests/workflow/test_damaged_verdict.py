@@ -37,8 +37,10 @@ def test_the_diagnosis_of_its_run_is_planned_again_and_that_of_no_other(bare_pro
     for place in (cut, whole):
         os.utime(project.folder / place)
     done = project.snakemake("--dry-run", cut, whole)
-    said = done.stdout + done.stderr
-    assert done.returncode == 0, said
-    assert project.rules_of(said) == {"diagnose": 1} and re.findall(r"Job \d+: diagnose (.*)", said) == ["a-3"], said
-    assert f"{cut}/diagnosis.json: is damaged" in said and "it is made again" in said
-    assert f"{whole}/diagnosis.json" not in said
+    printed = done.stdout + done.stderr
+    assert done.returncode == 0, printed
+    assert project.rules_of(printed) == {"diagnose": 1} and re.findall(r"Job \d+: diagnose (.*)", printed) == ["a-3"], (
+        printed
+    )
+    assert f"{cut}/diagnosis.json: is damaged" in printed and "it is made again" in printed
+    assert f"{whole}/diagnosis.json" not in printed

@@ -10,7 +10,7 @@ from pipeline.workflow.known_files import KnownFiles
 
 
 @pytest.fixture
-def known(tmp_path, monkeypatch):
+def make_known_files(tmp_path, monkeypatch):
     monkeypatch.setattr(known_files, "SETTLED_S", -1.0)  # a test does not wait until a file is old
     return lambda: KnownFiles(tmp_path / "cache" / "known.json")
 
@@ -21,33 +21,33 @@ def write_as_before(path, content, times):
     os.utime(path, ns=times)
 
 
-def test_content_decides_and_time_does_not(tmp_path, known):
+def test_content_decides_and_time_does_not(tmp_path, make_known_files):
     path = tmp_path / "recording.csv"
     path.write_bytes(b"one")
     stat = path.stat()
-    files = known()
+    files = make_known_files()
     first = files.digest([str(path)])
     files.save()
     os.utime(path)
-    assert known().digest([str(path)]) == first
+    assert make_known_files().digest([str(path)]) == first
     time.sleep(0.02)  # the clock of a file's change ticks in steps of milliseconds
     write_as_before(path, b"two", (stat.st_atime_ns, stat.st_mtime_ns))
-    assert known().digest([str(path)]) != first
+    assert make_known_files().digest([str(path)]) != first
     older = tmp_path / "older"
     older.write_bytes(b"old")
     os.utime(older, (1, 1))
     os.replace(older, path)
-    assert known().digest([str(path)]) not in (first, known().digest([]))
+    assert make_known_files().digest([str(path)]) not in (first, make_known_files().digest([]))
 
 
-def test_a_file_is_read_once(tmp_path, known, monkeypatch):
+def test_a_file_is_read_once(tmp_path, make_known_files, monkeypatch):
     path = tmp_path / "recording.csv"
     path.write_bytes(b"one")
-    files = known()
+    files = make_known_files()
     first = files.digest([str(path)])
     files.save()
     monkeypatch.setattr(known_files, "sha256", lambda path: pytest.fail("it was read again"))
-    assert known().digest([str(path)]) == first
+    assert make_known_files().digest([str(path)]) == first
 
 
 def test_a_file_that_has_just_changed_is_read_again(tmp_path):
@@ -65,10 +65,10 @@ def test_a_cache_that_is_none_is_made_again(tmp_path, kept):
     assert files.digest([str(tmp_path / "absent")]) == files.digest([]) and files.notes == {}
 
 
-def test_a_damaged_table_is_found_and_looked_for_again_after_a_failure(tmp_path, known):
+def test_a_damaged_table_is_found_and_looked_for_again_after_a_failure(tmp_path, make_known_files):
     table, path = pd.DataFrame({"point": [1], "displacement_mm": [0.5], "motor_turns": [1.0]}), tmp_path / "t.parquet"
     schemas.write(table, schemas.PREDICTIONS, path)
-    files = known()
+    files = make_known_files()
     assert files.damaged([str(path), str(tmp_path / "absent.parquet")]) == {}
     files.forget_intact()
     assert files.facts == {}

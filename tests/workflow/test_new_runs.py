@@ -48,23 +48,26 @@ def test_a_bad_run_costs_itself_alone_and_is_said_until_it_is_gone(few):
     before = digest(project.folder / "raw")
 
     done = project.snakemake()
-    said = done.stdout + done.stderr
+    printed = done.stdout + done.stderr
     closing = done.stdout.partition("All else that was asked for is made. What is to be mended:\n")[2].splitlines()
     assert len(closing) == len(HOSTILE) + len(BAD) + 1 and "failed: " not in done.stdout
     assert closing[-1].startswith("Until then the main job ends as failed.")
-    assert done.returncode != 0 and "left out: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in said
-    assert "processed/synthetic/metrics.parquet: is damaged" in said and "it is made again" in said
-    assert all(f"left out: raw/{one}/run.yaml: " in said for one in ("deep-01", "typo-01", "taken-01"))
-    assert said.count("Mend: rename the folder") >= len(HOSTILE)
+    assert done.returncode != 0 and "left out: raw/typo-01/run.yaml: string.raduis_mm: is not a known key" in printed
+    assert "processed/synthetic/metrics.parquet: is damaged" in printed and "it is made again" in printed
+    assert all(f"left out: raw/{run_name}/run.yaml: " in printed for run_name in ("deep-01", "typo-01", "taken-01"))
+    assert printed.count("Mend: rename the folder") >= len(HOSTILE)
     assert digest(project.folder / "raw") == before and not list(project.folder.rglob("PWNED"))
     table = project.read("reports/nylon/table_1.md")
-    assert all(f"Left out: run {one}: " in table for one in ("still-01", "bare-01", "typo-01")) and "deep" not in table
+    assert (
+        all(f"Left out: run {run_name}: " in table for run_name in ("still-01", "bare-01", "typo-01"))
+        and "deep" not in table
+    )
     assert "Left out: bare-01, still-01, typo-01." in project.read("reports/nylon/table_1.tex")
     assert "Left out" not in project.read("reports/nylon/table_1.csv") + project.read("reports/synthetic/table_1.md")
     index = project.read("reports/index.html")
     cell = '<td class="text">{}</td>'
-    for one in (*BAD, *HOSTILE):
-        assert not one.isprintable() or cell.format(escape(one)) in index, one
+    for run_name in (*BAD, *HOSTILE):
+        assert not run_name.isprintable() or cell.format(escape(run_name)) in index, run_name
     assert cell.format("silk") in index and 'id="material-nylon"' in index and 'id="material-silk"' not in index
     assert materials_of(project) == {"synthetic", "nylon"} and not (project.folder / "reports/silk").exists()
 

@@ -31,7 +31,7 @@ def test_a_node_goes_by_the_plan_that_it_is_handed(bare_project, make_run):
     words += ["--allowed-rules", "ingest", "--target-jobs", "ingest:run=nylon-1"]
     command = [sys.executable, "-m", "snakemake", *words, "--configfile", "pipeline/config/ci.yaml"]
     done = subprocess.run(command, cwd=bare_project.folder, env=environment, capture_output=True, text=True)
-    said = done.stdout + done.stderr
-    assert done.returncode == 0 and "ingest nylon-1" in said, said
-    assert "node: " in said and "left out" not in said and "nylon-2" not in said
+    printed = done.stdout + done.stderr
+    assert done.returncode == 0 and "ingest nylon-1" in printed, printed
+    assert "node: " in printed and "left out" not in printed and "nylon-2" not in printed
     assert not (bare_project.folder / ".snakemake" / "known_files.json").exists()

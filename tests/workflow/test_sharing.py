@@ -10,7 +10,7 @@ SMALL = ("--configfile", "pipeline/config/ci.yaml")
 
 
 def test_a_finished_project_goes_to_another_checkout(finished, bare_project, tmp_path):
-    here, lab = finished[0], bare_project
+    origin, lab = finished[0], bare_project
 
     def program(folder, *words):
         done = subprocess.run([sys.executable, "-m", *words], cwd=folder, capture_output=True, text=True)
@@ -18,12 +18,12 @@ def test_a_finished_project_goes_to_another_checkout(finished, bare_project, tmp
         return done.stdout
 
     archive = tmp_path / "all.zip"
-    said = program(here.folder, "pipeline.pack", "--all", *SMALL, "--out", str(archive))
-    assert "synthetic" in said
-    said = program(lab.folder, "pipeline.pack.unpack", str(archive))
-    assert "packed by other code" not in said and " ".join(SMALL) in said
+    printed = program(origin.folder, "pipeline.pack", "--all", *SMALL, "--out", str(archive))
+    assert "synthetic" in printed
+    printed = program(lab.folder, "pipeline.pack.unpack", str(archive))
+    assert "packed by other code" not in printed and " ".join(SMALL) in printed
     assert lab.rules_to_run() == {}
-    assert lab.read("reports/synthetic/table_1.csv") == here.read("reports/synthetic/table_1.csv")
+    assert lab.read("reports/synthetic/table_1.csv") == origin.read("reports/synthetic/table_1.csv")
     changed = lab.folder / "pipeline" / "models" / "mlp.py"
     changed.write_text(changed.read_text() + "\nCHANGED = True\n")
     rules = lab.rules_to_run()

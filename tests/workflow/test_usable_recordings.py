@@ -34,21 +34,21 @@ def test_each_recording_is_read_once_and_again_when_it_or_the_code_is_new(make_r
     assert list(refused) == ["b-01"] and "never changes" in refused["b-01"].why
     assert "2 (a-01, b-01)" in capsys.readouterr().err
 
-    asked = []
-    monkeypatch.setattr(usable_recordings, "answers", lambda folders, place: asked.extend(folders) or {})
-    assert refusals(raw, contents, "code", kept) == (refused, kept) and not asked
+    read_folders = []
+    monkeypatch.setattr(usable_recordings, "answers", lambda folders, place: read_folders.extend(folders) or {})
+    assert refusals(raw, contents, "code", kept) == (refused, kept) and not read_folders
     assert capsys.readouterr().err == ""
     refusals(raw, {**contents, "b-01": "3"}, "code", kept)
-    assert [folder.name for folder in asked] == ["b-01"]
+    assert [folder.name for folder in read_folders] == ["b-01"]
     refusals(raw, contents, "other code", kept)
-    assert len(asked) == 3
+    assert len(read_folders) == 3
 
 
 @pytest.mark.parametrize("kept", [None, [], {"a-01": 5}, {"a-01": ["1", "code", "[{"]}, {"a-01": ["1", "code", 5]}])
 def test_what_was_kept_and_is_damaged_is_read_again(make_run, tmp_path, quick, kept):
     make_run("a-01")
-    refused, known = refusals(tmp_path / "raw", {"a-01": "1"}, "code", kept)
-    assert refused == {} and known == {"a-01": ["1", "code", "[]"]}
+    refused, kept_answers = refusals(tmp_path / "raw", {"a-01": "1"}, "code", kept)
+    assert refused == {} and kept_answers == {"a-01": ["1", "code", "[]"]}
 
 
 def test_a_recording_at_which_the_reader_dies_has_no_answer_and_the_others_do(make_run, tmp_path, monkeypatch):

@@ -25,10 +25,10 @@ def made(library, ports, terms=None):
 
 
 def test_what_a_residual_suggests_is_asked_of_the_rows_that_may_be_seen():
-    asked = []
-    library = {"creep": SimpleNamespace(suggest=lambda *given: asked.append(given) or [{"at": 1.0}])}
+    calls = []
+    library = {"creep": SimpleNamespace(suggest=lambda *arguments: calls.append(arguments) or [{"at": 1.0}])}
     assert candidates.suggested(made(library, candidates.PORTS), "state") == {"creep": [{"at": 1.0}]}
-    ((drivers, residual, predicted),) = asked
+    ((drivers, residual, predicted),) = calls
     assert drivers == "drivers" and residual.tolist() == [2.0, 1.5] and predicted.tolist() == [1.0, 2.5]
 
 
@@ -62,11 +62,11 @@ def test_suggested_waves_of_the_reading_are_beside_the_columns_without_physics(m
 def test_refined_parameters_are_added_once_and_those_adopted_are_not():
     """The catalogue that is given stays as it is."""
     adopted, acting = Act("jam", ({"at": 9.0},), (1.0,)), Act("creep", ({"at": 1.0}, {"at": 5.0}), (1.0, 1.0))
-    given = {"creep": [{"at": 1.0}], "jam": [{"at": 3.0}]}
+    catalogue = {"creep": [{"at": 1.0}], "jam": [{"at": 3.0}]}
     states = [SimpleNamespace(acts=(adopted, acting)), SimpleNamespace(acts=(acting,))]
-    refined = candidates.with_refined(SimpleNamespace(included=(adopted,)), given, states)
+    refined = candidates.with_refined(SimpleNamespace(included=(adopted,)), catalogue, states)
     assert refined == {"creep": [{"at": 1.0}, {"at": 5.0}], "jam": [{"at": 3.0}]}
-    assert given == {"creep": [{"at": 1.0}], "jam": [{"at": 3.0}]}
+    assert catalogue == {"creep": [{"at": 1.0}], "jam": [{"at": 3.0}]}
 
 
 @pytest.mark.parametrize(

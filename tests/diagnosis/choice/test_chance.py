@@ -20,14 +20,14 @@ def made(residual, rate=None, library=None, rows=ROWS):
 
 
 def test_what_a_residual_shows_is_asked_of_each_mechanism_of_the_library():
-    asked = []
+    calls = []
     library = {
-        "stick_slip": SimpleNamespace(random=lambda *given: asked.append(given) or {"terms": 2}),
-        "creep": SimpleNamespace(random=lambda *given: None),
+        "stick_slip": SimpleNamespace(random=lambda *arguments: calls.append(arguments) or {"terms": 2}),
+        "creep": SimpleNamespace(random=lambda *arguments: None),
     }
     problem = made([3.0, 4.0, 9.0], library=library, rows=2)
     assert chance.seen(problem, 1.0) == {"stick_slip": {"terms": 2}}
-    ((drivers, residual, predicted),) = asked
+    ((drivers, residual, predicted),) = calls
     assert drivers is problem.drivers and residual.tolist() == [2.0, 3.0] and predicted.tolist() == [1.0, 1.0]
 
 

@@ -31,12 +31,12 @@ def unknown(conceal, remembered, tmp_path_factory):
 @pytest.mark.long
 def test_it_is_simulated_named_nowhere_and_said_to_be_no_name(unknown):
     _, path, content = unknown
-    held, ids = content["fit"]["heldout"], content["closest"]["ids"]
+    heldout, ids = content["fit"]["heldout"], content["closest"]["ids"]
     assert content["verdict"] == "unknown" and ids
     assert content["mechanisms"] == [] and content["simulation"] == []
     assert [entry["id"] for entry in content["closest"]["simulation"]] == ids
     assert content["evidence"]["chosen_without_them"] == [] and content["evidence"]["closest_without_them"]
-    assert held["explained_mm"] < closest.FORETOLD * held["calibrated_mm"]
+    assert heldout["explained_mm"] < closest.FORETOLD * heldout["calibrated_mm"]
     page = " ".join((path.parent / "verdict.txt").read_text().split())
     assert f"pipeline.simulate uses {' + '.join(ids)}" in page and "as a curve" in page and "no name" in page
 
@@ -47,8 +47,10 @@ def test_simulate_keeps_what_the_diagnosis_claims(unknown, tmp_path):
     done = programs.run("pipeline.simulate", folder, "--simulation", path, "--out", tmp_path / "out.csv")
     assert done.returncode == 0, done.stderr
     assert "comes closest and is no name: the verdict is unknown" in " ".join(done.stdout.split())
-    left = read_samples(folder)[1]["displacement_mm"] - pd.read_csv(tmp_path / "out.csv")["displacement_mm"]
-    assert float(np.sqrt(np.mean(np.square(left)))) == pytest.approx(content["fit"]["heldout"]["explained_mm"], rel=0.1)
+    residual = read_samples(folder)[1]["displacement_mm"] - pd.read_csv(tmp_path / "out.csv")["displacement_mm"]
+    assert float(np.sqrt(np.mean(np.square(residual)))) == pytest.approx(
+        content["fit"]["heldout"]["explained_mm"], rel=0.1
+    )
 
 
 @pytest.mark.long

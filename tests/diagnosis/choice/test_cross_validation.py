@@ -32,8 +32,11 @@ def sets(*names):
 def test_the_smallest_that_foresees_as_well_stands_first_and_the_rest_stay(monkeypatch, errors, first):
     tied = sets("creep jam wear", "creep jam", "thermal")
     monkeypatch.setattr(cross_validation, "left_out_errors", lambda linear, sets: errors)
-    ordered = [" ".join(one.ids) for one in cross_validation.by_prediction(None, tied)]
-    assert ordered == [first, *(" ".join(one.ids) for one in tied if " ".join(one.ids) != first)]
+    ordered = [" ".join(explanation.ids) for explanation in cross_validation.by_prediction(None, tied)]
+    assert ordered == [
+        first,
+        *(" ".join(explanation.ids) for explanation in tied if " ".join(explanation.ids) != first),
+    ]
 
 
 def test_one_explanation_needs_no_left_out_stretches(monkeypatch):
@@ -45,7 +48,7 @@ def test_one_explanation_needs_no_left_out_stretches(monkeypatch):
 def test_of_two_as_small_the_one_that_foresees_better_stands_first(monkeypatch):
     monkeypatch.setattr(cross_validation, "left_out_errors", lambda linear, sets: [1.2, 1.1, 1.34, 1.0])
     ordered = cross_validation.by_prediction(None, sets("creep jam", "wear jam", "slack", "creep wear"))
-    assert [" ".join(one.ids) for one in ordered] == ["slack", "creep jam", "wear jam", "creep wear"]
+    assert [" ".join(explanation.ids) for explanation in ordered] == ["slack", "creep jam", "wear jam", "creep wear"]
 
 
 ROWS = 1003  # no five stretches of them are alike
@@ -80,15 +83,15 @@ def test_each_stretch_and_the_last_two_together_are_foretold_by_the_others(prior
     columns = draw.standard_normal((3, ROWS)) * np.linspace(0.5, 2.0, ROWS)
     target = 2.0 * columns[0] - columns[2] * np.linspace(0.0, 3.0, ROWS) + draw.standard_normal(ROWS)
     linear = linear_of(columns, target, prior)
-    asked = [SimpleNamespace(fit=SimpleNamespace(columns=np.array(own))) for own in ([2, 0], [1], [0, 1, 2])]
-    expected = [left_out(columns[one.fit.columns], target, prior) for one in asked]
-    assert cross_validation.left_out_errors(linear, asked) == pytest.approx(expected, rel=1e-6)
+    explanations = [SimpleNamespace(fit=SimpleNamespace(columns=np.array(own))) for own in ([2, 0], [1], [0, 1, 2])]
+    expected = [left_out(columns[explanation.fit.columns], target, prior) for explanation in explanations]
+    assert cross_validation.left_out_errors(linear, explanations) == pytest.approx(expected, rel=1e-6)
 
 
 def test_bounds_hold_where_stretches_are_left_out():
     column = np.ones((1, ROWS))
-    one = SimpleNamespace(fit=SimpleNamespace(columns=np.array([0])))
-    (error,) = cross_validation.left_out_errors(linear_of(column, 3.0 * column[0], most=1.0), [one])
+    explanation = SimpleNamespace(fit=SimpleNamespace(columns=np.array([0])))
+    (error,) = cross_validation.left_out_errors(linear_of(column, 3.0 * column[0], most=1.0), [explanation])
     assert error == pytest.approx(2.0)
 
 

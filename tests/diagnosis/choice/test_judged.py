@@ -20,42 +20,45 @@ def explanation(*ids):
 def test_stick_slip_is_weighed_only_where_its_jerks_are_seen(monkeypatch, jerks, weighed):
     monkeypatch.setattr(weigh, "candidates", lambda search: [explanation("stick_slip"), explanation("creep")])
     monkeypatch.setattr(weigh, "marked", lambda problem, base: {"stick_slip": jerks})
-    monkeypatch.setattr(weigh, "signs", lambda search, one, some, floor: {})
+    monkeypatch.setattr(weigh, "signs", lambda search, candidate, rivals, floor: {})
     search = SimpleNamespace(
         linear=SimpleNamespace(
             problem=SimpleNamespace(library=mechanisms(), judge=SimpleNamespace(recogniser=None), runs=1)
         )
     )
-    assert [one.ids[0] for one in weigh.weighed(search, None, 0.01)] == weighed
+    assert [weighed_set.ids[0] for weighed_set in weigh.weighed(search, None, 0.01)] == weighed
 
 
 def judge_of(shares):
     """A search of a string whose judge gives these probabilities, the last that of none."""
-    judge = SimpleNamespace(probabilities=lambda some: np.array(shares))
+    judge = SimpleNamespace(probabilities=lambda weighed_sets: np.array(shares))
     problem = SimpleNamespace(drivers=SimpleNamespace(levered=True), judge=judge)
     return SimpleNamespace(linear=SimpleNamespace(problem=problem), explain=lambda ids: explanation(*ids))
 
 
 @pytest.mark.parametrize(
-    ("some", "shares", "held", "likely"),
+    ("weighed_names", "shares", "expected_names", "likely"),
     [
         (["creep", "creep jam wear"], [0.7, 0.2, 0.1], "creep jam wear", 0.9),  # worth a third effect
         (["creep", "jam"], [0.85, 0.05, 0.1], "creep", 0.85),  # no set of three was weighed
     ],
 )
-def test_a_third_effect_is_taken_where_one_was_weighed(monkeypatch, some, shares, held, likely):
-    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(tuple(name.split()), {}) for name in some])
-    found = judged.judged(judge_of(shares), None, explanation("creep", "jam", "wear"), 0.01)
-    ids = tuple(held.split())
-    assert [one.ids for one in found.sets] == [ids] and found.likely[ids] == pytest.approx(likely)
+def test_a_third_effect_is_taken_where_one_was_weighed(monkeypatch, weighed_names, shares, expected_names, likely):
+    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(tuple(name.split()), {}) for name in weighed_names])
+    judgement = judged.judged(judge_of(shares), None, explanation("creep", "jam", "wear"), 0.01)
+    ids = tuple(expected_names.split())
+    assert [candidate.ids for candidate in judgement.sets] == [ids] and judgement.likely[ids] == pytest.approx(likely)
 
 
 def test_a_set_without_physics_of_the_library_counts_as_none_of_them(monkeypatch):
     sets = [("x_clock",), ("sensor_lag",), ("sensor_lag", "x_clock")]
     monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in sets])
-    found = judged.judged(judge_of([0.5, 0.3, 0.1, 0.1]), None, explanation("sensor_lag"), 0.01)
-    assert found.none == pytest.approx(0.6) and [one.ids for one in found.sets] == [("x_clock",), ("sensor_lag",)]
-    assert found.confidence("sensor_lag") == pytest.approx(0.4)
+    judgement = judged.judged(judge_of([0.5, 0.3, 0.1, 0.1]), None, explanation("sensor_lag"), 0.01)
+    assert judgement.none == pytest.approx(0.6) and [candidate.ids for candidate in judgement.sets] == [
+        ("x_clock",),
+        ("sensor_lag",),
+    ]
+    assert judgement.confidence("sensor_lag") == pytest.approx(0.4)
 
 
 def test_a_number_that_the_other_stretches_hardly_show_stays_nothing():
@@ -80,33 +83,33 @@ def test_sets_are_held_until_they_have_four_fifths_of_the_probability(shares, pl
 def test_where_nothing_is_wound_the_sets_that_foretell_alike_are_equally_likely(monkeypatch):
     sets = [explanation("backlash"), explanation("stick_slip"), explanation("creep")]
     monkeypatch.setattr(judged.compare, "unbeaten", lambda *_: sets)
-    monkeypatch.setattr(judged.cross_validation, "by_prediction", lambda linear, some: some[:2])
+    monkeypatch.setattr(judged.cross_validation, "by_prediction", lambda linear, tied_sets: tied_sets[:2])
     search = SimpleNamespace(linear=SimpleNamespace(problem=SimpleNamespace(drivers=SimpleNamespace(levered=False))))
-    found = judged.judged(search, None, sets[0], 0.01)
-    assert found.sets == sets[:2] and found.none == 0.0
-    assert found.likely == {("backlash",): 0.5, ("stick_slip",): 0.5}
+    judgement = judged.judged(search, None, sets[0], 0.01)
+    assert judgement.sets == sets[:2] and judgement.none == 0.0
+    assert judgement.likely == {("backlash",): 0.5, ("stick_slip",): 0.5}
 
 
 def test_a_single_effect_is_no_reason_to_take_a_set_of_three(monkeypatch):
     sets = [(), ("creep", "jam", "wear")]
     monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in sets])
-    found = judged.judged(judge_of([0.85, 0.05, 0.1]), None, explanation("creep"), 0.01)
-    assert [one.ids for one in found.sets] == [()] and found.likely[sets[1]] == pytest.approx(0.05)
+    judgement = judged.judged(judge_of([0.85, 0.05, 0.1]), None, explanation("creep"), 0.01)
+    assert [candidate.ids for candidate in judgement.sets] == [()] and judgement.likely[sets[1]] == pytest.approx(0.05)
 
 
 def test_where_nothing_was_found_that_it_is_none_of_them_is_certain():
     assert judged.NOTHING.none == 1.0 and not judged.NOTHING.sets and judged.NOTHING.confidence("creep") == 0.0
 
 
-@pytest.mark.parametrize(("runs", "asked"), [(1, True), (2, False)])
-def test_the_recogniser_is_asked_about_single_recordings_alone(monkeypatch, runs, asked):
+@pytest.mark.parametrize(("runs", "is_asked"), [(1, True), (2, False)])
+def test_the_recogniser_is_asked_about_single_recordings_alone(monkeypatch, runs, is_asked):
     monkeypatch.setattr(weigh, "candidates", lambda search: [explanation("creep"), explanation("creep", "jam")])
     monkeypatch.setattr(weigh, "marked", lambda problem, base: {})
-    monkeypatch.setattr(weigh, "signs", lambda search, one, some, floor: {})
+    monkeypatch.setattr(weigh, "signs", lambda search, candidate, rivals, floor: {})
     monkeypatch.setattr(weigh, "signature_of", lambda problem, base: {})
     recogniser = SimpleNamespace(likenesses=lambda signature: {"creep": 0.7, "jam": 0.2, "outside": 0.1})
     problem = SimpleNamespace(library=mechanisms(), judge=SimpleNamespace(recogniser=recogniser), runs=runs)
     single, pair = weigh.weighed(SimpleNamespace(linear=SimpleNamespace(problem=problem)), None, 0.01)
-    assert ("alike" in single.signs) == ("alike_outside" in pair.signs) == asked
+    assert ("alike" in single.signs) == ("alike_outside" in pair.signs) == is_asked
     table = signature_table([single, pair])
-    assert table.shape == (3, 5) and bool(table[0].any()) == bool(table[2].any()) == asked and not table[1].any()
+    assert table.shape == (3, 5) and bool(table[0].any()) == bool(table[2].any()) == is_asked and not table[1].any()

@@ -79,21 +79,23 @@ NOTHING = explanation("")
 
 
 def decided(
-    base: float, best: float | None = None, sets: tuple[str, ...] = (), none: float = 0.0, **given: Any
+    base: float, best: float | None = None, sets: tuple[str, ...] = (), none: float = 0.0, **options: Any
 ) -> outcome.Study:
     """The verdict where calibration leaves `base` noise floors beyond the noise, and the best explanation `best`."""
-    problem = Bench(np.zeros(SEEN + UNSEEN), included=given.get("included", ()))
-    acts = given.get("acts", ())
-    best_values = missing(base if best is None else best) - sum(one.coefficients[0] * WAVES[one.id] for one in acts)
+    problem = Bench(np.zeros(SEEN + UNSEEN), included=options.get("included", ()))
+    acts = options.get("acts", ())
+    best_values = missing(base if best is None else best) - sum(
+        effect.coefficients[0] * WAVES[effect.id] for effect in acts
+    )
     return decide(
         problem,  # type: ignore[arg-type]
-        State(missing(given.get("nominal", base)), np.zeros(1), problem.included),
+        State(missing(options.get("nominal", base)), np.zeros(1), problem.included),
         State(missing(base), np.zeros(1), problem.included),
-        Noise(FLOOR, np.zeros(0), FLOOR, given.get("swallowed", 0.0)),
+        Noise(FLOOR, np.zeros(0), FLOOR, options.get("swallowed", 0.0)),
         State(best_values, np.zeros(1), acts),
         Judged([explanation(ids) for ids in sets], {}, none),
         SimpleNamespace(nothing=NOTHING),  # type: ignore[arg-type]
-        given.get("random", {}),
+        options.get("random", {}),
     )
 
 
@@ -104,17 +106,17 @@ def test_a_reading_that_is_off_for_half_a_second_is_unknown_however_loud_the_noi
     state = State(reading, np.zeros(1))
     problem, noise = Bench(np.zeros(SEEN + UNSEEN)), Noise(2.0 * FLOOR, np.zeros(0), FLOOR)
     search = SimpleNamespace(nothing=NOTHING)
-    found = decide(problem, state, state, noise, state, Judged([], {}, 1.0), search, {})  # type: ignore[arg-type]
-    assert found.verdict == verdict
+    study = decide(problem, state, state, noise, state, Judged([], {}, 1.0), search, {})  # type: ignore[arg-type]
+    assert study.verdict == verdict
 
 
 @pytest.mark.parametrize(("beyond", "verdict"), [(0.0, "consistent"), (0.34, "consistent"), (0.36, "unknown")])
 def test_without_an_explanation_a_mismatch_of_a_third_of_the_noise_is_unknown(beyond, verdict):
-    found = decided(beyond)
-    assert found.verdict == verdict
-    assert found.mismatch == pytest.approx(FLOOR * beyond, abs=1e-6) and found.floor == FLOOR
-    assert found.state is found.base and found.random_rms == 0.0
-    assert found.share == pytest.approx(0.0 if beyond else 1.0, abs=1e-6)  # of nothing, all is taken
+    study = decided(beyond)
+    assert study.verdict == verdict
+    assert study.mismatch == pytest.approx(FLOOR * beyond, abs=1e-6) and study.floor == FLOOR
+    assert study.state is study.base and study.random_rms == 0.0
+    assert study.share == pytest.approx(0.0 if beyond else 1.0, abs=1e-6)  # of nothing, all is taken
 
 
 @pytest.mark.parametrize(("swallowed", "verdict"), [(0.1, "unknown"), (0.2, "unknown"), (0.5, "consistent")])
@@ -134,15 +136,15 @@ def test_parameters_that_moved_are_a_verdict_where_that_helped_by_a_seventh_of_t
 
 @pytest.mark.parametrize(("sets", "verdict"), [(("creep",), "explained"), (("creep", "jam wear"), "ambiguous")])
 def test_one_explanation_explains_and_several_are_ambiguous(sets, verdict):
-    found = decided(3.0, 0.1, sets, acts=(act("creep", 1.0),))
-    assert found.verdict == verdict and found.state is found.best and found.best_ids == ("creep",)
-    assert found.share == pytest.approx(1.0 - 0.1**2 / 3.0**2) and found.sets[0].ids == ("creep",)
+    study = decided(3.0, 0.1, sets, acts=(act("creep", 1.0),))
+    assert study.verdict == verdict and study.state is study.best and study.best_ids == ("creep",)
+    assert study.share == pytest.approx(1.0 - 0.1**2 / 3.0**2) and study.sets[0].ids == ("creep",)
 
 
 @pytest.mark.parametrize(("none", "verdict"), [(0.39, "explained"), (0.4, "unknown")])
 def test_none_of_them_likely_enough_is_unknown(none, verdict):
-    found = decided(3.0, 0.1, ("creep",), none, acts=(act("creep", 1.0),))
-    assert found.verdict == verdict and (found.state is found.best) == (verdict == "explained")
+    study = decided(3.0, 0.1, ("creep",), none, acts=(act("creep", 1.0),))
+    assert study.verdict == verdict and (study.state is study.best) == (verdict == "explained")
 
 
 @pytest.mark.parametrize(
@@ -160,34 +162,37 @@ def test_an_explanation_without_physics_is_unknown_unless_the_mismatch_is_small(
     assert decided(3.0, 0.1, ("creep x_wave",), acts=(act("creep", 1.0),)).verdict == "explained"
 
 
-@pytest.mark.parametrize(("left", "verdict"), [(1.1, "explained"), (0.9, "unknown")])
-def test_effects_far_larger_than_what_they_do_together_are_no_explanation(left, verdict):
-    balance = (act("creep", 8.0), act("jam", left - 8.0))  # together `left`, of which the larger is eight times 1
-    found = decided(3.0, 0.1, ("creep jam",), acts=balance)
-    assert found.verdict == verdict
-    problem = found.problem
-    assert outcome.cancels(problem, found.best) == (verdict == "unknown")
-    assert not outcome.cancels(problem, replace(found.best, acts=balance[:1]))  # one alone is no balance
-    assert not outcome.cancels(problem, replace(found.best, acts=()))
+@pytest.mark.parametrize(("net_strength", "verdict"), [(1.1, "explained"), (0.9, "unknown")])
+def test_effects_far_larger_than_what_they_do_together_are_no_explanation(net_strength, verdict):
+    balance = (
+        act("creep", 8.0),
+        act("jam", net_strength - 8.0),
+    )  # together `left`, of which the larger is eight times 1
+    study = decided(3.0, 0.1, ("creep jam",), acts=balance)
+    assert study.verdict == verdict
+    problem = study.problem
+    assert outcome.cancels(problem, study.best) == (verdict == "unknown")
+    assert not outcome.cancels(problem, replace(study.best, acts=balance[:1]))  # one alone is no balance
+    assert not outcome.cancels(problem, replace(study.best, acts=()))
     own = replace(problem, included=balance[1:])  # what run.yaml adopted is no part of it
-    assert not outcome.cancels(own, found.best)
+    assert not outcome.cancels(own, study.best)
 
 
 @pytest.mark.parametrize(("share", "verdict"), [(0.69, "explained"), (0.71, "unknown")])
 def test_a_helper_that_takes_most_of_the_mismatch_is_the_explanation(share, verdict):
     acts = (act("creep", 9.0), act("x_wave", share * 3.0 * FLOOR))
-    found = decided(3.0, 0.1, ("creep x_wave",), acts=acts)
-    assert found.verdict == verdict
-    own = replace(found.problem, included=acts[1:])
-    assert not outcome.helped(own, found.best, found.mismatch)
-    assert not outcome.helped(found.problem, replace(found.best, acts=acts[:1]), found.mismatch)  # creep is physics
+    study = decided(3.0, 0.1, ("creep x_wave",), acts=acts)
+    assert study.verdict == verdict
+    own = replace(study.problem, included=acts[1:])
+    assert not outcome.helped(own, study.best, study.mismatch)
+    assert not outcome.helped(study.problem, replace(study.best, acts=acts[:1]), study.mismatch)  # creep is physics
 
 
 def test_only_what_a_fit_sees_tells_how_much_a_helper_takes(monkeypatch):
     late = np.where(np.arange(SEEN + UNSEEN) < SEEN, 0.1, 50.0) * SIGN
     monkeypatch.setitem(WAVES, "x_wave", late)
-    found = decided(3.0, 0.1, ("creep x_wave",), acts=(act("creep", 9.0), act("x_wave", 1.0)))
-    assert found.verdict == "explained"
+    study = decided(3.0, 0.1, ("creep x_wave",), acts=(act("creep", 9.0), act("x_wave", 1.0)))
+    assert study.verdict == "explained"
 
 
 @pytest.mark.parametrize(("bare", "verdict"), [(9.4, "unknown"), (9.6, "consistent")])
@@ -205,8 +210,8 @@ def test_what_an_adopted_explanation_may_leave_is_nothing_unknown(monkeypatch, b
     values = missing(3.0) - WAVES["creep"]
     measured = replace(problem, measured=np.zeros(SEEN + UNSEEN))
     state = State(values, np.zeros(1), adopted)
-    found = decide(measured, state, state, noise, state, Judged([], {}, 1.0), SimpleNamespace(nothing=NOTHING), {})  # type: ignore[arg-type]
-    assert found.verdict == verdict and found.best_ids == ()
+    study = decide(measured, state, state, noise, state, Judged([], {}, 1.0), SimpleNamespace(nothing=NOTHING), {})  # type: ignore[arg-type]
+    assert study.verdict == verdict and study.best_ids == ()
 
 
 SLIP = {"step": 1.0}
@@ -224,59 +229,59 @@ def jerky(monkeypatch, jerks, sets=(), none=0.0, acts=(), included=(), likely=No
     problem = Bench(np.zeros(SEEN + UNSEEN), included=included)
     reading = np.hypot(1.0, jerks) * QUIET * SIGN
     base = State(reading, np.zeros(1), included)
-    best = State(reading - sum(one.coefficients[0] * WAVES[one.id] for one in acts), np.zeros(1), acts)
+    best = State(reading - sum(effect.coefficients[0] * WAVES[effect.id] for effect in acts), np.zeros(1), acts)
     weighed = Judged([explanation(ids) for ids in sets], likely or {}, none)
     search = SimpleNamespace(nothing=NOTHING)
     return decide(problem, base, base, Noise(FLOOR, np.zeros(0), FLOOR), best, weighed, search, {"stick_slip": SLIP})
 
 
 def test_random_jerks_are_named_where_they_stand_out_of_the_noise_at_rest(monkeypatch):
-    found = jerky(monkeypatch, 0.21)
-    assert found.verdict == "explained" and [one.ids for one in found.sets] == [("stick_slip",)]
-    assert found.floor == QUIET and found.random == {"stick_slip": SLIP}
-    assert found.random_rms == pytest.approx(0.21 * QUIET) and found.mismatch == pytest.approx(0.21 * QUIET)
-    assert found.best.acts == (Act("stick_slip", (SLIP,), (0.0,)),)  # there, and silent
+    study = jerky(monkeypatch, 0.21)
+    assert study.verdict == "explained" and [candidate.ids for candidate in study.sets] == [("stick_slip",)]
+    assert study.floor == QUIET and study.random == {"stick_slip": SLIP}
+    assert study.random_rms == pytest.approx(0.21 * QUIET) and study.mismatch == pytest.approx(0.21 * QUIET)
+    assert study.best.acts == (Act("stick_slip", (SLIP,), (0.0,)),)  # there, and silent
 
 
 def test_jerks_alone_are_named_where_the_judge_had_nothing_to_weigh(monkeypatch):
-    found = jerky(monkeypatch, 0.21, none=judged.NOTHING.none)
-    assert found.verdict == "explained" and [one.ids for one in found.sets] == [("stick_slip",)]
+    study = jerky(monkeypatch, 0.21, none=judged.NOTHING.none)
+    assert study.verdict == "explained" and [candidate.ids for candidate in study.sets] == [("stick_slip",)]
 
 
 def test_smaller_jerks_are_noise(monkeypatch):
-    found = jerky(monkeypatch, 0.19)
-    assert found.verdict == "consistent" and not found.sets and not found.random
-    assert found.floor == FLOOR and found.random_rms == 0.0 and not found.best.acts
+    study = jerky(monkeypatch, 0.19)
+    assert study.verdict == "consistent" and not study.sets and not study.random
+    assert study.floor == FLOOR and study.random_rms == 0.0 and not study.best.acts
 
 
 def test_jerks_join_every_explanation_and_excuse_what_it_leaves(monkeypatch):
-    found = jerky(monkeypatch, 3.0, ("creep", "jam"))
-    assert [one.ids for one in found.sets] == [("creep", "stick_slip"), ("jam", "stick_slip")]
-    assert found.verdict == "ambiguous" and found.mismatch == pytest.approx(3.0 * QUIET)
+    study = jerky(monkeypatch, 3.0, ("creep", "jam"))
+    assert [candidate.ids for candidate in study.sets] == [("creep", "stick_slip"), ("jam", "stick_slip")]
+    assert study.verdict == "ambiguous" and study.mismatch == pytest.approx(3.0 * QUIET)
     assert jerky(monkeypatch, 3.0, ("creep",), none=0.4).verdict == "unknown"
 
 
 def test_with_the_jerks_and_without_them_an_explanation_is_one_and_as_likely_as_both(monkeypatch):
     likely = {("creep",): 0.5, ("creep", "stick_slip"): 0.3, ("stick_slip",): 0.1, ("x_wave",): 0.02}
-    found = jerky(monkeypatch, 3.0, ("creep", "creep stick_slip"), likely=likely)
-    assert [one.ids for one in found.sets] == [("creep", "stick_slip")] and found.verdict == "explained"
-    assert found.judged.likely == {("creep", "stick_slip"): 0.8, ("stick_slip",): 0.1, ("x_wave",): 0.02}
+    study = jerky(monkeypatch, 3.0, ("creep", "creep stick_slip"), likely=likely)
+    assert [candidate.ids for candidate in study.sets] == [("creep", "stick_slip")] and study.verdict == "explained"
+    assert study.judged.likely == {("creep", "stick_slip"): 0.8, ("stick_slip",): 0.1, ("x_wave",): 0.02}
 
 
 def test_an_explanation_that_holds_the_jerks_needs_no_second_silent_one(monkeypatch):
     own = (act("stick_slip", 0.5),)
-    found = jerky(monkeypatch, 1.0, ("stick_slip",), acts=own)
-    assert found.best.acts == own and [one.ids for one in found.sets] == [("stick_slip",)]
+    study = jerky(monkeypatch, 1.0, ("stick_slip",), acts=own)
+    assert study.best.acts == own and [candidate.ids for candidate in study.sets] == [("stick_slip",)]
 
 
 def test_jerks_that_were_adopted_are_named_no_second_time_and_are_no_mismatch(monkeypatch):
     own = (act("stick_slip", 0.0),)
-    found = jerky(monkeypatch, 1.0, acts=own, included=own)
-    assert found.verdict == "consistent" and not found.sets and not found.random
-    assert found.random_rms == 0.0 and found.floor == QUIET and found.best.acts == own
+    study = jerky(monkeypatch, 1.0, acts=own, included=own)
+    assert study.verdict == "consistent" and not study.sets and not study.random
+    assert study.random_rms == 0.0 and study.floor == QUIET and study.best.acts == own
 
 
 @pytest.mark.parametrize(("better", "verdict"), [(0.14, "consistent"), (0.16, "parameters")])
 def test_an_unknown_too_small_to_be_one_is_what_calibration_made_of_it(better, verdict):
-    found = decided(0.349, 0.3, ("creep",), none=0.5, nominal=float(np.hypot(0.349, better)))
-    assert found.verdict == verdict and found.sets and found.state is found.base
+    study = decided(0.349, 0.3, ("creep",), none=0.5, nominal=float(np.hypot(0.349, better)))
+    assert study.verdict == verdict and study.sets and study.state is study.base

@@ -77,16 +77,16 @@ def test_a_mechanism_that_refining_took_back_is_no_verdict(conceal, monkeypatch)
         acts = tuple(replace(act, coefficients=(0.0,) * len(act.coefficients)) for act in state.acts)
         return replace(state, acts=acts) if silent["now"] else state
 
-    def judged(*given):
+    def judged(*arguments):
         silent["now"] = True
         monkeypatch.setattr(calibrate, "calibrate", lambda problem, noise, state=None, acts=(): state)
-        return real(*given)
+        return real(*arguments)
 
     real = engine.judged
     monkeypatch.setattr(engine, "judged", judged)
     monkeypatch.setattr(calibrate, "refine", to_nothing)
-    found = engine.study(engine.make_problem([RecordedRun.cut(run, samples)]))
-    assert found.verdict == "unknown" and not found.best_ids and not found.sets
+    study = engine.study(engine.make_problem([RecordedRun.cut(run, samples)]))
+    assert study.verdict == "unknown" and not study.best_ids and not study.sets
 
 
 @pytest.mark.parametrize(
@@ -120,10 +120,10 @@ def test_an_explanation_is_calibration_in_disguise_by_its_corner_or_by_its_whole
         table=np.array([[9.0, 9.0], [1.0, 2.0], [10.0, 20.0]]),
         problem=SimpleNamespace(terms=lambda mechanism, nonlinear: []),
     )
-    one = SimpleNamespace(keys=nonlinear, fit=SimpleNamespace(coefficients=np.array([7.0, 2.0, 3.0])))
-    asked = []
+    explanation = SimpleNamespace(keys=nonlinear, fit=SimpleNamespace(coefficients=np.array([7.0, 2.0, 3.0])))
+    effects = []
     monkeypatch.setattr(recalibration, "outside", lambda problem, terms: outside)
-    monkeypatch.setattr(recalibration, "only_calibration", lambda effect, dimensions: asked.append(effect) or back)
+    monkeypatch.setattr(recalibration, "only_calibration", lambda effect, dimensions: effects.append(effect) or back)
     why = "outside" if outside else "dimensions"
-    assert recalibration.in_disguise(linear, one, None) == ((why, ("creep",)) if outside or back else None)
-    assert outside or [effect.tolist() for effect in asked] == [[32.0, 64.0]]
+    assert recalibration.in_disguise(linear, explanation, None) == ((why, ("creep",)) if outside or back else None)
+    assert outside or [effect.tolist() for effect in effects] == [[32.0, 64.0]]

@@ -20,23 +20,29 @@ def linear(problem):
 
 def test_what_is_explained_at_once_is_what_is_explained_one_by_one(linear):
     at_once, one_by_one = Search(linear()), Search(linear())
-    for found, ids in zip(at_once.explained(SETS), SETS, strict=True):
+    for explanation, ids in zip(at_once.explained(SETS), SETS, strict=True):
         alone = one_by_one.explain(ids)
-        assert found.ids == alone.ids == tuple(sorted(ids)) and found.keys == alone.keys and found.cost == alone.cost
-        assert found.energy == pytest.approx(alone.energy, rel=1e-9)
+        assert (
+            explanation.ids == alone.ids == tuple(sorted(ids))
+            and explanation.keys == alone.keys
+            and explanation.cost == alone.cost
+        )
+        assert explanation.energy == pytest.approx(alone.energy, rel=1e-9)
 
 
 def test_what_an_explanation_leaves_is_what_is_left_of_the_samples(linear):
     search = Search(linear())
-    one = search.explain(SETS[1])
-    plain = search.linear.plain(one.fit.columns)
-    left = search.linear.table[-1] - plain.coefficients @ search.linear.table[plain.columns]
-    assert one.energy == pytest.approx(float(np.mean(np.square(left))), rel=1e-6)
+    explanation = search.explain(SETS[1])
+    plain = search.linear.plain(explanation.fit.columns)
+    residual = search.linear.table[-1] - plain.coefficients @ search.linear.table[plain.columns]
+    assert explanation.energy == pytest.approx(float(np.mean(np.square(residual))), rel=1e-6)
 
 
 def test_known_are_the_asked_sets_and_the_smaller_ones_that_they_stand_on(linear):
     search = Search(linear())
     search.explained(SETS)
-    assert {one.ids for one in search.known} == {("axial_elasticity",), ("creep",), ("sensor_drift",)} | {
-        tuple(sorted(ids)) for ids in SETS
-    }
+    assert {explanation.ids for explanation in search.known} == {
+        ("axial_elasticity",),
+        ("creep",),
+        ("sensor_drift",),
+    } | {tuple(sorted(ids)) for ids in SETS}

@@ -27,28 +27,28 @@ APART = (
 class Known(Search):
     """A search whose explanations are told: by names their cost and, in noise floors, what they leave."""
 
-    def __init__(self, known, bent=None, least=0.0, ids=None):
-        self.told, self.bent, self.least, self.largest, self.asked = known, bent or {}, least, 3, []
+    def __init__(self, explanations, bent=None, least=0.0, ids=None):
+        self.told, self.bent, self.least, self.largest, self.asked = explanations, bent or {}, least, 3, []
         self.nothing = self.made("")
-        ids = ids or sorted({id_ for names in known for id_ in names.split()})
+        ids = ids or sorted({id_ for names in explanations for id_ in names.split()})
         self.linear = SimpleNamespace(catalogue={id_: [{}] for id_ in ids})
 
     def made(self, names):
-        cost, left = self.told.get(names, (1e6, self.told[""][1]))
-        return SimpleNamespace(ids=tuple(names.split()), cost=cost, energy=FLOOR**2 * (1.0 + left**2))
+        cost, left_floors = self.told.get(names, (1e6, self.told[""][1]))
+        return SimpleNamespace(ids=tuple(names.split()), cost=cost, energy=FLOOR**2 * (1.0 + left_floors**2))
 
     def explained(self, sets):
         self.asked += sets
         return [self.made(" ".join(sorted(ids))) for ids in sets]
 
-    def with_discrepancy(self, one):
-        names = " ".join(one.ids)
-        return SimpleNamespace(cost=self.bent.get(names, one.cost))
+    def with_discrepancy(self, explanation):
+        names = " ".join(explanation.ids)
+        return SimpleNamespace(cost=self.bent.get(names, explanation.cost))
 
 
 def names(explanations):
     """What explanations name, in their order."""
-    return [" ".join(one.ids) for one in explanations]
+    return [" ".join(explanation.ids) for explanation in explanations]
 
 
 NOTHING = {"": (10000.0, 3.0)}
@@ -62,27 +62,31 @@ def test_singles_are_all_mechanisms_with_candidates_the_cheapest_first():
 
 
 def test_a_pair_has_one_of_the_best_eight_and_two_drivers():
-    known = {id_: (float(place), 1.0) for place, id_ in enumerate(APART)}
-    pairs = {frozenset(one.ids) for one in Known({**NOTHING, **known}, ids=[*APART, "overtwist"]).all_of(2)}
+    singles = {id_: (float(place), 1.0) for place, id_ in enumerate(APART)}
+    pairs = {
+        frozenset(explanation.ids) for explanation in Known({**NOTHING, **singles}, ids=[*APART, "overtwist"]).all_of(2)
+    }
     without = {frozenset(pair) for pair in combinations(("sensor_lag", "load_swing", "overtwist"), 2)}
     without.add(frozenset(("jam", "overtwist")))  # both follow high twist
     assert pairs == {frozenset(pair) for pair in combinations((*APART, "overtwist"), 2)} - without
 
 
 def test_a_triple_has_one_of_the_best_two_pairs_and_is_asked_for_once():
-    known = {**NOTHING, "creep": (9.0, 1.0), "wear": (8.0, 1.0), "thermal": (7.0, 1.0), "backlash": (6.0, 1.0)}
+    singles = {**NOTHING, "creep": (9.0, 1.0), "wear": (8.0, 1.0), "thermal": (7.0, 1.0), "backlash": (6.0, 1.0)}
     pairs = {"creep wear": (1.0, 1.0), "creep thermal": (2.0, 1.0), "backlash wear": (3.0, 1.0)}
-    search = Known({**known, **pairs})
+    search = Known({**singles, **pairs})
     search.asked.clear()
-    found = {frozenset(one.ids) for one in search.all_of(3)}
-    asked = [ids for ids in search.asked if len(ids) == 3]
+    triples = {frozenset(explanation.ids) for explanation in search.all_of(3)}
+    asked_triples = [ids for ids in search.asked if len(ids) == 3]
     every = [("creep", "wear"), ("creep", "thermal")]
-    assert found == {frozenset((*pair, id_)) for pair in every for id_ in APART[:4] if id_ not in pair}
-    assert len(asked) == len(set(asked)) == 3 and all(ids == tuple(sorted(ids)) for ids in asked)
+    assert triples == {frozenset((*pair, id_)) for pair in every for id_ in APART[:4] if id_ not in pair}
+    assert len(asked_triples) == len(set(asked_triples)) == 3 and all(
+        ids == tuple(sorted(ids)) for ids in asked_triples
+    )
 
 
 @pytest.mark.parametrize(
-    ("left", "cost", "least", "is_more"),
+    ("left_floors", "cost", "least", "is_more"),
     [
         (2.9, 9989.0, 0.0, True),
         (2.9, 9990.0, 0.0, True),
@@ -93,13 +97,13 @@ def test_a_triple_has_one_of_the_best_two_pairs_and_is_asked_for_once():
         (2.0, 9000.0, 1.15, False),  # what moves at random takes as much
     ],
 )
-def test_a_first_mechanism_must_be_likelier_and_take_a_fifth_of_the_noise(left, cost, least, is_more):
-    search = Known({**NOTHING, "creep": (cost, left)}, least=least)
+def test_a_first_mechanism_must_be_likelier_and_take_a_fifth_of_the_noise(left_floors, cost, least, is_more):
+    search = Known({**NOTHING, "creep": (cost, left_floors)}, least=least)
     assert search.more(search.nothing, search.made("creep"), FLOOR) == is_more
 
 
 @pytest.mark.parametrize(
-    ("bent", "left", "is_more"),
+    ("bent", "left_floors", "is_more"),
     [
         ({"creep": 300.0, "creep wear": 200.0}, 0.5, True),
         ({"creep": 300.0, "creep wear": 201.0}, 0.5, False),  # its formulas, bent a little, do as well
@@ -107,8 +111,8 @@ def test_a_first_mechanism_must_be_likelier_and_take_a_fifth_of_the_noise(left, 
         ({"creep": 300.0, "creep wear": 100.0}, np.sqrt(1.0 - 0.37**2), True),
     ],
 )
-def test_a_further_mechanism_must_do_what_bent_formulas_do_not(bent, left, is_more):
-    search = Known({**NOTHING, "creep": (500.0, 1.0), "creep wear": (0.0, left)}, bent)
+def test_a_further_mechanism_must_do_what_bent_formulas_do_not(bent, left_floors, is_more):
+    search = Known({**NOTHING, "creep": (500.0, 1.0), "creep wear": (0.0, left_floors)}, bent)
     assert search.more(search.made("creep"), search.made("creep wear"), FLOOR) is is_more
 
 
@@ -148,29 +152,29 @@ def test_a_size_that_is_not_worth_it_ends_the_growth():
 def test_of_the_next_size_the_best_four_are_tried(place, chosen):
     """Each that is cheaper takes too little away."""
     ids = ("creep", "wear", "backlash", "slack")[:place]
-    known = {id_: (float(number), 2.999) for number, id_ in enumerate(ids)}
-    search = Known({**NOTHING, **known, "thermal": (50.0, 1.0)})
+    singles = {id_: (float(number), 2.999) for number, id_ in enumerate(ids)}
+    search = Known({**NOTHING, **singles, "thermal": (50.0, 1.0)})
     assert names([search.forward(FLOOR, 1)]) == [chosen]
 
 
 def test_what_turns_out_not_to_be_needed_goes():
-    known = GROWING | {"creep thermal wear": (100.0, 0.1), "thermal wear": (150.0, 0.1)}
-    search = Known(known, {"thermal wear": 150.0, "creep wear": 500.0})
+    explanations = GROWING | {"creep thermal wear": (100.0, 0.1), "thermal wear": (150.0, 0.1)}
+    search = Known(explanations, {"thermal wear": 150.0, "creep wear": 500.0})
     assert names([search.forward(FLOOR), search.select(FLOOR)]) == ["thermal wear", "thermal wear"]
     search.forward = lambda floor, largest: search.made("creep thermal wear" if largest == 3 else "creep")
     assert names([search.select(FLOOR, 3), search.select(FLOOR, 1)]) == ["thermal wear", "creep"]
-    asked = Known(GROWING)
-    asked.forward = lambda floor, largest: asked.made("creep thermal wear")
-    assert names([asked.select(FLOOR)]) == ["creep thermal wear"]  # each of them is needed
+    growing_search = Known(GROWING)
+    growing_search.forward = lambda floor, largest: growing_search.made("creep thermal wear")
+    assert names([growing_search.select(FLOOR)]) == ["creep thermal wear"]  # each of them is needed
 
 
 def test_leaders_are_the_chosen_one_and_near_ones_of_its_size_that_take_half_as_much():
     """Three by cost and three by what they leave; an energy of 5.625 noises is half way from the chosen one to none."""
-    known = {
+    singles = {
         "creep": (1.0, 0.5), "wear": (2.0, 2.2), "thermal": (3.0, 2.0), "backlash": (4.0, 1.9), "slack": (5.0, 0.4),
         "jam": (6.0, 0.3), "stiffening": (7.0, 0.2), "sensor_lag": (8.0, 2.1),
     }  # fmt: skip
-    search = Known({**NOTHING, **known})
+    search = Known({**NOTHING, **singles})
     assert names(search.leaders(search.made("creep"))) == ["creep", "thermal", "stiffening", "jam", "slack"]
     assert names(search.leaders(search.made("slack"))) == ["slack", "creep", "thermal", "stiffening", "jam"]
 
@@ -182,7 +186,7 @@ class Scanned:
 
     def __init__(self, misfits, coefficients=None, active=1):
         self.misfits, self.coefficients, self.number = misfits, coefficients or {}, active
-        most = max(len(told) for told in misfits.values())
+        most = max(len(misfit_row) for misfit_row in misfits.values())
         self.catalogue = {id_: [{"at": float(n)} for n in range(most)] for id_, _ in misfits}
         self.index = {(id_, n): np.array([1 + n]) for id_ in self.catalogue for n in range(most)}
         self.problem = SimpleNamespace(drivers=SimpleNamespace(velocity=None))
@@ -191,8 +195,8 @@ class Scanned:
         return np.array([0, *(1 + number for _, number in keys)])
 
     def scan(self, keys, id_):
-        told = np.array(self.misfits[id_, tuple(number for _, number in keys)])
-        return told, np.full(len(told), self.number)
+        misfits = np.array(self.misfits[id_, tuple(number for _, number in keys)])
+        return misfits, np.full(len(misfits), self.number)
 
     def fit(self, columns):
         signs = self.coefficients.get(tuple(int(column) for column in columns[1:]), [1.0] * (len(columns) - 1))
@@ -215,16 +219,16 @@ def test_events_are_added_while_each_gains_ten_and_two_numbers():
     for gain, events in ((far + 0.1, 2), (far - 0.1, 1)):
         steps = {("clamp_slip", ()): first, ("clamp_slip", (1,)): [500.0 - gain, -99.0]}
         steps[("clamp_slip", (1, 0))] = [0.0, 0.0]
-        found = Search(Scanned(steps))._best("clamp_slip", ())
-        assert found == (("clamp_slip", 1), ("clamp_slip", 0))[:events], gain
+        chosen_keys = Search(Scanned(steps))._best("clamp_slip", ())
+        assert chosen_keys == (("clamp_slip", 1), ("clamp_slip", 0))[:events], gain
 
 
 def test_each_event_is_there_once_and_no_more_than_the_mechanism_has():
     steps = {
         ("clamp_slip", tuple(range(count))): [9000.0 - 900.0 * max(n, count) for n in range(7)] for count in range(5)
     }
-    told = {key: [1e4 if n > len(key[1]) else misfit for n, misfit in enumerate(row)] for key, row in steps.items()}
-    assert Search(Scanned(told))._best("clamp_slip", ()) == tuple(("clamp_slip", n) for n in range(4))
+    misfits = {key: [1e4 if n > len(key[1]) else misfit for n, misfit in enumerate(row)] for key, row in steps.items()}
+    assert Search(Scanned(misfits))._best("clamp_slip", ()) == tuple(("clamp_slip", n) for n in range(4))
 
 
 @pytest.mark.parametrize(
@@ -233,8 +237,8 @@ def test_each_event_is_there_once_and_no_more_than_the_mechanism_has():
 def test_events_all_go_one_way(signs, events):
     steps = {("clamp_slip", ()): [500.0, 600.0, 700.0], ("clamp_slip", (0,)): [0.0, 100.0, 200.0]}
     steps |= {("clamp_slip", (0, other)): [300.0] * 3 for other in (1, 2)}
-    found = Search(Scanned(steps, {(1, 2): signs}))._best("clamp_slip", ())
-    assert [number for _, number in found] == events
+    chosen_keys = Search(Scanned(steps, {(1, 2): signs}))._best("clamp_slip", ())
+    assert [number for _, number in chosen_keys] == events
 
 
 def test_one_sign_is_asked_of_the_events_alone_and_not_of_what_is_beside_them():
@@ -268,8 +272,8 @@ class Paired(Scanned):
     def scan(self, keys, id_):
         self.asked.append(id_)
         by_creep = self.both if id_ == "creep" else self.both.T
-        told = by_creep[:, keys[0][1]] if keys else np.array(self.alone[id_])
-        return told, np.ones(len(told), int)
+        misfits = by_creep[:, keys[0][1]] if keys else np.array(self.alone[id_])
+        return misfits, np.ones(len(misfits), int)
 
     def fit(self, columns):
         misfit = 1e4 if len(columns) < 2 else float(columns[1])
@@ -302,9 +306,9 @@ def test_cost_counts_numbers_that_act_and_those_that_were_chosen_among_several()
     assert search._cost((), fit) == pytest.approx(100.0 + 3 * PENALTY)
     assert search._cost((("creep", 0), ("creep", 1)), fit) == pytest.approx(100.0 + 5 * PENALTY)
     linear.deviations = {"creep": np.array([7, 8]), "jam": np.array([9])}
-    one = searching.Explanation(("creep", "wear"), (("creep", 1),), fit, 0.0, 0.0)
-    bent = search.with_discrepancy(one)
-    assert bent.fit.columns.tolist() == [0, 2, 7, 8] and bent.ids == one.ids and bent.keys == one.keys
+    explanation = searching.Explanation(("creep", "wear"), (("creep", 1),), fit, 0.0, 0.0)
+    bent = search.with_discrepancy(explanation)
+    assert bent.fit.columns.tolist() == [0, 2, 7, 8] and bent.ids == explanation.ids and bent.keys == explanation.keys
     assert bent.cost == pytest.approx(1e5 + 4 * PENALTY) and bent.energy == 1.0
 
 

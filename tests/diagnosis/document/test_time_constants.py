@@ -20,8 +20,8 @@ def test_the_longest_constant_is_one_that_carries_the_effect_and_not_the_longest
 
 
 def test_the_test_of_a_slow_effect_lasts_twice_the_longest_constant_that_its_sentence_gives():
-    made = content(verdict="explained", alternatives=[], next_run=None, evidence__covered=COVERED)
-    made["mechanisms"] = [made["mechanisms"][1] | {"parameters": CREEP}]
+    diagnosis = content(verdict="explained", alternatives=[], next_run=None, evidence__covered=COVERED)
+    diagnosis["mechanisms"] = [diagnosis["mechanisms"][1] | {"parameters": CREEP}]
     assert "time constants of 4 s to 60 s" in time_constants(CREEP)
-    text = " ".join(page(made).split())
+    text = " ".join(page(diagnosis).split())
     assert "(2 min or longer each, twice its longest time constant" in text and "8 min" not in text

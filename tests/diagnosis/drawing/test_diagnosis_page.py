@@ -38,12 +38,12 @@ MARK = (
 @pytest.fixture(scope="module")
 def drawn(studied, tmp_path_factory, request):
     """The page of a run with creep, or with what the parameter says, and its diagnosis. Tests leave both alone."""
-    found, run, _ = studied(*getattr(request, "param", ("creep",)))
-    content = diagnosis(found, found.problem, None, [run], None, frozenset())
+    outcome, run, _ = studied(*getattr(request, "param", ("creep",)))
+    content = diagnosis(outcome, outcome.problem, None, [run], None, frozenset())
     kept, draw, page = [], figures.drawn, tmp_path_factory.mktemp("drawn") / "page"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(figures, "drawn", lambda *told: kept.append(draw(*told)) or kept[-1])
-        figures.page(found, content, page, MARK)
+        patch.setattr(figures, "drawn", lambda *arguments: kept.append(draw(*arguments)) or kept[-1])
+        figures.page(outcome, content, page, MARK)
     assert page.with_suffix(".png").is_file() and page.with_suffix(".pdf").is_file()
     return kept[0], content
 
@@ -107,7 +107,7 @@ def test_the_small_panels_share_a_legend_beside_them_and_calibration_leaves_what
     assert all(box.y1 <= axes.get_window_extent().y0 for axes in small)
     ranking = figure.subfigs[-2].axes[0]
     evidence = content["evidence"]
-    alone = next(place for place, one in enumerate(evidence["explanations"]) if not one["ids"])
+    alone = next(place for place, entry in enumerate(evidence["explanations"]) if not entry["ids"])
     ends = ranking.collections[1].get_offsets()[:, 0]
     assert ends[alone] == pytest.approx(evidence["calibrated_mm"] / evidence["floor_mm"])
     diamonds = next(line for line in ranking.get_lines() if line.get_marker() == "D").get_xdata()
@@ -142,8 +142,8 @@ def test_on_a_logarithmic_axis_no_bar_stands_but_a_line_from_the_noise_to_a_poin
     assert not ranking.patches and {line[0][0] for line in stems.get_segments()} == {1.0}
     assert [line[1][0] for line in stems.get_segments()] == pytest.approx(list(points.get_offsets()[:, 0]))
     _, axes = plt.subplots()
-    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
-    panels.held_out(axes, held, 0.02, "mm", "mm")
+    heldout = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    panels.held_out(axes, heldout, 0.02, "mm", "mm")
     assert not axes.patches and [line[0][1] for line in axes.collections[0].get_segments()] == [0.02] * 3
 
 
@@ -156,9 +156,9 @@ def test_no_label_of_an_error_on_unseen_strokes_runs_into_the_legend(errors, wit
     """A large error's label was printed over the words of the noise."""
     figure = plt.figure(figsize=(figures.SIZE_INCHES[0], 3.6), layout="constrained")
     _, axes = figure.subplots(1, 2, width_ratios=[3, 2])
-    held = dict(zip(("nominal_mm", "calibrated_mm", "explained_mm"), errors, strict=True))
+    heldout = dict(zip(("nominal_mm", "calibrated_mm", "explained_mm"), errors, strict=True))
     single, long_title = "noise of single samples: 0.030 mm", "Error on the last 2 strokes, which the effects have seen"
-    panels.held_out(axes, held, 0.03, "mm", "mm", single, long_title, without=without)
+    panels.held_out(axes, heldout, 0.03, "mm", "mm", single, long_title, without=without)
     figure.draw_without_rendering()
     legend = axes.get_legend().get_window_extent()
     labels = [text.get_window_extent() for text in axes.texts]
@@ -172,8 +172,8 @@ def test_no_label_of_an_error_on_unseen_strokes_runs_into_the_legend(errors, wit
 
 def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_them() -> None:
     _, axes = plt.subplots()
-    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
-    panels.held_out(axes, held, 0.02, "mm", "mm", without="creep + wear")
+    heldout = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
+    panels.held_out(axes, heldout, 0.02, "mm", "mm", without="creep + wear")
     assert axes.get_xticklabels()[2].get_text() == "other\neffects", "its legend says which"
     called = [" ".join(text.get_text().split()) for text in axes.get_legend().get_texts()]
     assert called == ["named without these strokes: creep + wear", "noise"]
@@ -184,22 +184,28 @@ def test_the_last_error_on_unseen_strokes_is_called_by_what_was_named_without_th
 def test_the_figure_shows_the_probability_by_which_explanations_are_held_or_ruled_out(drawn) -> None:
     figure, content = drawn
     evidence = content["evidence"]
-    held = [one["probability"] for one in evidence["explanations"] if one["standing"] in ("named", "tied")]
-    assert len(held) == 1 + len(content["alternatives"])
-    assert sum(held) >= HELD * (1.0 - evidence["probability_of_none"]) - 1e-4 > sum(held) - min(held)
-    others = [one for one in evidence["explanations"] if one["standing"] in ("beaten", "not needed")]
-    assert others and all((one["probability"] or 0.0) <= min(held) for one in others)
+    held_probabilities = [
+        entry["probability"] for entry in evidence["explanations"] if entry["standing"] in ("named", "tied")
+    ]
+    assert len(held_probabilities) == 1 + len(content["alternatives"])
+    assert (
+        sum(held_probabilities)
+        >= HELD * (1.0 - evidence["probability_of_none"]) - 1e-4
+        > sum(held_probabilities) - min(held_probabilities)
+    )
+    others = [entry for entry in evidence["explanations"] if entry["standing"] in ("beaten", "not needed")]
+    assert others and all((entry["probability"] or 0.0) <= min(held_probabilities) for entry in others)
     shown = [text.get_text() for text in figure.subfigs[-2].axes[0].texts]
     listed = explanation_table.others_shown(content)
-    in_table = [one for one in evidence["explanations"] if one not in others or one in listed]
-    kept_last = sorted(in_table, key=lambda one: (one["standing"] in panels.KEPT, one["probability"] or 0.0))
+    in_table = [entry for entry in evidence["explanations"] if entry not in others or entry in listed]
+    kept_last = sorted(in_table, key=lambda entry: (entry["standing"] in panels.KEPT, entry["probability"] or 0.0))
     assert shown == [
-        probability.not_weighed(one["ids"]) if one["probability"] is None else percent(one["probability"])
-        for one in kept_last
+        probability.not_weighed(entry["ids"]) if entry["probability"] is None else percent(entry["probability"])
+        for entry in kept_last
     ]
     assert kept_last[-1]["standing"] == "named", "the uppermost is the best"
     names = [label.get_text() for label in figure.subfigs[-2].axes[0].get_yticklabels()]
-    assert names == [" + ".join(one["ids"]) or "calibration alone" for one in kept_last]
+    assert names == [" + ".join(entry["ids"]) or "calibration alone" for entry in kept_last]
 
 
 def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_words(drawn) -> None:
@@ -209,12 +215,12 @@ def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_wo
     content["evidence"] |= {"floor_mm": 0.018, "step_s": 0.04}
     compared, single = noises(content, words)
     assert (compared, single) == ("noise of averages of 0.04 s: 0.018 mm", "noise of single samples: 0.032 mm")
-    _, (left, right) = plt.subplots(1, 2)
-    panels.ranking(left, content, "mm", compared)
-    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
-    panels.held_out(right, held, 0.032, "mm", "mm", single)
-    for axes, said in ((left, compared), (right, single)):
-        assert said in [text.get_text() for text in axes.get_legend().get_texts()]
+    _, (left_axes, right) = plt.subplots(1, 2)
+    panels.ranking(left_axes, content, "mm", compared)
+    heldout = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    panels.held_out(right, heldout, 0.032, "mm", "mm", single)
+    for axes, noise_label in ((left_axes, compared), (right, single)):
+        assert noise_label in [text.get_text() for text in axes.get_legend().get_texts()]
     drawn_ = figure.subfigs[-2].axes[0].get_legend().get_texts() + figure.subfigs[-1].legends[0].get_texts()
     assert not [text for text in drawn_ if "floor" in text.get_text()]
 
@@ -222,13 +228,13 @@ def test_the_two_sizes_of_the_noise_have_each_a_name_of_its_own_in_figure_and_wo
 def test_the_title_of_the_error_on_held_out_strokes_says_whether_a_fit_has_seen_them(drawn) -> None:
     figure, content = drawn
     assert " ".join(figure.subfigs[-2].axes[1].get_title().split()) == "Error on unseen strokes"
-    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": [content["run"]]}
+    adoption = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": [content["run"]]}
     _, axes = plt.subplots()
-    held = {"split": "last 2 strokes", "nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
-    made = content | {"adopted": [one], "fit": content["fit"] | {"heldout": held}}
-    panels.held_out(axes, held, 0.02, "mm", "mm", title=heading(made))
-    said = " ".join(axes.get_title().split())
-    assert said == "Error on the last 2 strokes (seen before)"
+    heldout = {"split": "last 2 strokes", "nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.03}
+    adopted_content = content | {"adopted": [adoption], "fit": content["fit"] | {"heldout": heldout}}
+    panels.held_out(axes, heldout, 0.02, "mm", "mm", title=heading(adopted_content))
+    title = " ".join(axes.get_title().split())
+    assert title == "Error on the last 2 strokes (seen before)"
     assert max(map(len, axes.get_title().splitlines())) <= panels.TITLE_WIDE
 
 
@@ -244,9 +250,9 @@ def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_js
     sure = {"radius": 0.001, "separator_mm": 0.01, "torsion_zone_mm": 0.01, "length_mm": 0.01}
     wide = run.model_copy(update={"tolerance": sure})
     more = samples.assign(displacement_mm=1.05 * samples["displacement_mm"])  # 3 sigma of the gain are 1.5 %
-    for one, table, bound in ((wide, more, "upper"), (run, samples, None)):
-        found = study(make_problem([RecordedRun.cut(one, table)]))
-        content = diagnosis(found, found.problem, None, [one], None, frozenset())
+    for each_run, table, bound in ((wide, more, "upper"), (run, samples, None)):
+        outcome = study(make_problem([RecordedRun.cut(each_run, table)]))
+        content = diagnosis(outcome, outcome.problem, None, [each_run], None, frozenset())
         assert content["parameters"]["scale"].get("at_bound") == bound
         far = [name for name, sigma in content["evidence"]["moved_sigma"].items() if abs(sigma) >= BOUND]
         assert far == [name for name, entry in content["parameters"].items() if "at_bound" in entry]
@@ -255,12 +261,12 @@ def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_js
 @pytest.mark.parametrize("count", range(1, 7))
 def test_the_small_panels_leave_no_hole(count) -> None:
     figure = plt.figure(layout="constrained").subfigures(1, 1)
-    made = driver_panels.filled(figure, count)
+    panel_axes = driver_panels.filled(figure, count)
     figure.canvas.draw()
-    rows = {round(axes.get_position().y0, 2) for axes in made}
-    assert len(made) == count and len(rows) == min(count, 2)
+    rows = {round(axes.get_position().y0, 2) for axes in panel_axes}
+    assert len(panel_axes) == count and len(rows) == min(count, 2)
     for row in rows:
-        across = [axes.get_position() for axes in made if round(axes.get_position().y0, 2) == row]
+        across = [axes.get_position() for axes in panel_axes if round(axes.get_position().y0, 2) == row]
         assert min(box.x0 for box in across) < 0.2 and max(box.x1 for box in across) > 0.8
         assert sum(box.width for box in across) > 0.5
     plt.close("all")
@@ -285,32 +291,38 @@ def test_each_map_has_the_scale_of_its_own_residual(drawn) -> None:
 
 @pytest.mark.parametrize("named", [True, False])
 def test_a_larger_explanation_is_only_larger_than_the_best_where_there_is_a_best(named) -> None:
-    one = {"left_mm": 0.1, "with_discrepancy_mm": 0.1, "probability": None}
-    shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
-    shown += [{**one, "ids": ["creep"], "standing": "named"}] if named else []
+    base_entry = {"left_mm": 0.1, "with_discrepancy_mm": 0.1, "probability": None}
+    shown = [
+        {**base_entry, "ids": [], "standing": "nothing"},
+        {**base_entry, "ids": ["wear"], "standing": "not needed"},
+    ]
+    shown += [{**base_entry, "ids": ["creep"], "standing": "named"}] if named else []
     _, axes = plt.subplots()
     panels.ranking(axes, {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": []}, "mm")
-    said = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert ("less likely, with more effects" in said) is named
-    assert ("with a further effect that adds too little" in said) is not named
+    labels = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert ("less likely, with more effects" in labels) is named
+    assert ("with a further effect that adds too little" in labels) is not named
 
 
 def test_a_larger_set_is_drawn_with_no_more_than_its_parts_leave_and_each_row_stands_in_the_details_too() -> None:
     """A fit that did not find its best stood there with eight times what one of its effects leaves alone."""
     sizes = {(): 1.0, ("creep",): 0.1, ("creep", "wear"): 0.8, ("slack",): 1.6}
     others = [("creep", f"x_{letter}") for letter in "abcdefgh"]
-    one = {"with_discrepancy_mm": 2.0, "probability": None, "standing": "beaten"}
-    shown = [{**one, "ids": [*ids], "left_mm": left} for ids, left in [*sizes.items(), *((ids, 0.1) for ids in others)]]
+    base_entry = {"with_discrepancy_mm": 2.0, "probability": None, "standing": "beaten"}
+    shown = [
+        {**base_entry, "ids": [*ids], "left_mm": left_mm}
+        for ids, left_mm in [*sizes.items(), *((ids, 0.1) for ids in others)]
+    ]
     shown[0]["standing"], shown[1]["standing"] = "nothing", "named"
     evidence = {"explanations": shown, "floor_mm": 0.1, "calibrated_mm": 1.0}
     content = {"evidence": evidence, "mechanisms": [{"id": "creep"}], "verdict": "explained"}
     _, axes = plt.subplots()
     panels.ranking(axes, content, "mm")
     names = [label.get_text() for label in axes.get_yticklabels()]
-    left = dict(zip(names, axes.collections[1].get_offsets()[:, 0], strict=True))
-    assert left["creep"] == pytest.approx(1.0) and max(left.values()) == left["calibration alone"] == pytest.approx(
-        10.0
-    )
+    left_by_name = dict(zip(names, axes.collections[1].get_offsets()[:, 0], strict=True))
+    assert left_by_name["creep"] == pytest.approx(1.0) and max(left_by_name.values()) == left_by_name[
+        "calibration alone"
+    ] == pytest.approx(10.0)
     assert len(names) == 1 + explanation_table.SHOWN + 1, "the best one, those that the table has, calibration"
     for ids in (["creep", "wear"], ["slack"]):
         entry = next(each for each in shown if each["ids"] == ids)
@@ -321,19 +333,22 @@ def test_a_larger_set_is_drawn_with_no_more_than_its_parts_leave_and_each_row_st
 def test_diamonds_are_left_out_where_they_decide_nothing_and_the_title_says_where_no_more_effect_is_named(
     bent, below
 ) -> None:
-    one = {"left_mm": 0.1, "with_discrepancy_mm": bent, "probability": None}
-    shown = [{**one, "ids": [], "standing": "nothing"}, {**one, "ids": ["wear"], "standing": "not needed"}]
-    shown += [{**one, "ids": ["creep"], "standing": "not needed"}]
-    shown += [{**one, "ids": ["slack"], "standing": "not needed"}]
+    base_entry = {"left_mm": 0.1, "with_discrepancy_mm": bent, "probability": None}
+    shown = [
+        {**base_entry, "ids": [], "standing": "nothing"},
+        {**base_entry, "ids": ["wear"], "standing": "not needed"},
+    ]
+    shown += [{**base_entry, "ids": ["creep"], "standing": "not needed"}]
+    shown += [{**base_entry, "ids": ["slack"], "standing": "not needed"}]
     content = {"evidence": {"explanations": shown, "floor_mm": 0.05}, "mechanisms": [], "simulation": [{"id": "slack"}]}
     _, axes = plt.subplots()
     panels.ranking(axes, content, "mm")
-    said = " ".join(text.get_text() for text in axes.get_legend().get_texts())
-    assert ("left if each effect may differ from its formula by 10 %" in said) is not below
+    legend_text = " ".join(text.get_text() for text in axes.get_legend().get_texts())
+    assert ("left if each effect may differ from its formula by 10 %" in legend_text) is not below
     assert axes.get_title() == "One more effect: none takes enough away"
     drawn_ = [label.get_text() for label in axes.get_yticklabels()]
     assert drawn_ == ["slack (adopted)", "wear", "creep"], "what is adopted already is no further effect"
-    assert "what is adopted, and calibration" in said and "no mechanism" not in said
+    assert "what is adopted, and calibration" in legend_text and "no mechanism" not in legend_text
     panels.ranking(axes, content | {"simulation": []}, "mm")
     assert axes.get_title() == "Explanations: what each leaves"
 
@@ -359,9 +374,9 @@ def test_the_figures_headline_says_that_nothing_is_to_be_adopted_where_the_verdi
     assert figures.warning(content, words) == ""
     errors = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.1}
     content["fit"]["heldout"] = {"split": "last 2 strokes", **errors}
-    said = figures.warning(content, words)
-    assert said == "adopt nothing: on the unseen strokes the explanation makes the simulator worse"
-    assert said.capitalize() in " ".join(" ".join(to_do.lines(content, words, [], None, short=True)).split())
+    headline = figures.warning(content, words)
+    assert headline == "adopt nothing: on the unseen strokes the explanation makes the simulator worse"
+    assert headline.capitalize() in " ".join(" ".join(to_do.lines(content, words, [], None, short=True)).split())
     unknown = content | {"verdict": "unknown"}
     assert figures.warning(unknown, words) == "adopt nothing: no effect of the library is named"
 
@@ -371,14 +386,14 @@ def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_th
     folder = conceal("creep")[0]
     run, samples = read_samples(folder)
     first, _ = diagnosed([RecordedRun.cut(run, samples, folder=folder)])
-    adopted = [Adopted.model_validate(one) for one in adoptions(first, "a.json", run.run)]
+    adopted = [Adopted.model_validate(adoption) for adoption in adoptions(first, "a.json", run.run)]
     again = run.model_copy(update={"simulation": first["simulation"], "adopted": adopted})
     verdict, studied = diagnosed([RecordedRun.cut(again, samples, folder=folder)])
     assert verdict["verdict"] in ("consistent", "parameters")
     kept = figures.as_adopted(studied, verdict)
     assert kept is not None
-    left = studied.problem.measured - kept
-    assert np.sqrt(np.mean(left**2)) == pytest.approx(verdict["evidence"]["adopted_mm"], rel=1e-3)
+    residual = studied.problem.measured - kept
+    assert np.sqrt(np.mean(residual**2)) == pytest.approx(verdict["evidence"]["adopted_mm"], rel=1e-3)
     above, below = (
         [text.get_text() for text in axes.get_legend().get_texts()] for axes in figures.drawn(studied, verdict).axes[:2]
     )
@@ -388,8 +403,8 @@ def test_after_adopting_the_figure_shows_what_was_adopted_and_not_a_simulator_th
 
 def test_a_long_name_of_what_was_named_without_the_last_strokes_hangs_below_no_axis() -> None:
     _, axes = plt.subplots()
-    held = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.3}
-    panels.held_out(axes, held, 0.031, "mm", "mm", without="plastic_elongation + shaft_windup")
+    heldout = {"nominal_mm": 0.57, "calibrated_mm": 0.24, "explained_mm": 2.3}
+    panels.held_out(axes, heldout, 0.031, "mm", "mm", without="plastic_elongation + shaft_windup")
     assert all(len(label.get_text().splitlines()) <= 2 for label in axes.get_xticklabels())
     plt.close("all")
 
@@ -399,21 +414,21 @@ def test_the_words_of_a_narrow_panel_of_unseen_strokes_stay_in_it_and_apart() ->
     figure = plt.figure(figsize=(figures.SIZE_INCHES[0], 3.6), layout="constrained")
     ranked, axes = figure.subplots(1, 2, width_ratios=[3, 2])
     ranked.set_yticks([0.5], ["friction_hysteresis + plastic_elongation + radius_compaction"], fontsize=7)
-    held = {"nominal_mm": 1.4, "calibrated_mm": 0.32, "explained_mm": 0.037}
+    heldout = {"nominal_mm": 1.4, "calibrated_mm": 0.32, "explained_mm": 0.037}
     named = "creep + friction_hysteresis + radius_compaction"
-    panels.held_out(axes, held, 0.031, "mm", "mm", "noise of single samples: 0.031 mm", without=named)
+    panels.held_out(axes, heldout, 0.031, "mm", "mm", "noise of single samples: 0.031 mm", without=named)
     figure.draw_without_rendering()
     frame, legend = axes.get_window_extent(), axes.get_legend().get_window_extent()
     assert frame.x0 + 2 < legend.x0 and legend.x1 < frame.x1
     labels = [label.get_window_extent() for label in axes.get_xticklabels()]
-    assert all(left.x1 + 5 < right.x0 for left, right in pairwise(labels))
+    assert all(left_box.x1 + 5 < right.x0 for left_box, right in pairwise(labels))
     plt.close(figure)
 
 
 def test_what_comes_closest_is_drawn_hollow_and_called_no_name() -> None:
     _, axes = plt.subplots()
-    held = {"nominal_mm": 0.35, "calibrated_mm": 0.32, "explained_mm": 0.073}
-    panels.held_out(axes, held, 0.019, "mm", "mm", without="no effect", closest="viscous_loss")
+    heldout = {"nominal_mm": 0.35, "calibrated_mm": 0.32, "explained_mm": 0.073}
+    panels.held_out(axes, heldout, 0.019, "mm", "mm", without="no effect", closest="viscous_loss")
     assert axes.get_xticklabels()[-1].get_text() == "closest,\nno name"
     assert "closest, no name: viscous_loss" in [text.get_text() for text in axes.get_legend().get_texts()]
     assert axes.collections[-1].get_facecolor()[-1].tolist() == [1.0, 1.0, 1.0, 1.0]
@@ -441,8 +456,8 @@ ONE = {"left_mm": 0.1, "bent_mm": 0.1, "probability": None}
 def ranked(verdict, *rows):
     """The axes of the ranking, each row of ids, standing, what it leaves, and that with a discrepancy."""
     shown = [
-        {**ONE, "ids": ids, "standing": standing, "left_mm": left, "bent_mm": bent}
-        for ids, standing, left, bent in [([], "nothing", 1.0, 1.0), *rows]
+        {**ONE, "ids": ids, "standing": standing, "left_mm": left_mm, "bent_mm": bent}
+        for ids, standing, left_mm, bent in [([], "nothing", 1.0, 1.0), *rows]
     ]
     _, axes = plt.subplots()
     evidence = {"explanations": shown, "floor_mm": 0.1, "calibrated_mm": 1.0}
@@ -516,9 +531,9 @@ def test_maps_begin_where_the_page_says_and_are_called_as_there(problem) -> None
 
 def test_what_comes_closest_is_drawn_beside_calibration_and_called_no_name(studied) -> None:
     """Of an unknown mismatch the left map was nominal, and what predicts the rig was nowhere."""
-    found, run, _ = studied("creep")
-    unknown = replace(found, verdict="unknown", closest=found.best, state=found.base)
-    content = diagnosis(unknown, found.problem, None, [run], None, frozenset())
+    outcome, run, _ = studied("creep")
+    unknown = replace(outcome, verdict="unknown", closest=outcome.best, state=outcome.base)
+    content = diagnosis(unknown, outcome.problem, None, [run], None, frozenset())
     figure = figures.drawn(unknown, content)
     titles = [axes.get_title() for axes in figure.subfigs[1].axes if axes.images]
     assert titles == [f"Recording − simulation, {name} (own scale)" for name in ("calibrated", "closest, no name")]
@@ -528,10 +543,10 @@ def test_what_comes_closest_is_drawn_beside_calibration_and_called_no_name(studi
 
 def test_the_band_of_the_noise_is_as_wide_as_its_legend_says(studied) -> None:
     """It had the noise of the search, where the page tells a smaller one."""
-    found, run, _ = studied("creep")
-    content = diagnosis(found, found.problem, None, [run], None, frozenset())
+    outcome, run, _ = studied("creep")
+    content = diagnosis(outcome, outcome.problem, None, [run], None, frozenset())
     content["evidence"]["floor_mm"] = 0.321
-    figure = figures.drawn(found, content)
+    figure = figures.drawn(outcome, content)
     (axes,) = [axes for axes in figure.axes if axes.get_xlabel() == "rate (turns/s)"]
     (band,) = axes.patches
     assert band.get_bbox().extents[[1, 3]].tolist() == [-0.321, 0.321]

@@ -63,8 +63,8 @@ def test_a_load_that_varies_has_a_panel(studied) -> None:
 
 def test_the_error_of_other_effects_does_not_have_the_colour_of_the_diagnosis() -> None:
     _, axes = plt.subplots()
-    held = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
-    panels.held_out(axes, held, 0.02, "mm", "mm", without="creep")
+    heldout = {"nominal_mm": 0.4, "calibrated_mm": 0.2, "explained_mm": 0.3}
+    panels.held_out(axes, heldout, 0.02, "mm", "mm", without="creep")
     colours = axes.collections[1].get_facecolors()[:, :3]
     assert not np.allclose(colours[2], plt.matplotlib.colors.to_rgb(panels.AFTER))
     plt.close("all")

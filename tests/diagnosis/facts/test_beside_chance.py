@@ -15,17 +15,17 @@ from pipeline.run.table.recorded_table import to_samples
 
 
 def test_each_explanation_holds_the_jerks_and_the_best_is_as_likely_as_it_is_with_them_and_without(tmp_path):
-    made = authors()["lattice"].make(Asked(900017, ("stick_slip",), (2.62,), "poor", ()))
+    authored_case = authors()["lattice"].make(Asked(900017, ("stick_slip",), (2.62,), "poor", ()))
     path = tmp_path / "jerky" / "run.yaml"
-    run = parse_run({**made.content, "run": "jerky"}, path)
-    found = study(make_problem([RecordedRun.cut(run, to_samples(run, made.table, path, path))]))
-    assert found.random and found.verdict == "ambiguous"
-    entries = {tuple(entry["ids"]): entry for entry in explanations(found, "mm", 1.0)}
+    run = parse_run({**authored_case.content, "run": "jerky"}, path)
+    outcome = study(make_problem([RecordedRun.cut(run, to_samples(run, authored_case.table, path, path))]))
+    assert outcome.random and outcome.verdict == "ambiguous"
+    entries = {tuple(entry["ids"]): entry for entry in explanations(outcome, "mm", 1.0)}
     assert all("stick_slip" in ids for ids in entries if ids)
-    best = found.sets[0].ids
+    best = outcome.sets[0].ids
     assert entries[best]["probability"] == max(entry["probability"] or 0.0 for entry in entries.values())
-    alike = [share for ids, share in found.judged.likely.items() if {*ids, "stick_slip"} == {*best, "stick_slip"}]
+    alike = [share for ids, share in outcome.judged.likely.items() if {*ids, "stick_slip"} == {*best, "stick_slip"}]
     assert alike and entries[best]["probability"] == pytest.approx(sum(alike), abs=1e-3)
     assert entries[best]["standing"] == "named"
-    assert len({explanation.ids for explanation in rivals(found)}) == len(rivals(found)) > 1
-    assert all(json.dumps(entry) for entry in foretold(found, run, fixed_load=False))
+    assert len({explanation.ids for explanation in rivals(outcome)}) == len(rivals(outcome)) > 1
+    assert all(json.dumps(entry) for entry in foretold(outcome, run, fixed_load=False))

@@ -18,7 +18,7 @@ def test_only_what_lies_outside_of_the_strokes_before_is_beyond_them(load, top, 
     later = TIME_S >= 70.0
     turns = np.abs(np.sin(TIME_S)) * np.where(later, top, 20.0)
     record = SimpleNamespace(time_s=TIME_S, load=np.where(later, load, 10.0), motion=turns)
-    known = beyond_seen(record, 70.0)
-    assert set(known) == wider
+    ranges = beyond_seen(record, 70.0)
+    assert set(ranges) == wider
     if "load" in wider:
-        assert known["load"] == [[10.0, 10.0], [load, load]]
+        assert ranges["load"] == [[10.0, 10.0], [load, load]]

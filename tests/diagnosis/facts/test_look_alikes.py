@@ -15,17 +15,17 @@ def test_of_an_effect_only_what_no_dimension_does_is_left(problem) -> None:
     dimensions = Linear(problem, problem.nominal(), white(1.0), {})
     radius = dimensions.table[1] * dimensions.high[1]
     ripple = 0.1 * np.std(radius) * np.sin(40.0 * problem.drivers.time_s)
-    left = beyond(radius + ripple, dimensions)
-    assert rms(left) == pytest.approx(rms(ripple), rel=0.1) and rms(left) < 0.2 * rms(radius)
+    remainder = beyond(radius + ripple, dimensions)
+    assert rms(remainder) == pytest.approx(rms(ripple), rel=0.1) and rms(remainder) < 0.2 * rms(radius)
 
 
 def test_a_study_says_what_is_left_of_each_named_effect_and_nothing_of_none(one_load) -> None:
     studied = study(one_load[0])
-    known = look_alikes(studied, "mm")
-    assert set(known["beyond_dimensions_mm"]) == set(studied.best_ids) and studied.best_ids
-    assert all(left > 0.0 for left in known["beyond_dimensions_mm"].values())
-    assert set(known["moved_alone_sigma"]) == {studied.problem.parameters[i].name for i in studied.problem.movable}
+    evidence = look_alikes(studied, "mm")
+    assert set(evidence["beyond_dimensions_mm"]) == set(studied.best_ids) and studied.best_ids
+    assert all(beyond_mm > 0.0 for beyond_mm in evidence["beyond_dimensions_mm"].values())
+    assert set(evidence["moved_alone_sigma"]) == {studied.problem.parameters[i].name for i in studied.problem.movable}
     radius = studied.problem.movable[0]
     known_dimension = studied.problem.parameters[radius]
-    alone = known_dimension.nominal + known["moved_alone_sigma"][known_dimension.name] * known_dimension.sigma
+    alone = known_dimension.nominal + evidence["moved_alone_sigma"][known_dimension.name] * known_dimension.sigma
     assert alone == pytest.approx(float(studied.base.values[radius])) and alone != known_dimension.nominal

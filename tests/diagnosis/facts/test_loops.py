@@ -130,10 +130,10 @@ def test_half_the_width_of_a_loop_on_the_twist_counts_each_of_its_plays_by_its_s
 
 
 def test_a_loop_on_the_twist_says_half_its_width_and_under_which_load() -> None:
-    found = {
+    parameters = {
         "half_loop_turns": {"value": 0.0263, "low": 0.025, "high": 0.027, "unit": "turns"},
         "usual_load": {"value": 1.82, "low": 1.82, "high": 1.82, "unit": "1"},
     }
     system = systems()["separator"]
-    said = details(mechanisms()["friction_hysteresis"], found, Vocabulary.of(system), Units.of(system))
-    assert said == "half the width of the loop is 0.0263 turns (0.025 to 0.027) at 18.2 N"
+    sentence = details(mechanisms()["friction_hysteresis"], parameters, Vocabulary.of(system), Units.of(system))
+    assert sentence == "half the width of the loop is 0.0263 turns (0.025 to 0.027) at 18.2 N"

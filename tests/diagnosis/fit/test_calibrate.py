@@ -24,8 +24,8 @@ def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
     problem = make_problem([RecordedRun.cut(run, samples)])
     base = calibrate.base(problem)
     assert left(problem, base) < 1.1 * tanks.NOISE_V < left(problem, problem.nominal())
-    for one, value in zip(problem.parameters, base.values, strict=True):
-        assert abs(value - one.nominal) <= 3.0 * one.sigma * (1.0 + 1e-9), one.name
+    for parameter, value in zip(problem.parameters, base.values, strict=True):
+        assert abs(value - parameter.nominal) <= 3.0 * parameter.sigma * (1.0 + 1e-9), parameter.name
 
 
 def test_a_step_that_raises_the_misfit_is_made_shorter_and_one_that_cannot_be_is_not_made(monkeypatch):
@@ -36,5 +36,7 @@ def test_a_step_that_raises_the_misfit_is_made_shorter_and_one_that_cannot_be_is
     good = calibrate.calibrate(problem, noise)
     assert gauss_newton.misfit_of(problem, noise, good) < gauss_newton.misfit_of(problem, noise, problem.nominal())
     own, real = problem.nominal().values, gauss_newton.misfit_of
-    monkeypatch.setattr(gauss_newton, "misfit_of", lambda *it: real(*it) if (it[2].values == own).all() else np.inf)
+    monkeypatch.setattr(
+        gauss_newton, "misfit_of", lambda *arguments: real(*arguments) if (arguments[2].values == own).all() else np.inf
+    )
     assert (calibrate.calibrate(problem, noise).values == own).all()

@@ -54,9 +54,9 @@ def test_behind_a_stop_its_rivals_move_the_reading_and_what_it_holds_does_not(pr
     assert beside.table[beside.index["jam", 0]] == pytest.approx(bare.table[bare.index["jam", 0]])
     assert beside.table[beside.calibration] == pytest.approx(bare.table[bare.calibration], rel=1e-3, abs=1e-3)
     alone = Linear(problem, state, white(1.0), {"end_stop": list(stopped.nonlinear)})
-    held = problem.simulate(state)[: problem.rows] > problem.simulate(state).max() - 1e-6
+    at_stop = problem.simulate(state)[: problem.rows] > problem.simulate(state).max() - 1e-6
     radius = alone.calibration[problem.runs]
-    assert held.sum() > 20 and np.abs(alone.table[radius][held]).max() < 0.05 * np.abs(alone.table[radius]).max()
+    assert at_stop.sum() > 20 and np.abs(alone.table[radius][at_stop]).max() < 0.05 * np.abs(alone.table[radius]).max()
 
 
 def test_a_stop_whose_best_rival_is_a_jam_is_held(problem) -> None:

@@ -29,19 +29,19 @@ def rig(conceal):
 
 def test_what_the_regression_adds_lowers_the_error_of_unseen_strokes_and_follows_what_it_should(rig):
     problem, state, unseen = rig
-    found = foretold(problem, problem, state, unseen)
-    left = problem.measured - problem.simulate(state)
-    assert rms((left - found.added)[unseen]) < 0.6 * rms(left[unseen])
-    assert found.driver == "direction"
-    first, last = found.location["strokes"]
+    regression = foretold(problem, problem, state, unseen)
+    residual = problem.measured - problem.simulate(state)
+    assert rms((residual - regression.added)[unseen]) < 0.6 * rms(residual[unseen])
+    assert regression.driver == "direction"
+    first, last = regression.location["strokes"]
     assert problem.record.stroke[unseen].min() <= first <= last <= problem.record.stroke.max()
 
 
 def test_the_regression_sees_nothing_of_the_strokes_that_are_held_out(rig):
     problem, state, unseen = rig
     spoiled = replace(problem, measured=np.where(unseen, 1e3, problem.measured))
-    there, spoiled_ = (foretold(each, problem, state, unseen).added for each in (problem, spoiled))
-    np.testing.assert_array_equal(there, spoiled_)
+    unspoiled, spoiled_ = (foretold(each, problem, state, unseen).added for each in (problem, spoiled))
+    np.testing.assert_array_equal(unspoiled, spoiled_)
 
 
 def test_noise_from_sample_to_sample_counts_no_slower_structure(rig):
@@ -49,8 +49,8 @@ def test_noise_from_sample_to_sample_counts_no_slower_structure(rig):
     rng = np.random.default_rng(3)
     noise = 0.01 * rng.standard_normal(len(problem.measured))
     slow = 0.5 * np.sin(problem.record.time_s)
-    made = replace(problem, measured=problem.simulate(state) + slow + noise)
-    assert quick(made, state, unseen) == pytest.approx(0.01, rel=0.15)
+    noisy_problem = replace(problem, measured=problem.simulate(state) + slow + noise)
+    assert quick(noisy_problem, state, unseen) == pytest.approx(0.01, rel=0.15)
 
 
 @pytest.mark.long
@@ -60,15 +60,15 @@ def test_a_mismatch_that_no_mechanism_explains_is_said_with_the_level_that_physi
     with remembered():
         words = diagnose([conceal("friction_hysteresis")[0]], tmp_path / "out", Options(without=frozenset(DIRECTED)))
     content = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
-    held = content["fit"]["heldout"]
-    assert held["without_physics_mm"] < 0.95 * held["explained_mm"]
+    heldout = content["fit"]["heldout"]
+    assert heldout["without_physics_mm"] < 0.95 * heldout["explained_mm"]
     assert content["evidence"]["left_of_unseen"]["driver"] == "direction"
-    said = " ".join(words.split())
-    assert "A regression without physics (boosted trees over all that was recorded)" in said
+    text = " ".join(words.split())
+    assert "A regression without physics (boosted trees over all that was recorded)" in text
     level = (
         "That is the level which physics still has to reach" if content["verdict"] == "unknown" else "better than the"
     )
-    assert level in said and "it follows the direction of motion" in said
+    assert level in text and "it follows the direction of motion" in text
 
 
 @pytest.mark.long

@@ -24,30 +24,32 @@ def at_work(problem):
 
 
 def test_what_is_linearised_is_the_simulator_at_its_state(problem, at_work):
-    state, here = at_work
-    np.testing.assert_array_equal(here.predicted, problem.simulate(state))
-    assert np.ptp(here.predicted - here.clean) > 0.1  # the operator is at work, and no part of what it reads
+    state, linearisation = at_work
+    np.testing.assert_array_equal(linearisation.predicted, problem.simulate(state))
+    assert (
+        np.ptp(linearisation.predicted - linearisation.clean) > 0.1
+    )  # the operator is at work, and no part of what it reads
 
 
 def test_slopes_of_dimensions_are_those_of_the_simulator(problem, at_work):
-    state, here = at_work
+    state, linearisation = at_work
     for index in problem.movable:
-        one = problem.parameters[index]
+        parameter = problem.parameters[index]
         moved = state.values.copy()
-        moved[index] += 0.02 * one.sigma
-        by_hand = (problem.simulate(replace(state, values=moved)) - here.predicted) / (0.02 * one.sigma)
+        moved[index] += 0.02 * parameter.sigma
+        by_hand = (problem.simulate(replace(state, values=moved)) - linearisation.predicted) / (0.02 * parameter.sigma)
         scale = np.abs(by_hand).max()
-        np.testing.assert_allclose(here.slopes[one.name], by_hand, atol=1e-3 * scale)
+        np.testing.assert_allclose(linearisation.slopes[parameter.name], by_hand, atol=1e-3 * scale)
 
 
 @pytest.mark.parametrize("id_", ["shaft_windup", "radius_compaction", "creep", "viscous_loss", "eccentricity"])
 def test_columns_of_terms_are_what_a_little_of_them_does(problem, id_):
     mechanism, nominal = mechanisms()[id_], problem.nominal()
     nonlinear = mechanism.candidates(problem.drivers)[0]
-    here = linearised(problem, nominal)
+    linearisation = linearised(problem, nominal)
     terms = problem.terms(mechanism, nonlinear)
     for number, term in enumerate(terms):
         size = 1e-4 / max(float(np.abs(term.signal).max()), 1e-9)
         act = Act(id_, (nonlinear,), tuple(size * (place == number) for place in range(len(terms))))
-        by_hand = (problem.simulate(replace(nominal, acts=(act,))) - here.predicted) / size
-        np.testing.assert_allclose(column(problem, term, here), by_hand, atol=2e-3 * np.abs(by_hand).max())
+        by_hand = (problem.simulate(replace(nominal, acts=(act,))) - linearisation.predicted) / size
+        np.testing.assert_allclose(column(problem, term, linearisation), by_hand, atol=2e-3 * np.abs(by_hand).max())

@@ -66,10 +66,10 @@ CASES: list[Case] = []
 
 def evaluates(
     id_: str, equation: str, nonlinear: Numbers | Callable[[Drivers], Numbers] | None = None, rig: str = "string",
-    left: str = "", strength: float = 1.0, within: float = 2e-3, rates: bool = True, jumps: bool = False,
+    left_side: str = "", strength: float = 1.0, within: float = 2e-3, rates: bool = True, jumps: bool = False,
 ):  # fmt: skip
     """Add a case of the decorated function; what stands left is read from the equation unless it is given."""
-    stands = left or equation.partition(" = ")[0]
+    stands = left_side or equation.partition(" = ")[0]
     assert stands in LEFT, equation
 
     def added(evaluated):
@@ -83,9 +83,9 @@ def evaluates(
 def each(c: Numbers, pattern: str) -> Iterator[tuple[float, re.Match[str]]]:
     """The strengths whose names are of a pattern, with what it finds there."""
     for name, value in c.items():
-        found = re.fullmatch(pattern, name)
-        if found:
-            yield value, found
+        match = re.fullmatch(pattern, name)
+        if match:
+            yield value, match
 
 
 def one(c: Numbers, name: str) -> float:
@@ -98,6 +98,6 @@ def candidate(id_: str, **values: float) -> Callable[[Drivers], Numbers]:
 
     def of(drivers):
         own = mechanisms()[id_].candidates(drivers)
-        return next(one for one in own if all(one.get(key) == value for key, value in values.items()))
+        return next(nonlinear for nonlinear in own if all(nonlinear.get(key) == value for key, value in values.items()))
 
     return of

@@ -77,11 +77,11 @@ def motion(rig: str) -> Motion:
     moved = _moved()
     t = moved["t"]
     rest = {"T": 21.0 + 4.0 * (1.0 - np.exp(-t / 30.0)) + 0.5 * np.sin(0.2 * t), "current": 0.3 + 0.1 * moved["rate"]}
-    one = np.ones_like(t)
+    ones = np.ones_like(t)
     if rig != "string":
         moved["theta"] = moved["theta"] - 6.0 * TURN
         x = 0.05 * moved["theta"]
-        return Motion(**moved, **rest, x=x - x[0], sin_a=one, tan_a=one)
+        return Motion(**moved, **rest, x=x - x[0], sin_a=ones, tan_a=ones)
     y = SEPARATOR_MM + RADIUS_MM * moved["theta"]
     length = np.sqrt(ZONE_MM**2 + y**2)
     return Motion(**moved, **rest, x=length - length[0], sin_a=y / length, tan_a=y / ZONE_MM)

@@ -36,7 +36,7 @@ def drift_about_its_mean(m, c, n):
 LAG = "tau dx_m/dt = x - x_m, or x_m(t) = x(t - delay)"
 
 
-@evaluates("sensor_lag", LAG, {}, left="x_m", rates=False, within=0.04)
+@evaluates("sensor_lag", LAG, {}, left_side="x_m", rates=False, within=0.04)
 @evaluates("sensor_lag", LAG, {}, "drive", "x_m", rates=False, within=0.04)
 def lag(m, c, n):
     """A clock that runs away by a thousandth is late by a thousandth of the time."""
@@ -64,7 +64,7 @@ def offset(m, c, n):
 CLOCK = "x_m(t) = x(t - d(t))"
 
 
-@evaluates("x_clock", CLOCK, {"whole_s": 55.0, "half_waves": 8.0}, left="x_m", strength=0.01, within=0.06)
+@evaluates("x_clock", CLOCK, {"whole_s": 55.0, "half_waves": 8.0}, left_side="x_m", strength=0.01, within=0.06)
 def clock(m, c, n):
     share = m.t / n["whole_s"]
     d = one(c, "parting_s") * share

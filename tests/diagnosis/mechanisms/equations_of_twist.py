@@ -33,7 +33,7 @@ def ripple(m, c, n):
     return _ripple(m, c, n, "mm")
 
 
-@evaluates("eccentricity", RIPPLE, {"wheel_mm": 0.0}, left="theta_s")
+@evaluates("eccentricity", RIPPLE, {"wheel_mm": 0.0}, left_side="theta_s")
 def ripple_of_the_twist(m, c, n):
     return TURN * _ripple(m, c, n, "turns")
 

@@ -41,20 +41,20 @@ def wrapped(tmp_path_factory):
 def test_it_is_named_and_foretold_to_the_noise(wrapped):
     run, samples, lost = wrapped
     problem = make_problem([RecordedRun.cut(run, samples)])
-    found = study(problem)
-    assert found.sets[0].ids == ("friction_hysteresis",)
-    left = rms(problem.measured - problem.simulate(found.best))
-    assert left < 1.2 * found.noise.floor < 0.2 * rms(lost)
+    outcome = study(problem)
+    assert outcome.sets[0].ids == ("friction_hysteresis",)
+    residual_rms = rms(problem.measured - problem.simulate(outcome.best))
+    assert residual_rms < 1.2 * outcome.noise.floor < 0.2 * rms(lost)
 
 
 def test_the_same_loop_without_its_travel_leaves_more_than_twice_the_noise(wrapped, monkeypatch):
     monkeypatch.setattr(friction_hysteresis, "travelled", lambda drivers: {})
     run, samples, _ = wrapped
     problem = make_problem([RecordedRun.cut(run, samples)])
-    state, left = calibrate.base(problem), []
+    state, rms_values = calibrate.base(problem), []
     for nonlinear in friction_hysteresis.candidates(problem.drivers):
         nothing = (0.0,) * len(friction_hysteresis.terms(problem.drivers, nonlinear))
         act = Act("friction_hysteresis", (nonlinear,), nothing)
         fitted = calibrate.calibrate(problem, white(NOISE_DEG), state, (act,))
-        left.append(rms(problem.measured - problem.simulate(fitted)))
-    assert min(left) > 2.0 * NOISE_DEG
+        rms_values.append(rms(problem.measured - problem.simulate(fitted)))
+    assert min(rms_values) > 2.0 * NOISE_DEG

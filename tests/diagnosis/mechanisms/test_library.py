@@ -61,8 +61,10 @@ def test_the_engine_names_no_mechanism_and_no_system_and_mechanisms_know_no_othe
     names = set(mechanisms()) | set(systems())
     for path in HERE.rglob("*.py"):
         tree = ast.parse(path.read_text())
-        told = [node.value for node in ast.walk(tree) if isinstance(node, ast.keyword) and node.arg == "confused_with"]
-        words = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and node not in told}
+        exempt_nodes = [
+            node.value for node in ast.walk(tree) if isinstance(node, ast.keyword) and node.arg == "confused_with"
+        ]
+        words = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and node not in exempt_nodes}
         assert not words & (names - {path.stem}), path
 
 
@@ -91,9 +93,12 @@ def test_a_shape_means_the_same_on_a_longer_recording(id_: str, one_load) -> Non
 
 def test_what_the_recording_cannot_show_can_be_adopted_all_the_same(one_load) -> None:
     problem, _ = one_load
-    given = {"axial_elasticity": {"from_load": 1.0, "straight_mm_per_10_n": 0.1}, "x_wave": {"hz": 0.5, "sine_mm": 0.1}}
-    acts = acts_from([{"id": id_, "parameters": values} for id_, values in given.items()], problem.drivers)
-    assert [entry["parameters"] for entry in entries(acts, problem.drivers)] == list(given.values())
+    parameters = {
+        "axial_elasticity": {"from_load": 1.0, "straight_mm_per_10_n": 0.1},
+        "x_wave": {"hz": 0.5, "sine_mm": 0.1},
+    }
+    acts = acts_from([{"id": id_, "parameters": values} for id_, values in parameters.items()], problem.drivers)
+    assert [entry["parameters"] for entry in entries(acts, problem.drivers)] == list(parameters.values())
 
 
 def test_two_lines_of_a_spectrum_are_suggested_together(problem) -> None:
@@ -109,8 +114,8 @@ def test_what_one_recording_suggests_can_be_simulated_where_another_does_not(id_
     other, name_of = one_load[0].drivers, problem.drivers.units.name
     for residual in (two_swings(problem), steps, walk, problem.measured - problem.measured.mean()):
         for nonlinear in mechanisms()[id_].suggest(problem.drivers, residual, problem.measured - residual):
-            given = {name_of(name): value for name, value in nonlinear.items()}
-            (act,) = acts_from([{"id": id_, "parameters": given}], other)
+            parameters = {name_of(name): value for name, value in nonlinear.items()}
+            (act,) = acts_from([{"id": id_, "parameters": parameters}], other)
             assert act.nonlinear == (nonlinear,)
 
 

@@ -33,9 +33,9 @@ def test_a_law_goes_on_behind_what_was_seen_and_a_wander_stays(problem: Problem)
     seen = problem.until(rows).drivers
     law = {"whole_s": seen.seen_s}
     assert abs(seen.seen_s - seen.elapsed_s[rows - 1]) < 1e-4 * seen.seen_s and passed(seen, law)[-1] > 1.5
-    held = passed(seen, {**law, "half_waves": 4.0})
-    assert np.all(held[rows:] == 1.0) and np.allclose(held[:rows], passed(seen, law)[:rows])
-    waves = half_waves(held, {**law, "half_waves": 4.0}, 2)
+    share_passed = passed(seen, {**law, "half_waves": 4.0})
+    assert np.all(share_passed[rows:] == 1.0) and np.allclose(share_passed[:rows], passed(seen, law)[:rows])
+    waves = half_waves(share_passed, {**law, "half_waves": 4.0}, 2)
     assert list(waves) == [2, 3, 4] and all(np.ptp(wave[rows:]) == 0.0 < np.ptp(wave[:rows]) for wave in waves.values())
 
 

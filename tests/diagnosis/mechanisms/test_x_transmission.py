@@ -30,31 +30,31 @@ def wavy(share):
 
 @pytest.mark.parametrize("seed", [311, 312, 602])
 def test_alone_it_is_no_name_whatever_else_could_pass_for_a_bump_at_one_angle(tmp_path, seed):
-    found = study(recorded(tmp_path, "cable-kink", seed))
-    assert found.verdict == "unknown" and "x_transmission" in found.best_ids
+    outcome = study(recorded(tmp_path, "cable-kink", seed))
+    assert outcome.verdict == "unknown" and "x_transmission" in outcome.best_ids
 
 
 def test_beside_stretch_it_takes_what_stretch_left_to_the_noise(tmp_path):
     problem = recorded(tmp_path, "cable-stretch", 21, wavy)
-    found = study(problem)
-    assert found.verdict == "explained"
-    assert found.best_ids == ("axial_elasticity", "x_transmission")
-    assert rms(problem.measured - problem.simulate(found.best)) < 1.2 * found.floor
+    outcome = study(problem)
+    assert outcome.verdict == "explained"
+    assert outcome.best_ids == ("axial_elasticity", "x_transmission")
+    assert rms(problem.measured - problem.simulate(outcome.best)) < 1.2 * outcome.floor
 
 
 @pytest.mark.parametrize("case", ["cable-friction", "cable-backlash", "cable-lag", "cable-creep", "cable-slip"])
 def test_no_recording_without_it_suggests_it(tmp_path, case):
     problem = recorded(tmp_path, case, 311)
-    left = problem.measured - problem.simulate(calibrate.base(problem))
-    assert x_transmission.suggest(problem.drivers, left, problem.measured - left) == []
+    residual = problem.measured - problem.simulate(calibrate.base(problem))
+    assert x_transmission.suggest(problem.drivers, residual, problem.measured - residual) == []
 
 
 def test_its_curve_is_neither_a_zero_nor_a_gear(tmp_path):
     problem = recorded(tmp_path, "cable-nothing", 311)
-    left = problem.measured - problem.simulate(calibrate.base(problem))
+    residual = problem.measured - problem.simulate(calibrate.base(problem))
     begin, span = problem.drivers.motion.min(), problem.drivers.span
     knots = begin + span * np.linspace(0.0, 1.0, x_transmission.KNOTS)
-    assert len(left) and x_transmission.suggest(problem.drivers, left, problem.measured - left) == []
+    assert len(residual) and x_transmission.suggest(problem.drivers, residual, problem.measured - residual) == []
     places = np.argmin(np.abs(problem.drivers.motion[:, None] - knots), axis=0)
     curves = np.array(x_transmission.curve(problem.drivers, {"from_turns": begin, "span_turns": span}))[:, places]
     straight = np.vstack([np.ones(len(knots)), np.linspace(0.0, 1.0, len(knots))])

@@ -65,7 +65,7 @@ def test_what_counts_for_one_against_another_is_told_by_sign():
     weights[:HALF] = [0.5, 1.0, 4.0, 2.0, 3.0, -1.0]
     weights[2 * HALF] = 10.0
     weights[3 * HALF - 1] = 7.0
-    told = judge_of(weights).because(weighed("creep"), weighed("creep jam", gain=1.0, left_share=-3.0))
+    reasons = judge_of(weights).because(weighed("creep"), weighed("creep jam", gain=1.0, left_share=-3.0))
     pairs_jam = -1.0 + 0.3 * 7.0  # in pairs; among singles it is -1
     expected = {
         "gain": 1.0 * (1.0 - 0.5) + 4.0 * 0.5,
@@ -74,7 +74,7 @@ def test_what_counts_for_one_against_another_is_told_by_sign():
         "size": -0.3 * 10.0 * 4.0 / 2.0 - 0.3 * 7.0 * 1.5 / 2.0,
         "alike": 0.0, "alike_else": 0.0,
     }  # fmt: skip
-    assert told == pytest.approx(expected)
+    assert reasons == pytest.approx(expected)
 
 
 def test_a_signature_counts_for_singles_and_for_none_of_them():
@@ -84,8 +84,8 @@ def test_a_signature_counts_for_singles_and_for_none_of_them():
     assert not signature_table([weighed("creep"), weighed("jam")]).any()
     assert signature_table([weighed("creep", alike_outside=-3.0)])[0].tolist() == [0.0, 0.0, 1.0, 0.0, 0.0]
     judge = judge_of(np.zeros(4 * HALF), of_signature=np.array([1.0, 10.0, 100.0, 1000.0, 5.0]))
-    told = judge.because(*candidates)
-    assert (told["alike"], told["alike_else"], told["size"]) == (-1.0, -20.0, 100.0)
+    reasons = judge.because(*candidates)
+    assert (reasons["alike"], reasons["alike_else"], reasons["size"]) == (-1.0, -20.0, 100.0)
     shares = judge_of(np.zeros(4 * HALF), of_signature=np.array([1.0, 0.5, 3.0, 0.1, 0.2])).probabilities(candidates)
     assert shares == pytest.approx(np.exp([1.0, 0.0, -0.1]) / np.exp([1.0, 0.0, -0.1]).sum())
 

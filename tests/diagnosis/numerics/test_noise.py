@@ -15,9 +15,9 @@ def test_floor_of_coloured_noise_comes_back_from_under_sixty_columns() -> None:
     phase = np.linspace(0, 1, 6000)
     columns = np.array([np.cos(np.pi * k * phase) for k in range(60)])
     target = noise + 0.5 * columns[3] + 0.2 * columns[20]
-    found = estimate(target, columns, np.arange(6000), 0.05)
-    assert abs(found.floor / np.hypot(0.04, 0.02) - 1.0) < 0.06
-    assert 0.05 < found.swallowed < 0.4
+    noise_estimate = estimate(target, columns, np.arange(6000), 0.05)
+    assert abs(noise_estimate.floor / np.hypot(0.04, 0.02) - 1.0) < 0.06
+    assert 0.05 < noise_estimate.swallowed < 0.4
 
 
 def test_a_column_of_zeros_and_the_scale_of_the_others_change_no_noise() -> None:

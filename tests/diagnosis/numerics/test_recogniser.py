@@ -23,7 +23,7 @@ def made() -> Recogniser:
 
 
 def test_likenesses_are_shares_and_a_missing_number_counts_as_nothing() -> None:
-    looped, rested, neither = (made().likenesses(one) for one in ({"loop": 2.0}, {"rest_top": 2.0}, {}))
+    looped, rested, neither = (made().likenesses(signature) for signature in ({"loop": 2.0}, {"rest_top": 2.0}, {}))
     assert sum(looped.values()) == pytest.approx(1.0)
     assert max(looped, key=looped.get) == "backlash" and max(rested, key=rested.get) == "creep"
     assert max(neither, key=neither.get) == "outside"

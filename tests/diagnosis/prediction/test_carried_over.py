@@ -89,8 +89,8 @@ def test_what_a_black_box_learnt_beside_all_of_it_is_not_added_to_a_part(runs, t
 @pytest.fixture
 def drive(tmp_path) -> Path:
     """A recording of a cable drive, whose motor has no zero to home."""
-    made = cable_drive.record(3)
-    return write_run(made, tmp_path / "raw" / made.run["run"])
+    recording = cable_drive.record(3)
+    return write_run(recording, tmp_path / "raw" / recording.run["run"])
 
 
 @pytest.mark.parametrize(
@@ -108,12 +108,12 @@ def test_of_a_drive_the_part_is_taken_that_holds_on_the_first_stroke(drive, tmp_
     (tmp_path / "diagnosis.json").write_text(json.dumps(content))
     words = ("--simulation", tmp_path / "diagnosis.json", "--home", "--out", tmp_path / "out.csv")
     done = programs.run("pipeline.simulate", drive, *words)
-    said = " ".join(done.stdout.split())
-    assert re.search(f"{re.escape(PARTS[taken])} [0-9.]+ deg taken", said), done.stderr + said
-    assert "motor's zero" not in said and "read for the choice on the first stroke" in said
-    assert ("simulated with backlash" in said) == taken[0]
+    printed = " ".join(done.stdout.split())
+    assert re.search(f"{re.escape(PARTS[taken])} [0-9.]+ deg taken", printed), done.stderr + printed
+    assert "motor's zero" not in printed and "read for the choice on the first stroke" in printed
+    assert ("simulated with backlash" in printed) == taken[0]
     about = About(read(drive))
     part = content | {"parameters": dimensions if taken[1] else {}, "simulation": [entry] if taken[0] else []}
     expected = about.problem.simulate(state_of(part, about.problem, tmp_path, about.run.run))
-    given = about.simulated(content, tmp_path / "diagnosis.json")[0]
-    np.testing.assert_array_equal(given, expected, "learnt elsewhere, the public drives take the same part")
+    reading = about.simulated(content, tmp_path / "diagnosis.json")[0]
+    np.testing.assert_array_equal(reading, expected, "learnt elsewhere, the public drives take the same part")

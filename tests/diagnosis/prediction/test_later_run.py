@@ -53,20 +53,20 @@ def test_it_is_what_the_joint_simulator_gives_with_the_zero_that_was_fitted(join
     problem = at_own_rate([RecordedRun(*read_strokes(folder)) for folder in (first, later)], thin=False)
     state = state_of(json.loads(diagnosis.read_text()), problem, diagnosis, later.name)
     whole = problem.simulate(state) + ZERO_MM
-    given, said = simulate(later, diagnosis, tmp_path / "later.csv")
-    assert given == pytest.approx(whole[problem.record.run_index == 1], abs=1e-6)
-    assert "it is simulated after one-1, as they were diagnosed together" in said and "as it was fitted" in said
-    alone, said = simulate(first, diagnosis, tmp_path / "first.csv")
-    assert "simulated after" not in said and "beware" not in said
-    assert float(np.std(given - alone)) > 0.01, "the same motion again creeps less"
+    reading, printed = simulate(later, diagnosis, tmp_path / "later.csv")
+    assert reading == pytest.approx(whole[problem.record.run_index == 1], abs=1e-6)
+    assert "it is simulated after one-1, as they were diagnosed together" in printed and "as it was fitted" in printed
+    alone, printed = simulate(first, diagnosis, tmp_path / "first.csv")
+    assert "simulated after" not in printed and "beware" not in printed
+    assert float(np.std(reading - alone)) > 0.01, "the same motion again creeps less"
 
 
 @pytest.mark.long
 def test_in_memory_it_is_simulated_after_the_run_before_too(joint, tmp_path):
     _, later, diagnosis = joint
-    given, _ = simulate(later, diagnosis, tmp_path / "later.csv")
+    reading, _ = simulate(later, diagnosis, tmp_path / "later.csv")
     in_memory = pipeline.Recording.read(later).simulate(pipeline.Diagnosis.read(diagnosis))
-    assert in_memory["displacement_mm"].to_numpy() == pytest.approx(given, abs=1e-6)
+    assert in_memory["displacement_mm"].to_numpy() == pytest.approx(reading, abs=1e-6)
 
 
 @pytest.mark.long
@@ -74,8 +74,8 @@ def test_a_plan_after_its_recording_goes_after_the_run_before_too(joint, tmp_pat
     _, later, diagnosis = joint
     plan = tmp_path / "plan.csv"
     plan.write_text("time_s,motor_turns,load_n\n0,0,20\n5,3,20\n10,0,20\n")
-    both, said = simulate(later, diagnosis, tmp_path / "both.csv", "--motion", plan, "--after-recording")
-    assert "it is simulated after one-1" in said
+    both, printed = simulate(later, diagnosis, tmp_path / "both.csv", "--motion", plan, "--after-recording")
+    assert "it is simulated after one-1" in printed
     assert np.isfinite(both).all()
 
 
@@ -89,9 +89,9 @@ def test_a_plan_that_moves_at_once_has_the_zero_of_the_recording_of_its_run(join
         answers = []
         for rows in PLANS:
             (tmp_path / "plan.csv").write_text(f"time_s,motor_turns,load_n\n{rows}")
-            reading, said = simulate(folder, diagnosis, tmp_path / "a.csv", "--motion", tmp_path / "plan.csv")
-            assert f"its zero is that of the recording of {folder.name}; the string is taken to be {state}" in said
-            assert "beware: it" not in said and "may be far off" not in said
+            reading, printed = simulate(folder, diagnosis, tmp_path / "a.csv", "--motion", tmp_path / "plan.csv")
+            assert f"its zero is that of the recording of {folder.name}; the string is taken to be {state}" in printed
+            assert "beware: it" not in printed and "may be far off" not in printed
             answers.append(reading[-801:])
         at_once, rested = answers
         assert float(np.abs(at_once - rested).max()) < 0.08, "creep in a rest moves it by 0.07 mm"
@@ -103,15 +103,15 @@ def test_the_zero_of_a_run_of_several_is_adopted_with_it_and_its_plan_has_it(joi
     (tmp_path / "plan.csv").write_text(f"time_s,motor_turns,load_n\n{PLANS[0]}")
     for folder, name in ((first, "zero_1_mm"), (later, "zero_2_mm")):
         adopting = Path(shutil.copytree(folder.parent, tmp_path / f"of-{folder.name}")) / folder.name
-        given, _ = simulate(adopting, diagnosis, tmp_path / "given.csv", "--motion", tmp_path / "plan.csv")
+        reading, _ = simulate(adopting, diagnosis, tmp_path / "given.csv", "--motion", tmp_path / "plan.csv")
         assert programs.run("pipeline.adopt", diagnosis, adopting).returncode == 0
         assert f"{name}:" in (adopting / "run.yaml").read_text()
         words = "--motion", tmp_path / "plan.csv", "--out", tmp_path / "adopted.csv"
         done = programs.run("pipeline.simulate", adopting, *words)
-        said = " ".join(done.stdout.split())
-        assert f"its zero is that of the recording of {folder.name};" in said, done.stderr
+        printed = " ".join(done.stdout.split())
+        assert f"its zero is that of the recording of {folder.name};" in printed, done.stderr
         adopted = pd.read_csv(tmp_path / "adopted.csv")["displacement_mm"].to_numpy()
-        assert adopted == pytest.approx(given, abs=1e-3)
+        assert adopted == pytest.approx(reading, abs=1e-3)
 
 
 @pytest.mark.long
@@ -129,8 +129,8 @@ def test_a_zero_that_nothing_tells_is_where_the_plan_begins_and_the_band_holds_i
     other = Path(shutil.copytree(first, tmp_path / "other-1"))
     (other / "run.yaml").write_text((first / "run.yaml").read_text().replace(first.name, other.name))
     done = programs.run("pipeline.simulate", other, *words)
-    said = " ".join(done.stdout.split())
-    assert "its zero is that of the recording of other-1, as its first second gives it" in said, done.stderr
+    printed = " ".join(done.stdout.split())
+    assert "its zero is that of the recording of other-1, as its first second gives it" in printed, done.stderr
 
 
 @pytest.mark.long
@@ -138,9 +138,9 @@ def test_where_the_run_before_does_not_lie_beside_it_that_is_said(joint, tmp_pat
     _, later, diagnosis = joint
     alone = tmp_path / "raw" / later.name
     shutil.copytree(later, alone)
-    _, said = simulate(alone, diagnosis, tmp_path / "alone.csv")
-    assert "begins anew, so the reading may be far off. Mend: keep the runs in one folder" in said
-    assert "set in the first second" in said
+    _, printed = simulate(alone, diagnosis, tmp_path / "alone.csv")
+    assert "begins anew, so the reading may be far off. Mend: keep the runs in one folder" in printed
+    assert "set in the first second" in printed
 
 
 @pytest.mark.long
@@ -148,8 +148,8 @@ def test_adopting_it_says_that_alone_it_begins_anew(joint):
     first, later, diagnosis = joint
     later = Path(shutil.copytree(later, later.parents[1] / "adopting" / later.name))
     done = programs.run("pipeline.adopt", diagnosis, later)
-    said = " ".join(done.stdout.split())
+    printed = " ".join(done.stdout.split())
     assert done.returncode == 0, done.stderr
-    assert "There one-2 goes after one-1; alone, what goes on over time or strokes begins anew in it" in said
+    assert "There one-2 goes after one-1; alone, what goes on over time or strokes begins anew in it" in printed
     alone = Path(shutil.copytree(first, first.parents[1] / "adopting" / first.name))
     assert "goes after" not in programs.run("pipeline.adopt", diagnosis, alone).stdout

@@ -38,8 +38,8 @@ def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> tuple
     """The rms by which `simulate` misses a recording, in mm, about the zero of all; and what it says."""
     done = programs.run("pipeline.simulate", folder, "--simulation", diagnosis, *words, "--out", out)
     assert done.returncode == 0, done.stderr
-    left = pd.read_parquet(folder / "recording.parquet")["displacement_mm"] - pd.read_csv(out)["displacement_mm"]
-    return float(left.std()), " ".join(done.stdout.split())
+    residual = pd.read_parquet(folder / "recording.parquet")["displacement_mm"] - pd.read_csv(out)["displacement_mm"]
+    return float(residual.std()), " ".join(done.stdout.split())
 
 
 def test_a_plan_for_another_run_gets_the_commands_that_predict_it(runs, tmp_path):
@@ -58,16 +58,18 @@ def test_of_the_same_string_both_runs_are_to_be_diagnosed_together_and_the_row_i
         text = (run / "run.yaml").read_text()
         assert "string:" in text
         (tmp_path / run.name / "run.yaml").write_text(re.sub(r"(?m)^string:\n", "string:\n  id: spool-1\n", text))
-    _, said = simulated(tmp_path / "later", diagnosis, tmp_path / "a.csv")
-    assert re.search(r"the error if the whole recording sets the zero, [0-9.]+ mm, is [0-9.]+ times what was to", said)
-    assert f"later is of the same string as {first.name} (string.id)" in said
+    _, printed = simulated(tmp_path / "later", diagnosis, tmp_path / "a.csv")
+    assert re.search(
+        r"the error if the whole recording sets the zero, [0-9.]+ mm, is [0-9.]+ times what was to", printed
+    )
+    assert f"later is of the same string as {first.name} (string.id)" in printed
     both = f"pipeline.diagnose {tmp_path / first.name} {tmp_path / 'later'} --together --out DIR"
-    assert f"Else diagnose both together: python -m {both}" in said
+    assert f"Else diagnose both together: python -m {both}" in printed
     with open(tmp_path / first.name / "run.yaml", "a") as file:
         file.write("simulation: [{id: sensor_drift, parameters: {whole_s: 200.0, straight_mm: 0.1}}]\n")
-    _, said = simulated(tmp_path / "later", diagnosis, tmp_path / "a.csv")
+    _, printed = simulated(tmp_path / "later", diagnosis, tmp_path / "a.csv")
     remove = f"python -m pipeline.adopt --remove {tmp_path / first.name}"
-    assert f"Else take out first what was adopted, then diagnose both together: {remove} python -m {both}" in said
+    assert f"Else take out first what was adopted, then diagnose both together: {remove} python -m {both}" in printed
     whole = recorded_error.means(0.2, "b", ToCompare(0.01, 0.02, ("a",)), None, "", "mm")
     assert whole[0].startswith("the error is 10 times what was to be expected (0.020 mm)")
 
@@ -75,19 +77,19 @@ def test_of_the_same_string_both_runs_are_to_be_diagnosed_together_and_the_row_i
 def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tmp_path):
     first, later, diagnosis = runs
     best, _ = simulated(first, diagnosis, tmp_path / "own.csv")
-    astray, said = simulated(later, diagnosis, tmp_path / "astray.csv")
-    assert astray > 1.6 * best and "homed" not in said
-    assert "holds poorly in later. If the motor was switched off in between, its zero is another: add --home" in said
-    again, said = simulated(later, diagnosis, tmp_path / "homed.csv", "--home")
+    astray, printed = simulated(later, diagnosis, tmp_path / "astray.csv")
+    assert astray > 1.6 * best and "homed" not in printed
+    assert "holds poorly in later. If the motor was switched off in between, its zero is another: add --home" in printed
+    again, printed = simulated(later, diagnosis, tmp_path / "homed.csv", "--home")
     assert again < 1.1 * best
     assert re.search(
-        rf"strokes of {first.name} that no fit had seen [0-9.]+ mm the error .*? is [0-9.]+ times what", said
+        rf"strokes of {first.name} that no fit had seen [0-9.]+ mm the error .*? is [0-9.]+ times what", printed
     )
-    assert f"the diagnosis of {first.name} holds in later too" in said
+    assert f"the diagnosis of {first.name} holds in later too" in printed
     before = json.loads(diagnosis.read_text())["parameters"]["angle_turns"]["value"]
-    home = float(said.partition("first stroke of the recording, is ")[2].partition(" turns")[0])
+    home = float(printed.partition("first stroke of the recording, is ")[2].partition(" turns")[0])
     assert home == pytest.approx(before - TURNS, abs=0.02)
-    assert f"where the diagnosis has {before:.3g}" in said and "as far as its tolerance" not in said
+    assert f"where the diagnosis has {before:.3g}" in printed and "as far as its tolerance" not in printed
 
 
 def test_what_was_learnt_elsewhere_is_homed_before_it_is_judged_and_so_is_the_nominal_simulator(runs, tmp_path):
@@ -136,8 +138,10 @@ def test_a_diagnosis_of_another_string_is_taken_with_a_warning_that_says_how_it_
     warned = programs.run("pipeline.simulate", other, *words).stderr
     assert f"warning: later is of another string than {first.name}" in warned
     assert f"it names the string b, and {first.name} a" in warned
-    here, there = re.search(r"its run.yaml has radius ([0-9.]+) mm \(([0-9.]+) there\)", warned).groups()
-    assert (float(here), float(there)) == pytest.approx((2.0 * radius, radius), rel=1e-4)
+    run_radius_mm, diagnosed_radius_mm = re.search(
+        r"its run.yaml has radius ([0-9.]+) mm \(([0-9.]+) there\)", warned
+    ).groups()
+    assert (float(run_radius_mm), float(diagnosed_radius_mm)) == pytest.approx((2.0 * radius, radius), rel=1e-4)
     assert "another string" not in programs.run("pipeline.simulate", later, *words).stderr
 
 
@@ -146,8 +150,8 @@ def test_a_zero_that_lies_beyond_its_tolerance_is_said_to(runs, tmp_path):
     far = Path(shutil.copytree(later, tmp_path / "later"))
     samples = pd.read_parquet(far / "recording.parquet")
     samples.assign(motor_turns=samples["motor_turns"] + 0.3).to_parquet(far / "recording.parquet")
-    _, said = simulated(far, diagnosis, tmp_path / "far.csv", "--home")
-    assert "as far as its tolerance lets it: give angle_turns a wider one" in said
+    _, printed = simulated(far, diagnosis, tmp_path / "far.csv", "--home")
+    assert "as far as its tolerance lets it: give angle_turns a wider one" in printed
 
 
 def test_where_nothing_is_to_be_homed_it_is_refused_with_the_mend(runs, tmp_path):

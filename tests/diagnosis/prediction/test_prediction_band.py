@@ -71,17 +71,19 @@ def test_the_one_number_of_a_plan_holds_nine_of_ten_readings_whichever_explanati
 def test_the_one_number_says_over_what_it_holds_and_on_which_condition():
     inside, width = np.arange(100) < 46, Foretold(np.full(100, 0.6), 0.8, True)
 
-    def said(rows, gaps, tied):
+    def sentence_of(rows, gaps, tied):
         return " ".join(in_one_number(width, rows, gaps, tied, "displacement_mm", "mm"))
 
     whole = "to report: nine of ten readings are expected within 1.6 mm of displacement_mm over the whole plan, if the "
-    assert said(np.ones(100, bool), [], 0) == f"{whole}explanation is right"
-    assert said(np.ones(100, bool), [], 1).startswith(f"{whole}best explanation is right, for the file does not")
+    assert sentence_of(np.ones(100, bool), [], 0) == f"{whole}explanation is right"
+    assert sentence_of(np.ones(100, bool), [], 1).startswith(f"{whole}best explanation is right, for the file does not")
     gaps = [np.full(100, 3.0), np.zeros(100)]
-    assert "within 4.3 mm" in said(inside, gaps, 2)
-    assert "over the 46 % of the plan within what was recorded, whichever of the 3 likely" in said(inside, gaps, 2)
-    assert not said(np.zeros(100, bool), gaps, 2)
-    few = said(np.arange(100) < 5, gaps, 2)
+    assert "within 4.3 mm" in sentence_of(inside, gaps, 2)
+    assert "over the 46 % of the plan within what was recorded, whichever of the 3 likely" in sentence_of(
+        inside, gaps, 2
+    )
+    assert not sentence_of(np.zeros(100, bool), gaps, 2)
+    few = sentence_of(np.arange(100) < 5, gaps, 2)
     assert few == "nothing to report: the plan is outside what was recorded but for 5 % of it"
 
 
@@ -218,16 +220,16 @@ def test_outside_what_was_recorded_there_is_no_band_and_the_expected_error_says_
     words = ["--simulation", path, "--motion", plan, "--out", out]
     motion = {"time_s": [0, 8, 16, 24], "motor_turns": [0, 0.9 * top, 1.3 * top, 0], "load_n": 15.0}
     pd.DataFrame(motion).to_csv(plan, index=False)
-    said = programs.run("pipeline.simulate", folder, *words).stdout
+    printed = programs.run("pipeline.simulate", folder, *words).stdout
     answer = pd.read_csv(out)
     rows = answer["outside"] == 1
     assert rows.any() and not rows.all() and (answer["low_mm"].isna() == rows).all()
     count = f"{rows.sum()} of {len(answer)} rows are outside (column outside): nothing says how well the simulator does"
-    assert count in said and "an if_ column" not in said
-    assert "rows after one that is outside are inside again, though what is slow may still remember it" in said
+    assert count in printed and "an if_ column" not in printed
+    assert "rows after one that is outside are inside again, though what is slow may still remember it" in printed
     pd.DataFrame(motion | {"load_n": 90.0}).to_csv(plan, index=False)
-    said = programs.run("pipeline.simulate", folder, *words).stdout
-    assert "no expected error: " in said and "\nexpected error" not in said
+    printed = programs.run("pipeline.simulate", folder, *words).stdout
+    assert "no expected error: " in printed and "\nexpected error" not in printed
     assert pd.read_csv(out)["high_mm"].isna().all()
 
 
@@ -280,8 +282,8 @@ def test_what_was_adopted_takes_its_band_from_the_diagnosis_while_that_is_there(
     samples[["time_s", "motor_turns", "load_n"]].iloc[:3000].to_csv(plan, index=False)
     adopting = programs.run("pipeline.adopt", path, mine)
     assert adopting.returncode == 0 and f"pipeline.simulate {mine} --motion PLAN.csv --out FILE.csv" in adopting.stdout
-    told = " ".join(adopting.stdout.split())
-    assert "PLAN.csv is a motion that you plan: time_s, motor_turns and, unless it stands still, load_n;" in told
+    printed = " ".join(adopting.stdout.split())
+    assert "PLAN.csv is a motion that you plan: time_s, motor_turns and, unless it stands still, load_n;" in printed
     done = programs.run("pipeline.simulate", mine, "--motion", plan, "--out", out)
     assert done.returncode == 0 and "low_mm" in pd.read_csv(out), done.stdout
     path.unlink()
@@ -302,12 +304,14 @@ def test_the_curve_of_a_rival_errs_on_its_own_recording_as_the_verdict_says(jam)
     _, _, study = jam
     rival, problem = study.search.explain(("radius_compaction",)), study.problem
 
-    def left(state) -> float:
+    def residual_rms(state) -> float:
         return float(np.sqrt(np.mean(np.square(problem.measured - problem.simulate(state)))))
 
-    said = float(np.sqrt(rival.energy))
-    assert left(refitted(study, rival)) == pytest.approx(said, rel=0.05)
-    assert left(study.search.linear.state_of(rival.fit, rival.keys)) > 3.0 * said, "straight lines miss it here"
+    expected_rms = float(np.sqrt(rival.energy))
+    assert residual_rms(refitted(study, rival)) == pytest.approx(expected_rms, rel=0.05)
+    assert residual_rms(study.search.linear.state_of(rival.fit, rival.keys)) > 3.0 * expected_rms, (
+        "straight lines miss it here"
+    )
 
 
 @pytest.mark.long

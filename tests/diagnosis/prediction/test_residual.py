@@ -44,19 +44,19 @@ def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> tuple
 def test_it_stands_beside_the_reading_and_says_what_it_was_worth_on_unseen_strokes(unexplained, tmp_path):
     folder, diagnosis = unexplained
     bare, _ = simulated(folder, diagnosis, tmp_path / "bare.csv")
-    table, said = simulated(folder, diagnosis, tmp_path / "more.csv", "--residual")
+    table, printed = simulated(folder, diagnosis, tmp_path / "more.csv", "--residual")
     assert list(table) == ["time_s", "displacement_mm", *COLUMNS]
     pd.testing.assert_frame_equal(table[list(bare)], bare)
-    held = json.loads(diagnosis.read_text())["fit"]["heldout"]
-    with_it = float(said.partition("rms without it and ")[2].partition(" mm with it: it helps.")[0])
-    assert f"the error was {held['explained_mm']:.2g} mm rms without it" in said
-    assert held["without_physics_mm"] * 0.6 < with_it < 0.67 * held["explained_mm"]
+    heldout = json.loads(diagnosis.read_text())["fit"]["heldout"]
+    with_it = float(printed.partition("rms without it and ")[2].partition(" mm with it: it helps.")[0])
+    assert f"the error was {heldout['explained_mm']:.2g} mm rms without it" in printed
+    assert heldout["without_physics_mm"] * 0.6 < with_it < 0.67 * heldout["explained_mm"]
     recorded = read_samples(folder)[1]["displacement_mm"]
-    left = recorded - table["displacement_mm"]
-    assert (left - table["residual_mm"]).std() < 0.6 * left.std()
-    between = left.between(table["residual_low_mm"], table["residual_high_mm"])
-    assert between.mean() > 0.85 and (table["residual_high_mm"] - table["residual_low_mm"]).max() < 4.0 * left.std()
-    assert "no physics" in said and f"of the strokes of {folder.name}" in said
+    residual = recorded - table["displacement_mm"]
+    assert (residual - table["residual_mm"]).std() < 0.6 * residual.std()
+    between = residual.between(table["residual_low_mm"], table["residual_high_mm"])
+    assert between.mean() > 0.85 and (table["residual_high_mm"] - table["residual_low_mm"]).max() < 4.0 * residual.std()
+    assert "no physics" in printed and f"of the strokes of {folder.name}" in printed
 
 
 @pytest.mark.long
@@ -70,8 +70,8 @@ def test_what_it_adds_is_in_no_diagnosis(unexplained):
 def test_where_physics_explains_all_it_says_that_it_does_not_help(conceal, tmp_path):
     folder = conceal("creep")[0]
     diagnosis = diagnosed([folder], tmp_path / "out")
-    _, said = simulated(folder, diagnosis, tmp_path / "more.csv", "--residual")
-    assert "it does not help: leave it out" in said and "it helps" not in said
+    _, printed = simulated(folder, diagnosis, tmp_path / "more.csv", "--residual")
+    assert "it does not help: leave it out" in printed and "it helps" not in printed
 
 
 @pytest.mark.long
@@ -82,7 +82,7 @@ def test_it_adds_nothing_to_what_was_not_recorded_and_says_so(unexplained, tmp_p
     load = float(recorded["load_n"].median())
     motion = {"time_s": [0, 10, 25, 40], "motor_turns": [0, 0.9 * top, 1.4 * top, 0.9 * top]}
     pd.DataFrame(motion).assign(load_n=load).to_csv(plan, index=False)
-    table, said = simulated(folder, diagnosis, tmp_path / "far.csv", "--residual", "--motion", plan)
+    table, printed = simulated(folder, diagnosis, tmp_path / "far.csv", "--residual", "--motion", plan)
     time_s = table["time_s"]
     far = np.interp(time_s, motion["time_s"], motion["motor_turns"]) > 1.06 * top
     assert far.sum() > 500 and (table["residual_mm"][far] == 0.0).all()
@@ -90,7 +90,9 @@ def test_it_adds_nothing_to_what_was_not_recorded_and_says_so(unexplained, tmp_p
     near = time_s.between(1.0, 9.0)
     assert (table["residual_mm"][near] != 0.0).mean() > 0.5
     rows = int((table["residual_low_mm"].isna()).sum())
-    assert f"{rows} of {len(table)} rows lie beyond the drivers that it was fitted to: residual_mm is 0 there" in said
+    assert (
+        f"{rows} of {len(table)} rows lie beyond the drivers that it was fitted to: residual_mm is 0 there" in printed
+    )
 
 
 @pytest.mark.long
@@ -102,31 +104,32 @@ def test_of_the_strokes_that_it_is_scored_on_it_has_learnt_nothing(unexplained, 
     later = samples["time_s"] - samples["time_s"].iloc[0] >= seen_s
     samples["displacement_mm"] += 1.0 * later
     samples.to_parquet(spoiled / "recording.parquet")
-    _, said = simulated(spoiled, diagnosis, tmp_path / "more.csv", "--residual")
-    assert "it does not help: leave it out" in said, "a shift of those strokes alone could be learnt from them alone"
+    _, printed = simulated(spoiled, diagnosis, tmp_path / "more.csv", "--residual")
+    assert "it does not help: leave it out" in printed, "a shift of those strokes alone could be learnt from them alone"
 
 
 def test_a_black_box_knows_nothing_of_the_rows_that_it_may_not_see(problem):
     rows, names = len(problem.record), list(told_of(problem.drivers, 1.0))
-    left = np.sin(problem.drivers.motion)
+    residual = np.sin(problem.drivers.motion)
     seen = np.arange(rows) < 0.7 * rows
     honest, spoiled = (
-        BlackBox.fitted([Lesson(problem, values)], [seen], names) for values in (left, np.where(seen, left, 1e3))
+        BlackBox.fitted([Lesson(problem, values)], [seen], names)
+        for values in (residual, np.where(seen, residual, 1e3))
     )
     np.testing.assert_array_equal(honest.added(problem.drivers)[0], spoiled.added(problem.drivers)[0])
 
 
 @pytest.mark.parametrize(
-    ("seen", "asked"),
+    ("seen", "query_range"),
     [(((0.0, 0.25), (0.75, 1.0)), (0.46, 0.54)), (((0.0, 0.9),), (0.96, 1.0))],
     ids=["between", "just beyond"],
 )
-def test_it_adds_nothing_where_the_recording_was_not(problem, seen, asked):
+def test_it_adds_nothing_where_the_recording_was_not(problem, seen, query_range):
     share = problem.drivers.motion / problem.drivers.motion.max()
     rows = np.logical_or.reduce([(share >= low) & (share <= high) for low, high in seen])
     names = list(told_of(problem.drivers, 1.0))
     added, inside = BlackBox.fitted([Lesson(problem, 1.0 + share)], [rows], names).added(problem.drivers)
-    away = (share > asked[0]) & (share <= asked[1])
+    away = (share > query_range[0]) & (share <= query_range[1])
     assert away.sum() > 20 and not inside[away].any() and (added[away] == 0.0).all()
     assert inside[rows].mean() > 0.9 and np.abs(added - 1.0 - share)[rows & inside].max() < 0.2, (
         "it has learnt the rest"
@@ -137,14 +140,16 @@ def test_it_adds_nothing_where_the_recording_was_not(problem, seen, asked):
 def test_of_runs_together_it_learns_from_all_and_names_the_one_that_is_not_there(conceal, tmp_path):
     folders = []
     for seed in (7, 8):
-        there = tmp_path / "raw" / f"pair-{seed}"
-        shutil.copytree(conceal("friction_hysteresis", seed=7)[0], there)
-        text = (there / "run.yaml").read_text()
-        (there / "run.yaml").write_text(text.replace(conceal("friction_hysteresis", seed=7)[0].name, there.name))
-        folders.append(there)
+        run_folder = tmp_path / "raw" / f"pair-{seed}"
+        shutil.copytree(conceal("friction_hysteresis", seed=7)[0], run_folder)
+        text = (run_folder / "run.yaml").read_text()
+        (run_folder / "run.yaml").write_text(
+            text.replace(conceal("friction_hysteresis", seed=7)[0].name, run_folder.name)
+        )
+        folders.append(run_folder)
     diagnosis = diagnosed(folders, tmp_path / "out", "--together", "--without", "friction_hysteresis")
-    _, said = simulated(folders[1], diagnosis, tmp_path / "more.csv", "--residual")
-    assert "of the strokes of pair-7 and pair-8" in said
+    _, printed = simulated(folders[1], diagnosis, tmp_path / "more.csv", "--residual")
+    assert "of the strokes of pair-7 and pair-8" in printed
     shutil.rmtree(folders[0])
     words = (folders[1], "--simulation", diagnosis, "--residual", "--out", tmp_path / "less.csv")
     done = programs.run("pipeline.simulate", *words)
@@ -155,16 +160,18 @@ def test_of_runs_together_it_learns_from_all_and_names_the_one_that_is_not_there
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    ("held", "field"),
+    ("without_last", "field"),
     [
         (None, "without_last_strokes: is not in it"),
         ({"seen_s": [1.0]}, "without_last_strokes: holds"),
         ({"seen_s": [], "parameters": {}, "simulation": []}, "without_last_strokes.seen_s: holds 0 numbers for 1 runs"),
     ],
 )
-def test_a_diagnosis_that_cannot_say_what_it_is_worth_is_refused_with_the_mend(unexplained, tmp_path, held, field):
+def test_a_diagnosis_that_cannot_say_what_it_is_worth_is_refused_with_the_mend(
+    unexplained, tmp_path, without_last, field
+):
     folder, diagnosis = unexplained
-    content = json.loads(diagnosis.read_text()) | {"without_last_strokes": held}
+    content = json.loads(diagnosis.read_text()) | {"without_last_strokes": without_last}
     (tmp_path / "old.json").write_text(json.dumps(content))
     words = (folder, "--simulation", tmp_path / "old.json", "--residual", "--out", tmp_path / "out.csv")
     done = programs.run("pipeline.simulate", *words)

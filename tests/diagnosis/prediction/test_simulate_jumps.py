@@ -33,19 +33,19 @@ def recorded(folder):
 
 def test_simulated_at_the_recordings_rate_it_errs_by_what_the_diagnosis_says(tmp_path):
     table = recorded(tmp_path / "raw/mass-01")
-    told, out = tmp_path / "out/mass-01/diagnosis.json", tmp_path / "simulated.parquet"
+    diagnosis_path, out = tmp_path / "out/mass-01/diagnosis.json", tmp_path / "simulated.parquet"
     for command in (
         ["diagnose", tmp_path / "raw/mass-01", "--out", tmp_path / "out"],
-        ["simulate", tmp_path / "raw/mass-01", "--simulation", told, "--out", out],
+        ["simulate", tmp_path / "raw/mass-01", "--simulation", diagnosis_path, "--out", out],
     ):
         done = programs.run(f"pipeline.{command[0]}", *command[1:])
         assert done.returncode == 0, done.stderr
-    content = json.loads(told.read_text())
-    assert {"friction_hysteresis", "viscous_loss"} <= {one["id"] for one in content["mechanisms"]}
+    content = json.loads(diagnosis_path.read_text())
+    assert {"friction_hysteresis", "viscous_loss"} <= {entry["id"] for entry in content["mechanisms"]}
     measured = table["force_n"].to_numpy()
-    left = measured - pd.read_parquet(out)["force_n"].to_numpy()
-    assert len(left) == len(table)
-    means = [signal.reshape(-1, EACH).mean(axis=1) for signal in (left, measured)]
+    residual = measured - pd.read_parquet(out)["force_n"].to_numpy()
+    assert len(residual) == len(table)
+    means = [signal.reshape(-1, EACH).mean(axis=1) for signal in (residual, measured)]
     kept = [residual_band.within(signal, np.arange(len(signal)), EACH * 1e-3, 10.0) for signal in means]
     share = float(np.std(kept[0]) / np.sqrt(np.mean(kept[1] ** 2)))
     assert share == pytest.approx(content["fit"]["relative_residual"]["explained"], rel=0.05)

@@ -42,8 +42,8 @@ def diagnosis(folder: Path, tmp_path: Path) -> Path:
         tmp_path / "diagnosis.json",
         yaml.safe_load((folder / "run.yaml").read_text())["string"]["radius_mm"],
     )
-    held = {"radius_mm": {"value": 1.02 * radius_mm}, "zero_mm": {"value": 0.7}}
-    path.write_text(json.dumps({"run": folder.name, "parameters": held, "simulation": []}))
+    parameters = {"radius_mm": {"value": 1.02 * radius_mm}, "zero_mm": {"value": 0.7}}
+    path.write_text(json.dumps({"run": folder.name, "parameters": parameters, "simulation": []}))
     return path
 
 
@@ -74,8 +74,11 @@ def test_the_runs_own_motion_planned_gives_what_its_recording_gives(folder, diag
     pd.DataFrame({"time_s": [0, 20, 140, 160], "motor_turns": [0, 0.9 * top, 0.9 * top, 0], "load_n": 15.0}).to_csv(
         plan, index=False
     )
-    held = simulated(folder, diagnosis, tmp_path / "held.csv", "--motion", plan).stderr
-    assert "it asks for a hold of 120 s (inside for its first " in held and "Mend: end each hold after " in held
+    hold_warning = simulated(folder, diagnosis, tmp_path / "held.csv", "--motion", plan).stderr
+    assert (
+        "it asks for a hold of 120 s (inside for its first " in hold_warning
+        and "Mend: end each hold after " in hold_warning
+    )
     answer = pd.read_csv(tmp_path / "held.csv")
     assert set(answer["time_s"][answer["outside"] == 1].between(22.0, 140.2)) == {True}, "the hold's end alone"
     assert (answer["outside"] == 1).sum() > 2000
@@ -156,7 +159,7 @@ def test_corners_of_a_motion_are_joined_by_straight_lines(folder, diagnosis, tmp
         simulated(folder, diagnosis, tmp_path / f"{name}-answer.csv", "--motion", tmp_path / f"{name}.csv")
     few, many = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("corners", "fine"))
     at_s = np.linspace(0.0, 32.0, 50)
-    answers = [np.interp(at_s, one["time_s"], one["displacement_mm"]) for one in (few, many)]
+    answers = [np.interp(at_s, answer["time_s"], answer["displacement_mm"]) for answer in (few, many)]
     assert np.allclose(*answers, atol=1e-3) and np.ptp(answers[0]) > 1.0
 
 
@@ -173,9 +176,9 @@ def test_a_load_that_hangs_still_need_not_be_planned(make_run, tmp_path):
         )
         words = "The plan has no column load_n: its load is 20.0"
         assert (words in done.stdout) is (name == "without"), "it was taken without a word"
-    without, given = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("without", "with"))
+    without, with_load = (pd.read_csv(tmp_path / f"{name}-answer.csv") for name in ("without", "with"))
     assert np.allclose(without["load_n"], 20.0, atol=0.01)
-    assert np.allclose(without.drop(columns="load_n"), given.drop(columns="load_n"), atol=1e-4)
+    assert np.allclose(without.drop(columns="load_n"), with_load.drop(columns="load_n"), atol=1e-4)
 
 
 def test_a_load_that_varied_must_be_planned_whatever_run_yaml_says_of_the_load(make_run, tmp_path):
@@ -250,40 +253,42 @@ def test_slower_than_recorded_and_reversals_inside_are_outside(make_run, tmp_pat
     speed = float(np.abs(np.diff(table["motor_turns"])).max() / np.diff(table["time_s"]).min())
     slow_s = top / (0.2 * speed)
 
-    def asked(corners: dict, entry: dict) -> tuple[str, pd.DataFrame]:
+    def simulate_plan(corners: dict, entry: dict) -> tuple[str, pd.DataFrame]:
         pd.DataFrame(corners).to_csv(plan, index=False)
         done = simulated(folder, acting(tmp_path, entry), tmp_path / "a.csv", "--motion", plan)
         return done.stderr, pd.read_csv(tmp_path / "a.csv")
 
-    said, answer = asked({"time_s": [0.0, slow_s, 1.2 * slow_s], "motor_turns": [0.0, top, 0.0]}, LOOP)
+    warning, answer = simulate_plan({"time_s": [0.0, slow_s, 1.2 * slow_s], "motor_turns": [0.0, top, 0.0]}, LOOP)
     assert (
-        "motor_turns that change by only" in said and ". Recorded was one speed, " in said and "a reversal" not in said
+        "motor_turns that change by only" in warning
+        and ". Recorded was one speed, " in warning
+        and "a reversal" not in warning
     )
-    assert ". Nothing that was recorded says what another speed does. " in said
+    assert ". Nothing that was recorded says what another speed does. " in warning
     rows = answer["outside"] == 1
     assert rows[answer["time_s"] < 0.95 * slow_s].all() and not rows[answer["time_s"] > 1.05 * slow_s].any()
 
     legs = np.cumsum([0.0, top, 0.5 * top, 0.3 * top, 0.8 * top]) / speed
     inner = {"time_s": legs, "motor_turns": [0.0, top, 0.5 * top, 0.8 * top, 0.0]}
-    said, answer = asked(inner, LOOP)
-    assert f"2 reversals inside the range, the first at motor_turns of {0.5 * top:.4g}" in said
+    warning, answer = simulate_plan(inner, LOOP)
+    assert f"2 reversals inside the range, the first at motor_turns of {0.5 * top:.4g}" in warning
     rows = answer["outside"] == 1
     assert rows[answer["time_s"] > legs[2] + 0.1].all() and not rows[answer["time_s"] < legs[2] - 0.1].any()
-    said, answer = asked(inner, SLOWED)
-    assert not said and not answer["outside"].any(), "no effect at work remembers where the motion turned"
+    warning, answer = simulate_plan(inner, SLOWED)
+    assert not warning and not answer["outside"].any(), "no effect at work remembers where the motion turned"
 
 
 def test_another_speed_is_outside_where_it_matters_or_nobody_knows_whether_it_does(make_run, tmp_path):
     folder, plan = four_strokes(make_run)[0], tmp_path / "plan.csv"
-    one, two = recording(4).assign(load_n=20.0), recording(4).assign(load_n=20.0)
+    one_speed, two = recording(4).assign(load_n=20.0), recording(4).assign(load_n=20.0)
     two["time_s"] = np.where(
         two.index < len(two) / 2, two["time_s"], two["time_s"].median() + (two["time_s"] - two["time_s"].median()) / 2
     )
     folders = {"one": folder, "two": make_run("two-speeds", two)}
-    top = float(one["motor_turns"].max())
-    speed = float(np.abs(np.diff(one["motor_turns"])).max() / np.diff(one["time_s"]).min())
+    top = float(one_speed["motor_turns"].max())
+    speed = float(np.abs(np.diff(one_speed["motor_turns"])).max() / np.diff(one_speed["time_s"]).min())
 
-    def asked(kind: str, share: float, entry: dict, **more: object) -> str:
+    def plan_warning(kind: str, share: float, entry: dict, **more: object) -> str:
         lasts_s = top / (share * speed)
         corners = {"time_s": [0.0, lasts_s, 2.0 * lasts_s], "motor_turns": [0.0, top, 0.0]}
         pd.DataFrame(corners).to_csv(plan, index=False)
@@ -291,16 +296,19 @@ def test_another_speed_is_outside_where_it_matters_or_nobody_knows_whether_it_do
         path.write_text(json.dumps(json.loads(path.read_text()) | more))
         return simulated(folders[kind], path, tmp_path / "a.csv", "--motion", plan).stderr
 
-    assert not asked("one", 1.0, SLOWED) and not asked("one", 0.85, SLOWED), "the recorded speed, nearly"
+    assert not plan_warning("one", 1.0, SLOWED) and not plan_warning("one", 0.85, SLOWED), "the recorded speed, nearly"
     for share in (0.5, 0.7):
-        assert ". So near, since viscous_loss follows speed or time. " in asked("one", share, SLOWED)
-        assert "Nothing that was recorded says what another speed does. " in asked("one", share, BACKLASH)
-        said = asked("two", share, SLOWED)
-        assert ". The slowest stroke that was recorded had " in said and "on: four fifths of it, less 5 %. So" in said
-    assert not asked("two", 0.7, BACKLASH), "two speeds were seen, and the effect follows none"
-    open_one = asked("two", 0.7, BACKLASH, alternatives=[["creep", "sensor_lag"]])
+        assert ". So near, since viscous_loss follows speed or time. " in plan_warning("one", share, SLOWED)
+        assert "Nothing that was recorded says what another speed does. " in plan_warning("one", share, BACKLASH)
+        warning = plan_warning("two", share, SLOWED)
+        assert (
+            ". The slowest stroke that was recorded had " in warning
+            and "on: four fifths of it, less 5 %. So" in warning
+        )
+    assert not plan_warning("two", 0.7, BACKLASH), "two speeds were seen, and the effect follows none"
+    open_one = plan_warning("two", 0.7, BACKLASH, alternatives=[["creep", "sensor_lag"]])
     assert "since creep and sensor_lag follow speed or time. " in open_one
-    assert not asked("two", 1.5, SLOWED), "between two speeds that were recorded"
+    assert not plan_warning("two", 1.5, SLOWED), "between two speeds that were recorded"
 
 
 def two_speeds(make_run) -> tuple[Run, Recorded, float]:
@@ -329,13 +337,13 @@ def test_a_load_that_stood_still_has_two_per_cent_of_room_and_no_range_of_its_no
     still = Recorded([recorded.samples[0]], recorded.strokes[:1], "motor_turns")
     for load_n, is_out in ((18.0, False), (18.5, False), (17.0, True), (36.0, True)):
         answer = outside(run, triangle(0.95 * recorded.ends[1], slowest).assign(load_n=load_n), still)
-        asks = [asked for asked in answer.asks if asked.startswith("load_n")]
+        asks = [demand for demand in answer.asks if demand.startswith("load_n")]
         assert bool(asks) is is_out
     assert asks == ["load_n of 36 to 36 (18.2 was recorded, and it stood still: inside are 2 % more or less)"]
     assert "keep load_n at 18.2" in answer.mends
-    known = {"load": [18.15, 18.25], "speed_per_s": [1.0, 1.0], "longest_hold_s": 1.0, "longest_rest_s": 1.0}
-    said = within(content(evidence__covered=known), Vocabulary.of(SYSTEMS["mm"]))
-    assert " 18.2 N, " in said and "to 18.2" not in said
+    ranges = {"load": [18.15, 18.25], "speed_per_s": [1.0, 1.0], "longest_hold_s": 1.0, "longest_rest_s": 1.0}
+    sentence = within(content(evidence__covered=ranges), Vocabulary.of(SYSTEMS["mm"]))
+    assert " 18.2 N, " in sentence and "to 18.2" not in sentence
 
 
 @pytest.mark.parametrize(("paced", "share"), [((), 0.5), (("creep",), 0.8)])
@@ -347,9 +355,11 @@ def test_a_speed_at_a_limit_is_inside_however_it_was_rounded_and_so_is_the_limit
     answer = outside(run, triangle(top, 0.93 * share * slowest), recorded, paced=paced)
     assert answer.rows.mean() > 0.9 and "less 5 %" in answer.asks[0]
     (mend,) = answer.mends
-    said = float(re.fullmatch("move at (.*) turns/s or faster", mend)[1])
-    assert f". Inside from {said:g} on: " in answer.asks[0] and said == pytest.approx(0.95 * share * slowest, rel=0.01)
-    assert not outside(run, triangle(top, said), recorded, paced=paced).asks, "what is said to be inside is"
+    least_speed = float(re.fullmatch("move at (.*) turns/s or faster", mend)[1])
+    assert f". Inside from {least_speed:g} on: " in answer.asks[0] and least_speed == pytest.approx(
+        0.95 * share * slowest, rel=0.01
+    )
+    assert not outside(run, triangle(top, least_speed), recorded, paced=paced).asks, "what is said to be inside is"
 
 
 @pytest.mark.parametrize("paced", [(), ("creep",)])
@@ -371,23 +381,25 @@ def test_half_the_speed_that_a_verdict_foretells_a_loop_at_is_inside(make_run):
 @pytest.mark.parametrize("id_", ["friction_hysteresis", "creep"])
 def test_a_plan_at_the_ends_of_the_range_that_the_page_says_has_a_band_everywhere(make_run, id_):
     run, recorded, _ = two_speeds(make_run)
-    one = RecordedRun(run, recorded.samples[0], recorded.strokes[0])
-    known = covered(at_own_rate([one], thin=True, to_fit=False).record) | pauses([one])
-    evidence = {"covered": known, "motor_turns": [float(end) for end in recorded.ends]}
-    made = content(mechanisms=[entry for entry in content()["mechanisms"] if entry["id"] == id_], alternatives=[])
-    said = within(made | {"evidence": evidence}, Vocabulary.of(SYSTEMS["mm"]))
-    known |= reversals([one])
-    assert reversals([one])["turned"]["top"][-1][-1] == pytest.approx(recorded.ends[1], rel=0.01)
+    first_run = RecordedRun(run, recorded.samples[0], recorded.strokes[0])
+    ranges = covered(at_own_rate([first_run], thin=True, to_fit=False).record) | pauses([first_run])
+    evidence = {"covered": ranges, "motor_turns": [float(end) for end in recorded.ends]}
+    verdict = content(mechanisms=[entry for entry in content()["mechanisms"] if entry["id"] == id_], alternatives=[])
+    sentence = within(verdict | {"evidence": evidence}, Vocabulary.of(SYSTEMS["mm"]))
+    ranges |= reversals([first_run])
+    assert reversals([first_run])["turned"]["top"][-1][-1] == pytest.approx(recorded.ends[1], rel=0.01)
     slow, fast, holds_s = map(
-        float, re.search(r", ([0-9.]+) to ([0-9.]+) turns/s, .*holds of up to (.*?) s", said).groups()
+        float, re.search(r", ([0-9.]+) to ([0-9.]+) turns/s, .*holds of up to (.*?) s", sentence).groups()
     )
     paced = [id_] if id_ == "creep" else []
     assert slow == pytest.approx((0.8 if paced else 0.5) * min(recorded.speeds), rel=0.03)
     for speed in (slow, fast):
         assert not outside(run, triangle(recorded.ends[1], speed, holds_s), recorded, True, paced).asks
-    known |= paces([one])
-    said = within(made | {"evidence": evidence}, Vocabulary.of(SYSTEMS["mm"]))
-    slow, fast = re.search(r"a speed of (\S+) to (\S+) turns/s in each stroke \(its median; recorded: ", said).groups()
+    ranges |= paces([first_run])
+    sentence = within(verdict | {"evidence": evidence}, Vocabulary.of(SYSTEMS["mm"]))
+    slow, fast = re.search(
+        r"a speed of (\S+) to (\S+) turns/s in each stroke \(its median; recorded: ", sentence
+    ).groups()
     asks = outside(run, triangle(recorded.ends[1], 0.9 * float(slow)), recorded, True, paced).asks
     assert f"Inside from {slow} on" in asks[0], "the page and the warning give one limit"
     for speed in (slow, fast):
@@ -397,9 +409,10 @@ def test_a_plan_at_the_ends_of_the_range_that_the_page_says_has_a_band_everywher
 def test_where_half_the_speed_is_outside_what_the_verdict_foretells_of_it_is_said():
     first = {"ids": ["creep"], "loop_half_speed_mm": 0.09, "plus_minus": {"loop_half_speed_mm": 0.02}}
     content = {"evidence": {"expected": {"speed_per_s": 1.382, "explanations": [first]}}}
-    (said,) = of_half_speed(content, 1.05, "mm", "turns", "mm")
+    (sentence,) = of_half_speed(content, 1.05, "mm", "turns", "mm")
     assert (
-        "foretells a loop of 0.09 ± 0.02 mm at 0.69 turns/s, half the usual speed, if the explanation is right" in said
+        "foretells a loop of 0.09 ± 0.02 mm at 0.69 turns/s, half the usual speed, if the explanation is right"
+        in sentence
     )
     assert not of_half_speed(content, 0.656, "mm", "turns", "mm"), "half the speed is inside"
     assert not of_half_speed({"evidence": {}}, 1.05, "mm", "turns", "mm"), "an older file"
@@ -439,27 +452,27 @@ def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_l
         "6 digits of a guess"
     )
     assert "2 (outside)" in other[5] and "3 (outside)" in other[8] and max(map(len, other)) <= 100
-    part = strokes_table(0.05).assign(outside=lambda made: (made["time_s"] > 59.0).astype(float))
+    part = strokes_table(0.05).assign(outside=lambda frame: (frame["time_s"] > 59.0).astype(float))
     mixed = loop_table.lines(part, words, "displacement_mm")
     assert mixed[2].startswith("1   ") and mixed[8].startswith("3 (5 % outside) "), "a few rows made all of it outside"
     columns = np.array([re.split(r" {2,}", line)[-3:-1] for line in mixed[2:]])
     assert len({len(cell.partition(".")[2]) for cell in columns.ravel()}) == 1, "-0.930 stood over -0.919182"
-    small = strokes_table().assign(low_mm=lambda made: made["displacement_mm"] - 0.054)
+    small = strokes_table().assign(low_mm=lambda frame: frame["displacement_mm"] - 0.054)
     small = small.assign(
-        high_mm=lambda made: made["displacement_mm"] + 0.054, displacement_mm=lambda made: made["low_mm"]
+        high_mm=lambda frame: frame["displacement_mm"] + 0.054, displacement_mm=lambda frame: frame["low_mm"]
     )
     row = re.split(r" {2,}", loop_table.lines(small, words, "displacement_mm")[5])
     assert row == ["2 and 3", "2.5", "0.471", "0.671", "-0.200 mm"], "the digits of a band of ±0.054 mm"
-    coarse = strokes_table().assign(outside=1.0, displacement_mm=lambda made: 20.0 + 0.26 * made["displacement_mm"])
+    coarse = strokes_table().assign(outside=1.0, displacement_mm=lambda frame: 20.0 + 0.26 * frame["displacement_mm"])
     row = re.split(r" {2,}", loop_table.lines(coarse, words, "displacement_mm")[6])
     assert row[-1] == "-0.052 mm" and float(row[-2]) - float(row[-3]) == pytest.approx(0.052, abs=2e-3), "to be checked"
     flat = strokes_table().assign(
-        displacement_mm=lambda made: made["motor_turns"] + 3.5e-4 * (made["time_s"] % 20.0 > 10.0)
+        displacement_mm=lambda frame: frame["motor_turns"] + 3.5e-4 * (frame["time_s"] % 20.0 > 10.0)
     )
     gaps = [line.split("  ")[-1].strip() for line in loop_table.lines(flat, words, "displacement_mm")[2:]]
     assert gaps and all(re.fullmatch(r"[+-]0\.00035 mm", gap) for gap in gaps), gaps
     many = pd.concat(
-        [strokes_table(0.1 * k).assign(time_s=lambda made, k=k: made["time_s"] + 60.0 * k) for k in range(5)]
+        [strokes_table(0.1 * k).assign(time_s=lambda frame, k=k: frame["time_s"] + 60.0 * k) for k in range(5)]
     )
     long = loop_table.lines(many.reset_index(drop=True), words, "displacement_mm")
     assert len(long) == 2 + 3 * 3 + 1 and "more strokes that differ from these are in the file" in long[-1]
@@ -468,9 +481,9 @@ def test_both_ways_of_each_stroke_that_differs_stand_in_the_printed_answer_and_l
 
 def test_a_first_stroke_that_begins_otherwise_than_the_second_is_explained():
     words, table = Vocabulary.of(SYSTEMS["mm"]), strokes_table()
-    (said,) = loop_table.of_starts(table, words, "displacement_mm", "friction_hysteresis")
-    assert said.startswith("stroke 1 begins at 0 mm and stroke 2 at ") and "(friction_hysteresis)" in said
-    assert "as it was before its first stroke" in said and "--after-recording" in said
+    (sentence,) = loop_table.of_starts(table, words, "displacement_mm", "friction_hysteresis")
+    assert sentence.startswith("stroke 1 begins at 0 mm and stroke 2 at ") and "(friction_hysteresis)" in sentence
+    assert "as it was before its first stroke" in sentence and "--after-recording" in sentence
     same = table.assign(displacement_mm=table["motor_turns"])
     assert not loop_table.of_starts(same, words, "displacement_mm", "jam")
     assert not loop_table.of_starts(table[:900], words, "displacement_mm", "jam"), "one stroke begins once"
@@ -482,8 +495,8 @@ def test_the_loop_of_a_plan_is_printed_and_why_its_first_stroke_begins_otherwise
     corners_s = np.arange(5) * lasts_s
     pd.DataFrame({"time_s": corners_s, "motor_turns": [0.0, top, 0.0, top, 0.0]}).to_csv(plan, index=False)
     loop = acting(tmp_path, LOOP)
-    said = simulated(folder, loop, tmp_path / "a.csv", "--motion", plan).stdout
-    assert "winding less unwinding" in said and "stroke 1 begins at " in said
+    printed = simulated(folder, loop, tmp_path / "a.csv", "--motion", plan).stdout
+    assert "winding less unwinding" in printed and "stroke 1 begins at " in printed
     after = simulated(folder, loop, tmp_path / "a.csv", "--motion", plan, "--after-recording").stdout
     assert "winding less unwinding" in after and "stroke 1 begins at " not in after
 
@@ -497,15 +510,15 @@ def test_what_another_recording_of_the_same_diagnosis_holds_is_inside(make_run, 
     corners = {"time_s": [0.0, lasts_s, 2.0 * lasts_s], "motor_turns": [0.0, top, 0.0]}
     pd.DataFrame(corners).to_csv(plan, index=False)
 
-    def asked(folder: Path, runs: object) -> str:
+    def plan_warning(folder: Path, runs: object) -> str:
         path.write_text(json.dumps(json.loads(path.read_text()) | {"run": runs}))
         return simulated(folder, path, tmp_path / "a.csv", "--motion", plan).stderr
 
     together, alone = [fast.name, slow.name], "that change by only"
-    assert alone in asked(fast, fast.name) and alone not in asked(slow, slow.name)
-    assert alone not in asked(fast, together) and alone not in asked(slow, together)
-    assert alone in asked(fast, [fast.name, "gone", "../slow", 5]), "what is not there adds nothing"
-    assert alone in asked(fast, ["other", slow.name]), "a diagnosis of other runs alone"
+    assert alone in plan_warning(fast, fast.name) and alone not in plan_warning(slow, slow.name)
+    assert alone not in plan_warning(fast, together) and alone not in plan_warning(slow, together)
+    assert alone in plan_warning(fast, [fast.name, "gone", "../slow", 5]), "what is not there adds nothing"
+    assert alone in plan_warning(fast, ["other", slow.name]), "a diagnosis of other runs alone"
 
 
 def test_what_follows_speed_or_time_is_known_from_the_mechanisms_own_driver():
@@ -530,7 +543,7 @@ def test_a_motion_as_fast_as_a_moment_of_the_recording_alone_is_outside(make_run
 
 
 def test_a_plan_may_use_the_names_and_units_of_the_recordings_columns(make_run, tmp_path):
-    table = recording(4).assign(angle_deg=lambda made: 360.0 * made["motor_turns"], t=lambda made: made["time_s"])
+    table = recording(4).assign(angle_deg=lambda frame: 360.0 * frame["motor_turns"], t=lambda frame: frame["time_s"])
     channels = {"time_s": "t", "motor_turns": {"column": "angle_deg", "unit": "deg"}}
     folder = make_run("named", table.drop(columns=["motor_turns", "time_s"]), channels=channels)
     path, out = tmp_path / "diagnosis.json", tmp_path / "a.csv"
@@ -552,8 +565,8 @@ def test_a_plan_may_use_the_names_and_units_of_the_recordings_columns(make_run, 
 
 def test_what_a_drive_is_taken_to_be_is_said_in_its_own_word(tmp_path):
     """A cable drive has no string, and `the string is taken to be as it was` stood in what simulate says of it."""
-    made = cases.make("cable-backlash", 3)
-    write_run(made, tmp_path / "raw/a-01")
+    drive_case = cases.make("cable-backlash", 3)
+    write_run(drive_case, tmp_path / "raw/a-01")
     planned = read_samples(tmp_path / "raw/a-01")[1].iloc[:3000]
     planned[["time_s", "motor_deg", "torque_nm"]].to_csv(tmp_path / "plan.csv", index=False)
     options = ("--motion", tmp_path / "plan.csv", "--out", tmp_path / "answer.csv")

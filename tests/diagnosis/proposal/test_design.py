@@ -16,11 +16,11 @@ RIG = Rig(SimpleNamespace(time_s=TIME_S, motion=TURNS, load=np.full(len(TIME_S),
 
 def seconds(legs: list[Leg], holds: bool = False, heavy: bool = False) -> float:
     """Seconds of holding still above the lowest twist, or under twice the load."""
-    at, found = RIG.low, 0.0
+    at, total_s = RIG.low, 0.0
     for lasts_s, to, load in legs:
-        found += lasts_s * ((holds and to == at > RIG.low) or (heavy and load > 30.0))
+        total_s += lasts_s * ((holds and to == at > RIG.low) or (heavy and load > 30.0))
         at = to
-    return found
+    return total_s
 
 
 def test_a_run_is_built_of_the_parts_that_its_tie_needs():
@@ -80,9 +80,9 @@ def test_every_candidate_has_a_stroke(name: str):
 
 @pytest.mark.parametrize("faster", [True, False])
 def test_a_rig_is_not_asked_for_what_it_cannot(faster: bool):
-    known = design.parts(RIG, loads=False, faster=faster)
-    assert {leg[2] for legs in known.values() for leg in legs} == {20.0}
-    assert any("twice the speed" in name for name in known) == faster
+    parts = design.parts(RIG, loads=False, faster=faster)
+    assert {leg[2] for legs in parts.values() for leg in legs} == {20.0}
+    assert any("twice the speed" in name for name in parts) == faster
 
 
 def test_what_a_part_costs_is_its_time_its_strokes_and_its_trouble():

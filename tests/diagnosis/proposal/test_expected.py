@@ -32,27 +32,31 @@ EXPECTED = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": 
 COVERED = {"load": [19.9, 20.1], "speed_per_s": [1.9, 2.1], "longest_hold_s": 3.0, "longest_rest_s": 60.0}
 
 
-def details(made: dict) -> str:
+def details(diagnosis: dict) -> str:
     """The details with their commands, on one line."""
-    made = spoken(made, SYSTEMS["mm"])
-    return " ".join(details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3")).split())
+    diagnosis = spoken(diagnosis, SYSTEMS["mm"])
+    return " ".join(details_text(diagnosis, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3")).split())
 
 
 def foretold(conceal, kind: str, rich: bool = True) -> list[dict]:
     """What each explanation of a recording with one effect foretells, the best one first."""
-    made, _ = diagnosed([RecordedRun(*read_strokes(conceal(kind, kappa=3.0, rich=rich)[0]))])
-    assert [entry["id"] for entry in made["mechanisms"]] == [kind]
-    known = made["evidence"]["expected"]["explanations"]
-    assert known[0]["ids"] == [kind] and len(known) > 1
-    for other in (other for other in known[1:] if kind not in other["ids"]):  # a larger set copies the best one
-        seen = [abs(other[key] - known[0][key]) for key in other.keys() & known[0].keys() if key.endswith("_mm")]
-        assert max(seen) >= 2.0 * made["evidence"]["floor_mm"], "a number parts them"
-    floor = made["evidence"]["floor_mm"]
-    for each in (each for each in known if each is known[0] or kind not in each["ids"]):
+    diagnosis, _ = diagnosed([RecordedRun(*read_strokes(conceal(kind, kappa=3.0, rich=rich)[0]))])
+    assert [entry["id"] for entry in diagnosis["mechanisms"]] == [kind]
+    explanations = diagnosis["evidence"]["expected"]["explanations"]
+    assert explanations[0]["ids"] == [kind] and len(explanations) > 1
+    for other in (other for other in explanations[1:] if kind not in other["ids"]):  # a larger set copies the best one
+        seen = [
+            abs(other[key] - explanations[0][key])
+            for key in other.keys() & explanations[0].keys()
+            if key.endswith("_mm")
+        ]
+        assert max(seen) >= 2.0 * diagnosis["evidence"]["floor_mm"], "a number parts them"
+    floor = diagnosis["evidence"]["floor_mm"]
+    for each in (each for each in explanations if each is explanations[0] or kind not in each["ids"]):
         assert each["plus_minus"].keys() == {key for key in each if key.endswith("_mm")}, "each number has its own"
         assert all(half >= 1.6 * floor for half in each["plus_minus"].values()), "the noise at least"
-    assert known[0]["plus_minus"]["loop_as_before_mm"] < 20.0 * floor
-    return known
+    assert explanations[0]["plus_minus"]["loop_as_before_mm"] < 20.0 * floor
+    return explanations
 
 
 @pytest.mark.long
@@ -92,8 +96,8 @@ def test_wear_goes_on_at_the_highest_twist_and_has_no_loop(conceal):
 
 
 def test_the_table_has_a_column_for_each_explanation_and_no_row_that_nobody_would_see():
-    made = content(evidence__expected=EXPECTED)
-    rows = [re.split(r" {3,}", line) for line in lines(made, WORDS)]
+    diagnosis = content(evidence__expected=EXPECTED)
+    rows = [re.split(r" {3,}", line) for line in lines(diagnosis, WORDS)]
     assert rows[0] == ["What to expect of", "with creep", "with thermal"], "without what both have"
     assert rows[1:4] == [
         ["change in a hold of 2 min at 30.7 turns under 20 N", "-0.28 mm", "hardly"],
@@ -155,10 +159,10 @@ def test_where_the_one_explanation_stands_alone_the_page_says_which_loop_speaks_
 def test_where_no_number_tells_the_explanations_apart_no_table_stands_and_one_sentence_says_so():
     """A table "What to expect of" stood there, and below it that no number of it tells them apart."""
     both = [with_spread(CREEP, 0.3), with_spread(HEAT, 0.3)]
-    known = EXPECTED | {"explanations": both}
+    expectation = EXPECTED | {"explanations": both}
     whole = "A single number does not decide. Only the fit of the whole run together with this one does."
-    assert lines(content(evidence__expected=known), WORDS) == [whole], "a run that can decide is advised"
-    table = lines(content(evidence__expected=known, next_run=None), WORDS)
+    assert lines(content(evidence__expected=expectation), WORDS) == [whole], "a run that can decide is advised"
+    table = lines(content(evidence__expected=expectation, next_run=None), WORDS)
     assert len(table) == 2 and table[0].startswith("No number of one stroke, hold or rest tells the explanations apart")
     assert table[-1] == "A hold and a rest of 2 min do not tell creep from thermal here.", "said plainly"
     more = with_spread(CREEP | {"ids": [*BOTH, "sensor_drift"]}, 0.3)
@@ -168,20 +172,20 @@ def test_where_no_number_tells_the_explanations_apart_no_table_stands_and_one_se
 
 
 @pytest.mark.parametrize(
-    ("value", "half", "said"),
+    ("value", "half", "expected_words"),
     [
         (0.42, 0.061, "0.42 ± 0.06 mm"), (0.4211, 0.0123, "0.421 ± 0.012 mm"), (0.4, 0.096, "0.40 ± 0.10 mm"),
         (2.5, 32.5, "2 ± 32 mm"), (0.0002, 0.0004, "0.2 ± 0.4 µm"),
     ],
 )  # fmt: skip
-def test_a_number_is_said_to_the_digits_that_its_interval_leaves(value, half, said):
-    assert plus_minus(value, half, "mm") == said
+def test_a_number_is_said_to_the_digits_that_its_interval_leaves(value, half, expected_words):
+    assert plus_minus(value, half, "mm") == expected_words
 
 
 def test_what_lacks_a_part_of_the_best_explanation_comes_before_what_adds_to_it():
     more = CREEP | {"ids": [*BOTH, "sensor_drift"], "loop_as_before_mm": 0.3}
-    made = content(evidence__expected=EXPECTED | {"explanations": [CREEP, more, HEAT]})
-    table = " ".join(lines(made, WORDS))
+    diagnosis = content(evidence__expected=EXPECTED | {"explanations": [CREEP, more, HEAT]})
+    table = " ".join(lines(diagnosis, WORDS))
     assert "(1) with creep; (2) with thermal; (3) with creep + sensor_drift." in table
 
 
@@ -203,8 +207,8 @@ def test_every_other_load_of_a_run_is_said_also_where_they_change_within_it():
 
 def test_more_strokes_have_a_row_where_an_effect_is_slow():
     explanation = {"ids": BOTH, "top_mm": 0.11}
-    made = content(evidence__expected=EXPECTED | {"strokes": 10, "explanations": [explanation]})
-    assert "change at 30.7 turns, from the next stroke to the 10th   +0.11 mm" in lines(made, WORDS)
+    diagnosis = content(evidence__expected=EXPECTED | {"strokes": 10, "explanations": [explanation]})
+    assert "change at 30.7 turns, from the next stroke to the 10th   +0.11 mm" in lines(diagnosis, WORDS)
 
 
 def test_the_page_of_one_explanation_has_the_table_and_the_details_of_a_tie_have_it():
@@ -216,8 +220,8 @@ def test_the_page_of_one_explanation_has_the_table_and_the_details_of_a_tie_have
 
 
 def test_the_page_of_a_tie_says_by_how_much_the_readings_part_in_the_run():
-    made = content(next_run__apart={"by_mm": 0.31, "motor_turns": 12.3, "first_mm": 31.42, "second_mm": 31.73})
-    text = " ".join(full(made).split())
+    diagnosis = content(next_run__apart={"by_mm": 0.31, "motor_turns": 12.3, "first_mm": 31.42, "second_mm": 31.73})
+    text = " ".join(full(diagnosis).split())
     both = "friction_hysteresis + creep 31.42 mm friction_hysteresis + thermal 31.73 mm"
     assert f"it is to tell apart reading in it, twist near 12 turns {both}" in text
     assert "their difference, if the run follows this one at once 0.31 mm" in text
@@ -276,9 +280,9 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
 
 def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
     text = " ".join(full(content(evidence__covered=COVERED)).split())
-    known = "0 to 30.7 turns, 1.52 to 2.1 turns/s, 20 N, holds of up to 6 s, rests of up to 2 min"
+    range_words = "0 to 30.7 turns, 1.52 to 2.1 turns/s, 20 N, holds of up to 6 s, rests of up to 2 min"
     wider = "(speeds, holds and rests reach further than recorded)."
-    band = f"A plan has an error band within {known} and reversals near"
+    band = f"A plan has an error band within {range_words} and reversals near"
     assert f"{band} recorded ones {wider}" in text, "an older file"
     turned = {"turned": {"top": [[14.9, 15.1], [30.0, 30.7]], "bottom": [[0.0, 0.0]]}}
     text = " ".join(full(content(evidence__covered=COVERED | turned)).split())
@@ -319,10 +323,10 @@ def test_an_effect_is_sure_only_if_what_tells_it_from_others_was_recorded():
 
 
 def test_after_adopting_the_page_says_which_sign_of_a_name_is_still_open():
-    made = content(evidence__loaded=True, evidence__covered=COVERED)
-    ((head, line, *_),) = of_adopted(made, WORDS, ["viscous_loss", "jam"], [Path("raw/nylon-3")], short=False)
+    diagnosis = content(evidence__loaded=True, evidence__covered=COVERED)
+    ((head, line, *_),) = of_adopted(diagnosis, WORDS, ["viscous_loss", "jam"], [Path("raw/nylon-3")], short=False)
     assert "no second speed." in head and line == "- viscous_loss: three speeds and small strokes at low twist."
-    assert of_adopted(made, WORDS, ["jam", "gone"], [Path("raw/nylon-3")], short=False) == []
+    assert of_adopted(diagnosis, WORDS, ["jam", "gone"], [Path("raw/nylon-3")], short=False) == []
 
 
 @pytest.mark.parametrize(
@@ -358,25 +362,27 @@ def test_when_a_plan_leaves_what_was_recorded_is_said_in_seconds():
 def test_columns_whose_heads_do_not_fit_on_the_page_have_numbers():
     """The third of three likely explanations was left out of the table, and nothing said so."""
     wide = {"ids": ["plastic_elongation", "radius_compaction"], "loop_as_before_mm": 0.1, "hold_mm": 0.1}
-    made = content(evidence__expected=EXPECTED | {"explanations": [CREEP, HEAT, wide]})
-    table = lines(made, WORDS)
+    diagnosis = content(evidence__expected=EXPECTED | {"explanations": [CREEP, HEAT, wide]})
+    table = lines(diagnosis, WORDS)
     assert table[0].split()[-3:] == ["(1)", "(2)", "(3)"] and max(map(len, table[:2])) <= 105
     assert "(3) plastic_elongation + radius_compaction" in " ".join(table)
 
 
 def test_a_likely_explanation_without_numbers_is_named_below_the_table():
-    made = content(evidence__expected=EXPECTED | {"explanations": [CREEP, HEAT]})
-    assert "not in the table" not in " ".join(lines(made, WORDS))
-    made["alternatives"] = [HEAT["ids"], ["wear"], ["jam", "slack"]]
-    said = "Likely too, but not in the table: wear and jam + slack. Only 2 explanations are foretold."
-    assert said in lines(made, WORDS)
+    diagnosis = content(evidence__expected=EXPECTED | {"explanations": [CREEP, HEAT]})
+    assert "not in the table" not in " ".join(lines(diagnosis, WORDS))
+    diagnosis["alternatives"] = [HEAT["ids"], ["wear"], ["jam", "slack"]]
+    sentence = "Likely too, but not in the table: wear and jam + slack. Only 2 explanations are foretold."
+    assert sentence in lines(diagnosis, WORDS)
 
 
-@pytest.mark.parametrize(("id_", "stand_s", "known"), [("sensor_drift", 160.0, False), ("sensor_drift", 140.0, True),
-                                                       ("creep", 160.0, True)])  # fmt: skip
-def test_no_drift_is_foretold_for_longer_than_it_was_recorded(id_, stand_s, known):
+@pytest.mark.parametrize(
+    ("id_", "stand_s", "is_foretold"),
+    [("sensor_drift", 160.0, False), ("sensor_drift", 140.0, True), ("creep", 160.0, True)],
+)
+def test_no_drift_is_foretold_for_longer_than_it_was_recorded(id_, stand_s, is_foretold):
     record, drivers = SimpleNamespace(time_s=np.linspace(0.0, 300.0, 50)), SimpleNamespace(loaded=False)
     study = SimpleNamespace(problem=SimpleNamespace(record=record, drivers=drivers))
     state = SimpleNamespace(acts=(Act(id_, ({},), (1.0,)),))
     which = expected._which(study, SimpleNamespace(load=10.0), {"stand_s": stand_s}, state)
-    assert ("hold" in which, "rest" in which) == (known, known)
+    assert ("hold" in which, "rest" in which) == (is_foretold, is_foretold)

@@ -38,33 +38,33 @@ def record() -> Record:
 
 
 def test_loads_and_speeds_are_those_that_were_made():
-    found = covered(record())
-    assert found["load"] == [10.0, 20.0] and found["speed_per_s"] == pytest.approx([2.0, 4.0])
+    ranges = covered(record())
+    assert ranges["load"] == [10.0, 20.0] and ranges["speed_per_s"] == pytest.approx([2.0, 4.0])
 
 
 def runs(*lengths_s: float) -> list[RecordedRun]:
     """A run for each length, whose rests and holds last so long."""
-    made = []
+    recorded_runs = []
     for lasts_s in lengths_s:
         corners_s = np.cumsum([0.0, lasts_s, 5.0, 0.6 * lasts_s, 5.0, 2.0])
         time_s = np.arange(0.0, corners_s[-1], 0.02)
         turns = np.interp(time_s, corners_s, [0.0, 0.0, 20.0, 20.0, 0.0, 0.0])
         table = pd.DataFrame({"time_s": time_s, "motor_turns": turns, "displacement_mm": 0.0})
-        made.append(RecordedRun.cut(RUN, table))
-    return made
+        recorded_runs.append(RecordedRun.cut(RUN, table))
+    return recorded_runs
 
 
 def test_holds_and_rests_are_those_that_were_made_and_none_goes_on_in_the_next_run():
-    found = pauses(runs(4.0, 7.0))
-    assert found["longest_rest_s"] == pytest.approx(7.0, abs=0.3)
-    assert found["longest_hold_s"] == pytest.approx(4.2, abs=0.3)
+    longest = pauses(runs(4.0, 7.0))
+    assert longest["longest_rest_s"] == pytest.approx(7.0, abs=0.3)
+    assert longest["longest_hold_s"] == pytest.approx(4.2, abs=0.3)
 
 
 def test_a_planned_motion_is_told_the_same_pauses_as_the_verdict_says():
-    (one,) = runs(4.0)
-    recorded = Recorded([one.samples], [one.strokes], "motor_turns")
-    assert pauses([one]) == {f"longest_{name}_s": recorded.longest_s(name) for name in ("hold", "rest")}
+    (single_run,) = runs(4.0)
+    recorded = Recorded([single_run.samples], [single_run.strokes], "motor_turns")
+    assert pauses([single_run]) == {f"longest_{name}_s": recorded.longest_s(name) for name in ("hold", "rest")}
     plan = pd.DataFrame({"time_s": np.arange(0.0, 40.0, 0.02), "motor_turns": 20.0, "displacement_mm": 0.0})
     plan.loc[:100, "motor_turns"] = np.linspace(12.0, 20.0, 101)
     (asks,) = outside(RUN, plan, recorded).asks
-    assert f"twice the longest that was recorded, {pauses([one])['longest_hold_s']:.3g} s, and 5 %)" in asks
+    assert f"twice the longest that was recorded, {pauses([single_run])['longest_hold_s']:.3g} s, and 5 %)" in asks

@@ -32,11 +32,11 @@ def cut_once(monkeypatch: pytest.MonkeyPatch) -> RecordedRun:
 def test_the_strokes_of_samples_are_those_that_of_samples_gives_back():
     samples = recording()
     table = segment(samples, "motor_turns", "a-1")
-    made = stretches(*of_samples(table))
-    for name in made:
-        assert made[name].tolist() == table[name].tolist(), name
+    rebuilt = stretches(*of_samples(table))
+    for name in rebuilt:
+        assert rebuilt[name].tolist() == table[name].tolist(), name
     motion = (samples["time_s"].to_numpy(), samples["motor_turns"].to_numpy())
-    assert stretches(*label(*motion)).to_numpy().tolist() == made.to_numpy().tolist()
+    assert stretches(*label(*motion)).to_numpy().tolist() == rebuilt.to_numpy().tolist()
     assert stretches(np.zeros(0, int), np.zeros(0, object)).empty
 
 
@@ -71,6 +71,6 @@ def test_a_recording_that_is_held_is_not_read_again(tmp_path, cut_once):
     folder = tmp_path / "a-1"
     folder.mkdir()
     (folder / "recording.csv").write_text("nobody reads this")
-    held = RecordedRun(cut_once.run, cut_once.samples, cut_once.strokes, folder)
-    (taken,) = recordings_of({"run": "a-1"}, tmp_path / "diagnosis.json", folder, [held])  # type: ignore[typeddict-item]
-    assert taken.samples is held.samples and taken.strokes is held.strokes
+    held_run = RecordedRun(cut_once.run, cut_once.samples, cut_once.strokes, folder)
+    (taken,) = recordings_of({"run": "a-1"}, tmp_path / "diagnosis.json", folder, [held_run])  # type: ignore[typeddict-item]
+    assert taken.samples is held_run.samples and taken.strokes is held_run.strokes

@@ -68,9 +68,9 @@ def test_it_foretells_strokes_that_no_fit_has_seen(tmp_path):
     errors, study = heldout.held_out(problem, fine, own_rate.to_polish([run], fine))
     bare = replace(study.best, acts=tuple(act for act in study.best.acts if act not in study.problem.beside))
     unseen = fine.record.time_s >= errors["until_s"]
-    left = (fine.measured - fine.simulate(bare))[unseen]
+    residual = (fine.measured - fine.simulate(bare))[unseen]
     assert study.problem.beside and errors["chosen"] == ["friction_hysteresis"]
-    assert errors["explained"] < 0.8 * float(np.std(left))
+    assert errors["explained"] < 0.8 * float(np.std(residual))
 
 
 def test_the_nominal_simulator_stays_that_of_run_yaml(tmp_path):

@@ -13,8 +13,8 @@ from pipeline.run.samples import read_samples
 
 def verdict(folder) -> tuple[str, tuple[str, ...]]:
     run, samples = read_samples(folder)
-    found = study(make_problem([RecordedRun.cut(run, samples)]))
-    return found.verdict, found.best_ids
+    outcome = study(make_problem([RecordedRun.cut(run, samples)]))
+    return outcome.verdict, outcome.best_ids
 
 
 LONG = [pytest.param(kind, marks=pytest.mark.long) for kind in ("backlash", "sensor_lag")]
@@ -45,10 +45,10 @@ def test_what_no_mechanism_makes_is_unknown(conceal) -> None:
 @pytest.mark.long
 def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_load, monkeypatch) -> None:
     problem, run = one_load
-    found = study(problem)
-    rivals = found.search.all_of(1)[:3]
-    assert any(problem.ports(found.search.linear.state.acts))
-    proposal = next_runs.best(problem, run, found.noise, found.search, rivals)
+    outcome = study(problem)
+    rivals = outcome.search.all_of(1)[:3]
+    assert any(problem.ports(outcome.search.linear.state.acts))
+    proposal = next_runs.best(problem, run, outcome.noise, outcome.search, rivals)
     possible = design.parts(Rig(problem.record), loads=True, faster=True)
     assert set(proposal.title.split("; ")) <= set(possible) and all(leg[0] > 0 for leg in proposal.legs)
     entry = proposal.entry(run, fixed_load=True)
@@ -57,40 +57,40 @@ def test_an_experiment_under_another_load_can_be_thought_of_after_one_load(one_l
     assert min(pair["gap_then"] for pair in entry["pairs"]) == entry["gap_then"]
     assert min(pair["gap_now"] for pair in entry["pairs"]) == entry["gap_now"]
     assert [leg["seconds"] for leg in entry["legs"]] == [leg[0] for leg in proposal.legs]
-    asked, plain = [], next_runs.separations
+    record_lengths, plain = [], next_runs.separations
 
-    def counted(*told):
-        asked.append(len(told[-1]))
-        return plain(*told)
+    def counted(*arguments):
+        record_lengths.append(len(arguments[-1]))
+        return plain(*arguments)
 
     monkeypatch.setattr(next_runs, "separations", counted)
-    first = next_runs.best(problem, run, found.noise, found.search, rivals)
-    alone = len(asked)
-    every = next_runs.options(problem, run, found.noise, found.search, rivals)
+    first = next_runs.best(problem, run, outcome.noise, outcome.search, rivals)
+    alone = len(record_lengths)
+    every = next_runs.options(problem, run, outcome.noise, outcome.search, rivals)
     assert (first.title, first.legs, first.then) == (proposal.title, proposal.legs, proposal.then)
     assert (every[0].title, every[0].then) == (first.title, first.then)  # the best is the first, for less
-    assert 0 < alone < len(asked) - alone
+    assert 0 < alone < len(record_lengths) - alone
 
 
 def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
     run, samples = read_samples(conceal(seed=31)[0])
     sway = samples.assign(displacement_mm=samples["displacement_mm"] + 0.1 * np.sin(4.1 * samples["time_s"]))
-    found = study(make_problem([RecordedRun.cut(run, sway)]))
-    assert found.verdict == "unknown" and found.best_ids == ("x_wave",)
+    outcome = study(make_problem([RecordedRun.cut(run, sway)]))
+    assert outcome.verdict == "unknown" and outcome.best_ids == ("x_wave",)
 
 
 @pytest.mark.parametrize("kind", [pytest.param("u_clock", marks=pytest.mark.long), "u_swelling"])
 def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(kind: str, conceal) -> None:
-    found, ids = verdict(conceal(kind, kappa=3.0, seed=5)[0])
+    verdict_word, ids = verdict(conceal(kind, kappa=3.0, seed=5)[0])
     helper = {"u_clock": "x_clock", "u_swelling": "x_swelling"}[kind]
-    assert found == "unknown" and helper in ids
+    assert verdict_word == "unknown" and helper in ids
 
 
 def test_nothing_acts_twice_in_an_explanation_whose_jerks_are_seen_as_well(conceal) -> None:
     run, samples = read_samples(conceal("stick_slip", kappa=3.0, seed=5)[0])
-    found = study(make_problem([RecordedRun.cut(run, samples)]))
-    assert "stick_slip" in found.best_ids
-    assert len(found.best.acts) == len({act.id for act in found.best.acts})
+    outcome = study(make_problem([RecordedRun.cut(run, samples)]))
+    assert "stick_slip" in outcome.best_ids
+    assert len(outcome.best.acts) == len({act.id for act in outcome.best.acts})
 
 
 def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
@@ -102,5 +102,5 @@ def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
 
     monkeypatch.setattr(Search, "select", fickle)
     run, samples = read_samples(conceal("creep")[0])
-    found = study(make_problem([RecordedRun.cut(run, samples)]))
-    assert len(calls) == 2 and found.sets == [] and found.best is found.base and found.verdict == "unknown"
+    outcome = study(make_problem([RecordedRun.cut(run, samples)]))
+    assert len(calls) == 2 and outcome.sets == [] and outcome.best is outcome.base and outcome.verdict == "unknown"

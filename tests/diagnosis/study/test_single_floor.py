@@ -23,10 +23,10 @@ def test_a_drive_tells_the_noise_of_single_samples_and_over_how_long_it_averages
     state = calibrate.base(problem)
     averages = float(np.std(fine.measured - fine.simulate(state)))
     study = SimpleNamespace(problem=problem, best=state)
-    known = single_floor(study, fine, recorded, averages)
-    assert known["scored_step_s"] == pytest.approx(step_s, rel=0.05)
+    noise_facts = single_floor(study, fine, recorded, averages)
+    assert noise_facts["scored_step_s"] == pytest.approx(step_s, rel=0.05)
     if problem.system.differentiates:  # simulate and adopt count averages there too
-        assert f"single_floor_{ending}" not in known
+        assert f"single_floor_{ending}" not in noise_facts
     else:
-        assert known[f"single_floor_{ending}"] > 1.05 * averages
+        assert noise_facts[f"single_floor_{ending}"] > 1.05 * averages
     assert single_floor(study, make_problem(recorded, most=10**9, thin=False), recorded, averages) == {}

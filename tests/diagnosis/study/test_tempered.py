@@ -47,8 +47,8 @@ def left(study):
 def test_a_mean_of_correlated_samples_errs_by_more_than_their_variance_says():
     draw = np.random.default_rng(1).normal(0.0, 2.0, 40_000)
     assert tempered.long_run_variance(draw) == pytest.approx(4.0, rel=0.1)
-    held = np.repeat(draw[:4000], 10)  # each says the same ten times
-    assert tempered.long_run_variance(held) == pytest.approx(40.0, rel=0.15)
+    repeated = np.repeat(draw[:4000], 10)  # each says the same ten times
+    assert tempered.long_run_variance(repeated) == pytest.approx(40.0, rel=0.15)
     assert tempered.long_run_variance(np.tile([1.0, -1.0], 50)) > 0.0
 
 
@@ -73,14 +73,14 @@ def test_what_no_dimension_explains_moves_dimensions_less_and_hardly_shows(one_l
 def test_its_intervals_are_no_narrower_than_the_fit_knows(one_load):
     problem = recorded(one_load[0], structure_mm=0.1)
     after = tempered.tempered(unknown(problem), problem)
-    known = intervals.intervals(problem, after.state, after.noise)
-    wide = known.at_least(after.spreads).parameters
+    fit_intervals = intervals.intervals(problem, after.state, after.noise)
+    wide = fit_intervals.at_least(after.spreads).parameters
     for index in problem.movable:
         parameter = problem.parameters[index]
-        held, before = wide[parameter.name], known.parameters[parameter.name]
-        assert held.low <= before.low and held.high >= before.high
+        widened, before = wide[parameter.name], fit_intervals.parameters[parameter.name]
+        assert widened.low <= before.low and widened.high >= before.high
         reach = intervals.Z90 * after.spreads[parameter.name]
-        assert held.low <= held.value - reach and held.high >= held.value + reach, parameter.name
+        assert widened.low <= widened.value - reach and widened.high >= widened.value + reach, parameter.name
         assert 0.0 < after.spreads[parameter.name] <= parameter.sigma * (1.0 + 1e-9), "no farther than it was measured"
 
 

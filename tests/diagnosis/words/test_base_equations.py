@@ -29,8 +29,8 @@ def worked_out(equation: str, values: dict) -> np.ndarray:
 def bare() -> dict:
     """Every quantity of the page, in the order in which each follows from those before it."""
     values = dict(GIVEN)
-    for left in ("r", "y", "L", "x", "sin a", "tan a"):
-        values[left] = worked_out(EQUATIONS[left], values)
+    for symbol in ("r", "y", "L", "x", "sin a", "tan a"):
+        values[symbol] = worked_out(EQUATIONS[symbol], values)
     return values
 
 

@@ -24,9 +24,11 @@ def test_each_number_that_decides_says_what_it_means(module: str) -> None:
 
 
 def test_numbers_are_there_as_they_are_and_modules_that_decide_nothing_are_modules() -> None:
-    listed = {module: {number.names: number.value for number in held} for module, held in LISTED.items()}
-    held = listed["choice/judged.py"]
-    assert held["HELD"] == str(judged.HELD) and held["UNKNOWN"] == str(judged.UNKNOWN)
+    listed = {
+        module: {number.names: number.value for number in module_numbers} for module, module_numbers in LISTED.items()
+    }
+    constants = listed["choice/judged.py"]
+    assert constants["HELD"] == str(judged.HELD) and constants["UNKNOWN"] == str(judged.UNKNOWN)
     assert listed["choice/search.py"]["LEAST_GAIN, EXPLAINED"] == f"{search.LEAST_GAIN}, {search.EXPLAINED}"
     assert sum(map(len, listed.values())) > 100 and any(module.startswith("mechanisms/") for module in listed)
     assert set(DECIDE_NOTHING) <= {path.stem for path in ROOM.rglob("*.py")}

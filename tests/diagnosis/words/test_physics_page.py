@@ -17,8 +17,10 @@ def test_the_page_is_what_the_library_makes() -> None:
 
 @pytest.mark.parametrize("id_", sorted(mechanisms()))
 def test_each_mechanism_has_an_equation_a_source_and_what_tells_it_apart(id_: str) -> None:
-    one = mechanisms()[id_]
-    assert all((one.equation, one.source, one.told_apart_by, one.confused_with, one.driver))
-    assert "physics.md" not in one.source, "a source is one that a reader can find"
-    said = entry(one)
-    assert f"`{one.equation}`" in said and f"- source: {one.source}" in said
+    mechanism = mechanisms()[id_]
+    assert all(
+        (mechanism.equation, mechanism.source, mechanism.told_apart_by, mechanism.confused_with, mechanism.driver)
+    )
+    assert "physics.md" not in mechanism.source, "a source is one that a reader can find"
+    section = entry(mechanism)
+    assert f"`{mechanism.equation}`" in section and f"- source: {mechanism.source}" in section

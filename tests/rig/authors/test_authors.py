@@ -18,8 +18,8 @@ PHYSICS = {  # named in docs/physics.md
 }  # fmt: skip
 
 
-def program(*given):
-    return programs.run("pipeline.rig.authors", *given)
+def program(*words):
+    return programs.run("pipeline.rig.authors", *words)
 
 
 def asked(raw, answer, *more):
@@ -47,13 +47,13 @@ def test_the_program_writes_a_run_that_tells_nothing_and_an_answer_that_tells_al
     assert done.stdout == f"written: {raw / 'case-001'} (what is hidden: {answer})\n"
     _, samples = read_samples(raw / "case-001")
     assert {"time_s", "motor_turns", "displacement_mm"} <= set(samples)
-    told = json.loads(answer.read_text())
-    assert [effect["id"] for effect in told["effects"]] == ["backlash", "creep"]
-    assert (told["author"], told["seed"], told["protocol"], told["run"]) == ("lattice", 8, "usual", "case-001")
+    truth = json.loads(answer.read_text())
+    assert [effect["id"] for effect in truth["effects"]] == ["backlash", "creep"]
+    assert (truth["author"], truth["seed"], truth["protocol"], truth["run"]) == ("lattice", 8, "usual", "case-001")
     assert sorted(path.name for path in raw.rglob("*") if path.is_file()) == ["recording.parquet", "run.yaml"]
     text = (raw / "case-001" / "run.yaml").read_text()
     recording = (raw / "case-001" / "recording.parquet").read_bytes()
-    for word in ("backlash", "creep", "lattice", *(effect["law"] for effect in told["effects"])):
+    for word in ("backlash", "creep", "lattice", *(effect["law"] for effect in truth["effects"])):
         assert word not in text and word.encode() not in recording
     assert program(*asked(raw, tmp_path / "again.json", *effects)).returncode == 2, "a run is never overwritten"
     assert not (tmp_path / "again.json").exists()
@@ -63,7 +63,7 @@ def test_the_program_writes_a_run_that_tells_nothing_and_an_answer_that_tells_al
 
 
 @pytest.mark.parametrize(
-    ("more", "said"),
+    ("more", "message"),
     [
         (("--effect", "gremlins", "--kappa", 1), "'gremlins' is not known"),
         (("--effect", "creep", "--kappa", 1, 2), "give one size for each effect"),
@@ -71,9 +71,9 @@ def test_the_program_writes_a_run_that_tells_nothing_and_an_answer_that_tells_al
         (("--effect", "creep", "--kappa", 1e9), "is out of reach"),
     ],
 )
-def test_what_cannot_be_made_is_said_and_nothing_is_written(tmp_path, more, said):
+def test_what_cannot_be_made_is_said_and_nothing_is_written(tmp_path, more, message):
     done = program(*asked(tmp_path / "raw", tmp_path / "answer.json", *more))
-    assert done.returncode == 2 and said in done.stderr and "Mend:" in done.stderr
+    assert done.returncode == 2 and message in done.stderr and "Mend:" in done.stderr
     assert not [path for path in tmp_path.rglob("*") if path.is_file()]
 
 
@@ -119,5 +119,5 @@ def test_a_string_lives_on_through_legs(name):
     after = longer.table[time_s > begins_s + 8.0]
     assert after["motor_turns"].max() == pytest.approx(top, abs=0.3)  # the encoder has its own zero
     assert after["load_n"].max() == pytest.approx(2.0 * load_n, rel=0.05)
-    laws = [[(one["id"], one["law"]) for one in made.truth["effects"]] for made in (alone, longer)]
+    laws = [[(effect["id"], effect["law"]) for effect in recording.truth["effects"]] for recording in (alone, longer)]
     assert laws[0] == laws[1]

@@ -41,9 +41,9 @@ STROKE = ((10.0, 20.0), (2.0, 20.0), (10.0, 0.2), (20.0, 0.2))
 
 
 def hidden(effect, law, seed=1, **fixed):
-    one = next(found for found in BY_EFFECT[effect] if found.name == law)
-    parameters = {**one.drawn(np.random.default_rng(seed)), "wander": 0.0, **fixed}
-    return Hidden(effect, one, parameters, SIZES.get(effect, 0.5))
+    chosen_law = next(candidate for candidate in BY_EFFECT[effect] if candidate.name == law)
+    parameters = {**chosen_law.drawn(np.random.default_rng(seed)), "wander": 0.0, **fixed}
+    return Hidden(effect, chosen_law, parameters, SIZES.get(effect, 0.5))
 
 
 def change(bench, effect, law, **fixed):
@@ -76,15 +76,15 @@ def case(effect, law):
 
 @pytest.mark.parametrize(("effect", "law"), EVERY)
 def test_every_law_makes_a_recording_of_the_size_that_was_asked(effect, law, tmp_path):
-    _, made = case(effect, law)
-    told = made.truth["effects"][0]
-    assert (told["id"], told["law"]) == (effect, law)
-    assert told["kappa"] == pytest.approx(4.0, rel=0.1)
-    assert told["rms_mm"] > 0.5 * made.truth["noise_floor_mm"]
-    assert np.isfinite(made.table.to_numpy()).all() and len(made.table) <= 25_000
+    _, recording = case(effect, law)
+    hidden_effect = recording.truth["effects"][0]
+    assert (hidden_effect["id"], hidden_effect["law"]) == (effect, law)
+    assert hidden_effect["kappa"] == pytest.approx(4.0, rel=0.1)
+    assert hidden_effect["rms_mm"] > 0.5 * recording.truth["noise_floor_mm"]
+    assert np.isfinite(recording.table.to_numpy()).all() and len(recording.table) <= 25_000
     (tmp_path / "case").mkdir()
-    (tmp_path / "case" / "run.yaml").write_text(yaml.safe_dump({"run": "case", **made.content}, sort_keys=False))
-    made.table.to_parquet(tmp_path / "case" / "recording.parquet", index=False)
+    (tmp_path / "case" / "run.yaml").write_text(yaml.safe_dump({"run": "case", **recording.content}, sort_keys=False))
+    recording.table.to_parquet(tmp_path / "case" / "recording.parquet", index=False)
     _, samples = read_samples(tmp_path / "case")
     assert 180.0 < np.ptp(samples["time_s"]) < 600.0
 
@@ -94,44 +94,44 @@ def test_the_laws_of_one_effect_differ(effect):
     more = ((4.0, 20.0), (15.0, 20.0), (4.0, 0.2), (8.0, 0.2), (25.0, 14.0), (9.0, 0.2))
     bench = motion(*STROKE, *more, load=[(0, 20), (42, 20), (43, 40), (60, 40), (70, 12), (200, 12)])
     seen = [change(bench, effect, law) for law in LAWS[effect]]
-    for i, one in enumerate(seen):
-        assert np.ptp(one) > 1e-4
+    for i, shape in enumerate(seen):
+        assert np.ptp(shape) > 1e-4
         for other in seen[:i]:
-            alike = np.std(one - other * np.dot(one, other) / np.dot(other, other)) / np.std(one)
+            alike = np.std(shape - other * np.dot(shape, other) / np.dot(other, other)) / np.std(shape)
             assert alike > 0.003, (LAWS[effect][i], alike)
 
 
 def test_a_seed_makes_one_recording_and_another_seed_another():
-    asked = Asked(5, ("creep", "backlash"), (3.0, 2.0), "usual")
-    one, again = make(asked), make(asked)
-    assert one.content == again.content and one.truth == again.truth and one.table.equals(again.table)
+    request = Asked(5, ("creep", "backlash"), (3.0, 2.0), "usual")
+    recording, again = make(request), make(request)
+    assert recording.content == again.content and recording.truth == again.truth and recording.table.equals(again.table)
     plain = make(Asked(5, (), (), "usual"))
-    assert plain.content == one.content and plain.truth["noise_floor_mm"] == one.truth["noise_floor_mm"]
-    assert plain.table.drop(columns="displacement_mm").equals(one.table.drop(columns="displacement_mm"))
-    assert make(replace(asked, seed=6)).content != one.content
-    assert [effect["kappa"] for effect in one.truth["effects"]] == pytest.approx([3.0, 2.0], rel=0.1)
+    assert plain.content == recording.content and plain.truth["noise_floor_mm"] == recording.truth["noise_floor_mm"]
+    assert plain.table.drop(columns="displacement_mm").equals(recording.table.drop(columns="displacement_mm"))
+    assert make(replace(request, seed=6)).content != recording.content
+    assert [effect["kappa"] for effect in recording.truth["effects"]] == pytest.approx([3.0, 2.0], rel=0.1)
 
 
 @pytest.mark.parametrize(("seed", "protocol"), [(1, "rich"), (2, "usual"), (3, "poor")])
 def test_without_effects_calibration_leaves_noise(seed, protocol):
-    made = make(Asked(seed, (), (), protocol))
-    string, rig, table = made.content["string"], made.content["rig"], made.table
+    recording = make(Asked(seed, (), (), protocol))
+    string, rig, table = recording.content["string"], recording.content["rig"], recording.table
     load_n = table["load_n"].to_numpy() if "load_n" in table else rig["load_n"]
     measured = table["displacement_mm"].to_numpy()
 
-    def left(p):
+    def residual(p):
         moved = {
             "torsion_zone_mm": rig.get("torsion_zone_mm", np.nan) + p[2],
             "separator_mm": rig.get("separator_mm", np.nan) + p[1],
         }
         radius_mm, length_mm = string["radius_mm"] * (1 + 0.03 * p[0]), string["length_mm"] + 2.0 * p[3]
-        geometry = Geometry(made.content["actuator"], radius_mm, length_mm, 30.0, **moved)
+        geometry = Geometry(recording.content["actuator"], radius_mm, length_mm, 30.0, **moved)
         x = (1 + 0.005 * p[4]) * geometry.contraction_mm(table["motor_turns"].to_numpy() + 0.05 * p[5], load_n)
         return (lambda e: e - np.median(e))(measured - x)
 
-    found = least_squares(left, np.zeros(6), bounds=(-3, 3), loss="soft_l1", f_scale=0.05)
-    rest = left(found.x)
-    floor_mm = made.truth["noise_floor_mm"]
+    solution = least_squares(residual, np.zeros(6), bounds=(-3, 3), loss="soft_l1", f_scale=0.05)
+    rest = residual(solution.x)
+    floor_mm = recording.truth["noise_floor_mm"]
     assert np.std(rest[np.abs(rest) < 6 * floor_mm]) == pytest.approx(floor_mm, rel=0.1)
 
 

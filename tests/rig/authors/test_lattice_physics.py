@@ -53,9 +53,9 @@ def error_mm(law, world, params):
 
 def at_turns(world, error, phase, name, turns):
     """The error where a phase passes the given twists."""
-    here = phase == name
-    order = np.argsort(world.turns[here], kind="stable")
-    return np.interp(turns, world.turns[here][order], error[here][order])
+    in_phase = phase == name
+    order = np.argsort(world.turns[in_phase], kind="stable")
+    return np.interp(turns, world.turns[in_phase][order], error[in_phase][order])
 
 
 def loop_mm(world, error, phase, stroke, turns):
@@ -80,8 +80,8 @@ def test_friction_follows_the_load_and_the_lever_but_hardly_the_rate(law):
     assert heavy > 1.5 * loop_mm(world, error, phase, 3, 5.0)
     slow, slow_phase = bench(rate=1.0, strokes=4, loads=[10.0, 10.0, 30.0, 30.0])
     assert loop_mm(slow, error_mm(law, slow, params), slow_phase, 3, 18.0) == pytest.approx(heavy, rel=0.2)
-    held = error[phase == "hold 3"]
-    assert held[-1] == pytest.approx(held[50], abs=0.02 * heavy), "friction lets go at standstill"
+    hold_error = error[phase == "hold 3"]
+    assert hold_error[-1] == pytest.approx(hold_error[50], abs=0.02 * heavy), "friction lets go at standstill"
 
 
 @laws("backlash")
@@ -123,9 +123,9 @@ def test_a_lag_vanishes_at_standstill_and_is_late_by_its_time(law):
 def test_creep_grows_under_load_and_comes_back_at_rest(law):
     world, phase = bench(hold_s=60.0, rest_s=200.0, strokes=1)
     error = error_mm(law, world, drawn(law, world, 1.0))
-    held, rest = error[phase == "hold 0"], error[phase == "rest 0"]
-    assert held[-1] < held[0] < 0, "longer, thus less contraction"
-    assert rest[-1] > 0.6 * held[-1]
+    hold_error, rest = error[phase == "hold 0"], error[phase == "rest 0"]
+    assert hold_error[-1] < hold_error[0] < 0, "longer, thus less contraction"
+    assert rest[-1] > 0.6 * hold_error[-1]
     assert np.all(np.diff(rest[400:]) > -1e-4)
 
 
@@ -275,10 +275,10 @@ def test_the_ripple_repeats_every_turn_both_ways(law):
 def test_a_swing_rings_down_in_a_hold_about_nothing(law):
     world, phase = bench(hold_s=40.0, rest_s=40.0, strokes=2)
     error = error_mm(law, world, drawn(law, world, 1.0))
-    held = error[phase == "hold 0"]
-    assert np.abs(held[:1000]).max() > 0.05
-    assert np.abs(held[-1000:]).max() < 0.7 * np.abs(held[:1000]).max()
-    assert abs(held.mean()) < 0.05 * np.abs(held).max()
+    hold_error = error[phase == "hold 0"]
+    assert np.abs(hold_error[:1000]).max() > 0.05
+    assert np.abs(hold_error[-1000:]).max() < 0.7 * np.abs(hold_error[:1000]).max()
+    assert abs(hold_error.mean()) < 0.05 * np.abs(hold_error).max()
 
 
 @laws("stick_slip")

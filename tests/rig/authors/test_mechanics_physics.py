@@ -62,8 +62,8 @@ def gap(scene, values, stroke, turns=12.0):
 @pytest.mark.parametrize("writer", [friction.shoe_on_rail, friction.strand_sliders])
 def test_friction_follows_the_load_and_not_the_speed(scene, writer):
     law = drawn(scene, writer)
-    held = law.act(1.0, scene.turns)
-    slow, fast, heavy = (gap(scene, held, stroke) for stroke in (SLOW, FAST, HEAVY))
+    friction_shift = law.act(1.0, scene.turns)
+    slow, fast, heavy = (gap(scene, friction_shift, stroke) for stroke in (SLOW, FAST, HEAVY))
     assert slow > 0.1 and fast == pytest.approx(slow, rel=0.1)
     assert heavy / slow == pytest.approx(2.0 ** law.parameters.get("load_power", 1.0), rel=0.1)
 
@@ -124,7 +124,7 @@ def test_plastic_elongation_stays_at_rest_and_grows_with_the_tension(scene, writ
 
 def test_knots_that_only_harden_stop_at_the_greatest_tension_and_viscous_ones_go_on(scene):
     heavy = strokes(scene)[HEAVY][1]
-    hard, slow = (change_mm(scene, one, 1.0)[heavy] for one in (string.hardening_knots, string.viscous_knots))
+    hard, slow = (change_mm(scene, knots, 1.0)[heavy] for knots in (string.hardening_knots, string.viscous_knots))
     assert abs(hard[-1] - hard[len(hard) // 2]) < 0.02 < slow[len(slow) // 2] - slow[-1]
 
 
@@ -133,8 +133,8 @@ def test_elasticity_follows_the_load_alone(scene, writer):
     stretched = change_mm(scene, writer, 1.0)
     for stroke in (SLOW, FAST, HEAVY, LAST):
         up, dwell, down = strokes(scene)[stroke]
-        here = slice(up.start, down.stop)
-        assert np.ptp(stretched[here]) < 0.01
+        whole_stroke = slice(up.start, down.stop)
+        assert np.ptp(stretched[whole_stroke]) < 0.01
         assert stretched[dwell.start] < -0.3 if stroke == HEAVY else abs(stretched[dwell.start]) < 0.01
     assert stretched[rest(scene).stop - 20] > 0.1, "a lowered weight shortens the string"
 
@@ -155,7 +155,7 @@ def test_windup_and_compaction_grow_with_load_and_twist_and_have_no_loop(scene, 
     for stroke in (SLOW, FAST, HEAVY):
         assert abs(gap(scene, yielded, stroke)) < 0.04 * largest
     up = [strokes(scene)[stroke][0] for stroke in (SLOW, HEAVY)]
-    light, heavy = (at(scene, yielded, one, 19.0) for one in up)
+    light, heavy = (at(scene, yielded, winding, 19.0) for winding in up)
     assert heavy < 1.1 * light < 0.0
     assert abs(at(scene, yielded, up[0], 2.0)) < 0.1 * abs(light)
 
@@ -272,7 +272,7 @@ def test_a_shaken_bench_does_not_care_what_the_motor_does(scene):
 def test_the_laws_of_an_effect_are_not_one_law_by_two_names(scene, effect):
     """Scaled at best, one law's effect leaves a part of the other's that no strength takes away."""
     strength = {"radius_compaction": 0.1, "sensor_lag": 0.2, "jam": 6.0, "end_stop": 3.0}.get(effect, 1.0)
-    one, other = (change_mm(scene, writer, strength) for writer in WRITERS[effect])
-    one, other = one - one.mean(), other - other.mean()
-    left = other - one * (one @ other) / (one @ one)
-    assert np.std(left) > 0.02 * np.std(other)
+    effect_mm, other = (change_mm(scene, writer, strength) for writer in WRITERS[effect])
+    effect_mm, other = effect_mm - effect_mm.mean(), other - other.mean()
+    remainder = other - effect_mm * (effect_mm @ other) / (effect_mm @ effect_mm)
+    assert np.std(remainder) > 0.02 * np.std(other)

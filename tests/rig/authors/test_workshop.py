@@ -86,9 +86,9 @@ def test_every_law_reaches_its_size_and_differs_from_the_others_of_its_effect(ri
         assert np.isfinite(shown).all() and np.array_equal(shown, reading(bench, [(again, size)]))
         rest = left_over(bench.turns, bench.load_n, bench.geometry, shown)
         shapes.append(rest / np.linalg.norm(rest))
-    for number, one in enumerate(shapes):
+    for number, shape in enumerate(shapes):
         for other in shapes[:number]:
-            assert abs(one @ other) < 0.99999
+            assert abs(shape @ other) < 0.99999
 
 
 @pytest.mark.parametrize(
@@ -101,33 +101,35 @@ def test_every_law_reaches_its_size_and_differs_from_the_others_of_its_effect(ri
     ],
 )
 def test_a_recording_is_taken_in_is_reproducible_and_tells_nothing(tmp_path, seed, protocol, effects):
-    asked = Asked(seed, effects, (4.0,) * len(effects), protocol)
-    made = make(asked)
+    request = Asked(seed, effects, (4.0,) * len(effects), protocol)
+    recording = make(request)
     folder = tmp_path / "case-7"
     folder.mkdir()
-    text = yaml.safe_dump({"run": "case-7", **made.content}, sort_keys=False)
+    text = yaml.safe_dump({"run": "case-7", **recording.content}, sort_keys=False)
     (folder / "run.yaml").write_text(text)
-    made.table.to_parquet(folder / "recording.parquet", index=False)
+    recording.table.to_parquet(folder / "recording.parquet", index=False)
     _, samples = read_samples(folder)
     assert len(samples) <= 25000 and 180.0 <= np.ptp(samples["time_s"]) <= 600.0
-    hidden = made.truth["effects"]
-    assert [one["id"] for one in hidden] == list(effects)
-    assert all(one["kappa"] == pytest.approx(4.0, rel=0.1) and one["law"] in LAWS[one["id"]] for one in hidden)
-    assert all(isinstance(value, float) for one in hidden for value in one["parameters"].values())
-    json.dumps(made.truth, allow_nan=False)
-    assert make(asked).table.equals(made.table)
+    hidden = recording.truth["effects"]
+    assert [effect["id"] for effect in hidden] == list(effects)
+    assert all(
+        effect["kappa"] == pytest.approx(4.0, rel=0.1) and effect["law"] in LAWS[effect["id"]] for effect in hidden
+    )
+    assert all(isinstance(value, float) for effect in hidden for value in effect["parameters"].values())
+    json.dumps(recording.truth, allow_nan=False)
+    assert make(request).table.equals(recording.table)
     control = make(Asked(seed, (), (), protocol))
-    assert control.content == made.content and list(control.table) == list(made.table)
+    assert control.content == recording.content and list(control.table) == list(recording.table)
 
 
 @pytest.mark.parametrize("protocol", ["rich", "usual", "poor"])
 def test_without_effects_calibration_leaves_the_noise(protocol):
-    made = make(Asked(21, (), (), protocol))
+    recording = make(Asked(21, (), (), protocol))
     specimen = drawn_specimen(21, protocol)
-    table, string, rig = made.table, made.content["string"], made.content["rig"]
+    table, string, rig = recording.table, recording.content["string"], recording.content["rig"]
     load_n = table["load_n"].to_numpy() if "load_n" in table else np.full(len(table), rig["load_n"])
     nominal = Geometry(
-        made.content["actuator"],
+        recording.content["actuator"],
         string["radius_mm"],
         string["length_mm"],
         specimen.bench.geometry.stiffness_n_per_mm,
@@ -136,8 +138,8 @@ def test_without_effects_calibration_leaves_the_noise(protocol):
     )
     rest = left_over(table["motor_turns"].to_numpy(), load_n, nominal, table["displacement_mm"].to_numpy())
     middle = np.median(np.abs(rest - np.median(rest))) / 0.6745  # outliers do not count
-    assert middle == pytest.approx(made.truth["noise_floor_mm"], rel=0.15)
-    assert made.truth["effects"] == [] and made.truth["heldout_noise_mm"] > 0.0
+    assert middle == pytest.approx(recording.truth["noise_floor_mm"], rel=0.15)
+    assert recording.truth["effects"] == [] and recording.truth["heldout_noise_mm"] > 0.0
 
 
 @pytest.mark.parametrize(("protocol", "loads"), [("rich", 3), ("usual", 2), ("poor", 1)])
@@ -183,11 +185,11 @@ def test_frictions_loop_lags_grows_with_the_load_and_hardly_knows_the_speed(law)
     assert gaps[0] > 0.0 and 1.2 < gaps[1] / gaps[0] < 2.6
     slow, quick = (loop_turns(saw(leg_s=leg_s), "friction_hysteresis", law) for leg_s in (10.0, 5.0))
     assert quick == pytest.approx(slow, rel=0.15)
-    held = effect_mm(course((10.0, 15.0, 10.0), (20.0, 15.0, 10.0)), "friction_hysteresis", law, 0.1)
-    assert np.ptp(held[-300:]) < 0.01
+    hold_mm = effect_mm(course((10.0, 15.0, 10.0), (20.0, 15.0, 10.0)), "friction_hysteresis", law, 0.1)
+    assert np.ptp(hold_mm[-300:]) < 0.01
 
 
-@pytest.mark.parametrize(("effect", "law"), [one for one in EVERY if one[0] in ("sensor_lag", "viscous_loss")])
+@pytest.mark.parametrize(("effect", "law"), [pair for pair in EVERY if pair[0] in ("sensor_lag", "viscous_loss")])
 def test_what_follows_the_rate_vanishes_at_standstill(effect, law):
     bench = course((8.0, 15.0, 10.0), (40.0, 15.0, 10.0), (8.0, 0.0, 10.0), (20.0, 0.0, 10.0))
     error = effect_mm(bench, effect, law)
@@ -252,7 +254,7 @@ def test_past_a_critical_twist_jam_falls_behind_and_overtwist_runs_ahead_with_a_
     assert abs(loop) < 0.03 * abs(top) if effect == "jam" else loop > 0.03 * top
 
 
-@pytest.mark.parametrize(("effect", "law"), [one for one in EVERY if one[0] in ("count_slip", "clamp_slip")])
+@pytest.mark.parametrize(("effect", "law"), [pair for pair in EVERY if pair[0] in ("count_slip", "clamp_slip")])
 def test_what_slips_stays_slipped(effect, law):
     bench = saw()
     error = effect_mm(bench, effect, law, 0.5)

@@ -28,16 +28,16 @@ def test_every_new_string_is_asked_about_after_each_number_of_strokes(tables, ca
         assert list(table.columns) == FEW_SHOT.names and np.isfinite(table[["forward_mm", "inverse_turns"]]).all().all()
         expected = (["transfer"] if name != "calibrated" else []) + (["alone"] if name != "polynomial" else [])
         assert sorted(table["how"].unique()) == sorted(expected)
-        for _, some in table.groupby(["how", "shots"]):
-            assert sorted(some["string"]) == new
+        for _, group in table.groupby(["how", "shots"]):
+            assert sorted(group["string"]) == new
         assert sorted(table["shots"].unique()) == sorted(SHOTS)
 
 
 def test_what_is_asked_is_never_shown(campaign, monkeypatch):
     """With every asked answer replaced by poison no model and no correction changes: only the errors do."""
-    asked = (campaign["strings"] == "test") & (campaign["stroke"] > ASKED_AFTER)
+    asked_mask = (campaign["strings"] == "test") & (campaign["stroke"] > ASKED_AFTER)
     poison = {"displacement_mm": 1e6, "motor_turns": -1e6}
-    poisoned = campaign.assign(**{name: campaign[name].mask(asked, value) for name, value in poison.items()})
+    poisoned = campaign.assign(**{name: campaign[name].mask(asked_mask, value) for name, value in poison.items()})
     learnt: dict[str, list[object]] = {}
     for kind, points in (("clean", campaign), ("poisoned", poisoned)):
         learnt[kind] = []
@@ -72,10 +72,10 @@ def test_the_answer_is_not_in_the_question(campaign):
             assert points["motor_turns"].isna().all()
             return np.zeros(len(points))
 
-    asked, _ = next(asked_and_shown(campaign))
-    forward, inverse = few_shot.errors(Peeping(), asked)
-    assert forward == pytest.approx(np.sqrt(np.mean(asked["displacement_mm"] ** 2)))
-    assert inverse == pytest.approx(np.sqrt(np.mean(asked["motor_turns"] ** 2)))
+    asked_rows, _ = next(asked_and_shown(campaign))
+    forward, inverse = few_shot.errors(Peeping(), asked_rows)
+    assert forward == pytest.approx(np.sqrt(np.mean(asked_rows["displacement_mm"] ** 2)))
+    assert inverse == pytest.approx(np.sqrt(np.mean(asked_rows["motor_turns"] ** 2)))
 
 
 def test_models_learn_on_the_strings_to_learn_on_and_on_so_many_points(campaign, monkeypatch):
@@ -95,8 +95,8 @@ def test_models_learn_on_the_strings_to_learn_on_and_on_so_many_points(campaign,
 @pytest.mark.long
 def test_an_analytic_model_that_learns_nothing_errs_the_same_whatever_it_is_shown(tables):
     for how, same in (("alone", True), ("transfer", False)):
-        some = tables["traditional"][tables["traditional"]["how"] == how]
-        assert (some.groupby("string")["forward_mm"].nunique() == 1).all() == same
+        rows = tables["traditional"][tables["traditional"]["how"] == how]
+        assert (rows.groupby("string")["forward_mm"].nunique() == 1).all() == same
     calibrated = tables["calibrated"].groupby("shots")["forward_mm"].median()
     nominal = tables["traditional"][tables["traditional"]["how"] == "alone"]["forward_mm"].median()
     assert calibrated[0] == pytest.approx(nominal) and calibrated[5] < calibrated[0]
@@ -112,15 +112,15 @@ def test_what_a_model_reads_is_found_by_asking(campaign):
 
 
 def test_the_floor_is_the_noise(campaign):
-    found = np.array([sizes for _, _, *sizes in floors(campaign)])
-    assert found.shape == (12, 2) and np.median(found[:, 0]) == pytest.approx(0.05, rel=0.1)
+    floor_sizes = np.array([sizes for _, _, *sizes in floors(campaign)])
+    assert floor_sizes.shape == (12, 2) and np.median(floor_sizes[:, 0]) == pytest.approx(0.05, rel=0.1)
 
 
 def test_coverage_is_of_the_last_strokes_from_the_others(campaign):
     rows = campaign[campaign["string"] == "made-004"].reset_index(drop=True)
     table = of_string(rows, "polynomial", {}, 0)
     assert list(table.columns) == COVERAGE.names and len(table) == 2 * LEFT_OUT * len(LEVELS)
-    assert (table.groupby(["map", "ahead"])["held"].apply(lambda held: held.is_monotonic_increasing)).all()
+    assert (table.groupby(["map", "ahead"])["held"].apply(lambda shares: shares.is_monotonic_increasing)).all()
     assert (table["points"] + table["outside"] == 40).all()
     last = rows["stroke"] > rows["stroke"].max() - LEFT_OUT
     far = rows.assign(displacement_mm=rows["displacement_mm"].where(~last, 1e6))
@@ -142,8 +142,8 @@ def test_too_few_strings_are_refused_in_words(campaign, tmp_path, monkeypatch, c
 
 def test_strokes_shown_are_counted_from_the_first_recorded_one(campaign):
     used = campaign.assign(stroke=campaign["stroke"] + 100)
-    for (asked, shown), (later, few) in zip(asked_and_shown(campaign), asked_and_shown(used), strict=True):
-        assert (later["stroke"] == asked["stroke"] + 100).all()
+    for (asked_rows, shown), (later, few) in zip(asked_and_shown(campaign), asked_and_shown(used), strict=True):
+        assert (later["stroke"] == asked_rows["stroke"] + 100).all()
         assert [len(rows) for rows in few.values()] == [len(rows) for rows in shown.values()]
 
 

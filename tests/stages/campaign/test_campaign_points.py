@@ -85,9 +85,9 @@ def test_runs_of_one_string_continue_each_other(runs, tmp_path):
         content = yaml.safe_load((folder / "run.yaml").read_text())
         content["run"], content["string"]["id"] = name, "one"
         (tmp_path / name / "run.yaml").write_text(yaml.safe_dump(content))
-    found = campaign_points(tmp_path)
-    assert set(found["string"]) == {"one"} and sorted(found["stroke"].unique()) == [1, 2, 3, 4]
-    assert found.groupby("run")["stroke"].max().to_dict() == {"first": 2, "second": 4}
+    all_points = campaign_points(tmp_path)
+    assert set(all_points["string"]) == {"one"} and sorted(all_points["stroke"].unique()) == [1, 2, 3, 4]
+    assert all_points.groupby("run")["stroke"].max().to_dict() == {"first": 2, "second": 4}
     content["string"]["material"] = "straw"
     (tmp_path / "second" / "run.yaml").write_text(yaml.safe_dump(content))
     with pytest.raises(BadInput, match="straw"):

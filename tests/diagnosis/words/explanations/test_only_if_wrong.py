@@ -15,9 +15,9 @@ def joined(text):
 
 
 def shown(*others):
-    made = content(**ALONE)
-    made["evidence"]["explanations"] = [explanation([], "nothing", 0.44), *others, BEST]
-    return made
+    diagnosis = content(**ALONE)
+    diagnosis["evidence"]["explanations"] = [explanation([], "nothing", 0.44), *others, BEST]
+    return diagnosis
 
 
 def test_what_comes_to_the_noise_only_if_formulas_err_is_left_out_and_said_to_be():
@@ -30,26 +30,26 @@ def test_what_comes_to_the_noise_only_if_formulas_err_is_left_out_and_said_to_be
 
 def test_a_difference_in_the_last_digits_of_a_float_is_nothing():
     """`3.4 × 10^-17 mm` stood there."""
-    made = shown(explanation(["wear"], "beaten", 0.03) | {"gap_mm": 3.4e-17})
-    row = next(line for line in full(made).splitlines() if line.startswith("  2    wear"))
+    diagnosis = shown(explanation(["wear"], "beaten", 0.03) | {"gap_mm": 3.4e-17})
+    row = next(line for line in full(diagnosis).splitlines() if line.startswith("  2    wear"))
     assert row.endswith("nothing")
 
 
 def test_no_page_says_what_goes_on_at_a_stand_where_the_motor_never_stood():
     """`is gone as soon as the motor stands`, and below it that the motor never stood long enough to say that."""
-    made = shown()
-    made["mechanisms"].append({"id": "viscous_loss", "rms_mm": {"value": 0.1, "low": 0.09, "high": 0.11},
+    diagnosis = shown()
+    diagnosis["mechanisms"].append({"id": "viscous_loss", "rms_mm": {"value": 0.1, "low": 0.09, "high": 0.11},
                                "parameters": {}})  # fmt: skip
-    made["evidence"]["spans_mm"]["viscous_loss"] = 0.2
-    assert AT_A_STAND in joined(full(copy.deepcopy(made)))
-    made["evidence"]["not_kept"] = [{"id": None, "left_mm": 0.03, "stands": {}, "tied": []}]
-    assert AT_A_STAND not in joined(full(made))
+    diagnosis["evidence"]["spans_mm"]["viscous_loss"] = 0.2
+    assert AT_A_STAND in joined(full(copy.deepcopy(diagnosis)))
+    diagnosis["evidence"]["not_kept"] = [{"id": None, "left_mm": 0.03, "stands": {}, "tied": []}]
+    assert AT_A_STAND not in joined(full(diagnosis))
 
 
 def test_a_part_of_the_best_is_kept_for_a_reason():
-    made = shown(explanation(["creep"], "tied", 0.2))
-    made |= {"verdict": "ambiguous", "alternatives": [["creep"]]}
-    text = joined(full(copy.deepcopy(made)))
+    diagnosis = shown(explanation(["creep"], "tied", 0.2))
+    diagnosis |= {"verdict": "ambiguous", "alternatives": [["creep"]]}
+    text = joined(full(copy.deepcopy(diagnosis)))
     assert "Kept: 1 and 2. 2 is kept though 1 leaves less: what 1 adds to it may only mend a formula." in text
-    made["evidence"]["explanations"][1]["ids"] = ["wear"]
-    assert "Kept: 1 and 2. 2 is kept" not in joined(full(made))
+    diagnosis["evidence"]["explanations"][1]["ids"] = ["wear"]
+    assert "Kept: 1 and 2. 2 is kept" not in joined(full(diagnosis))

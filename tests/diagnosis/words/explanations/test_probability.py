@@ -43,19 +43,21 @@ def test_where_no_probability_is_known_the_rule_is_another_and_an_old_file_has_n
     assert "no explanation of the library is good enough; physics that it lacks has a probability of 48 %." in text
     assert "To be named, an explanation must take away 90 % of what is missing (of its energy" in text
     for shares in ((0.3, 0.1, 0.0, 0.1, 0.02), (0.02, 0.1, 0.0, 0.1, 0.3)):
-        made = " ".join(told(weighed(*shares, none=0.48, **unknown)).split())
-        ordered = [int(share) for share in re.findall(r" mm \([0-9.]+\) ([0-9]+) %", made)]
+        details = " ".join(told(weighed(*shares, none=0.48, **unknown)).split())
+        ordered = [int(share) for share in re.findall(r" mm \([0-9.]+\) ([0-9]+) %", details)]
         assert ordered == sorted(ordered, reverse=True) and len(set(ordered)) > 1
     assert "and be likely. Where physics that the library lacks has 40 % or more, nothing is named." in text
 
 
 def test_two_explanations_that_an_idle_effect_made_different_share_one_probability():
-    made = weighed(0.1, 0.1, 0.1, 0.1, 0.5)
-    made["evidence"]["explanations"][3] |= {"ids": ["friction_hysteresis"]}
-    made["alternatives"] = [["friction_hysteresis"]]
-    made["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
-    made["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
+    diagnosis = weighed(0.1, 0.1, 0.1, 0.1, 0.5)
+    diagnosis["evidence"]["explanations"][3] |= {"ids": ["friction_hysteresis"]}
+    diagnosis["alternatives"] = [["friction_hysteresis"]]
+    diagnosis["mechanisms"][1]["rms_mm"] = parameter(0.0, "mm")
+    diagnosis["simulation"] = [{"id": id_, "parameters": {}} for id_ in ("friction_hysteresis", "creep")]
     (best,) = [
-        one for one in without_zero_effects(made, "mm")["evidence"]["explanations"] if one["standing"] == "named"
+        explanation
+        for explanation in without_zero_effects(diagnosis, "mm")["evidence"]["explanations"]
+        if explanation["standing"] == "named"
     ]
     assert best["ids"] == ["friction_hysteresis"] and best["probability"] == pytest.approx(0.6)

@@ -15,43 +15,48 @@ NAMED = [("creep",), ("creep", "jam"), ("creep", "slack", "wear"), ("thermal", "
 
 
 @pytest.fixture
-def some() -> list[Weighed]:
+def candidates() -> list[Weighed]:
     """Explanations of every size, their signs drawn over all that the judge has knots for."""
     draw = np.random.default_rng(1)
     knots = (judge().knots | {name: (-5.0, 0.0) for name in (*OF_EXPLANATION, OF_ALL)}).items()
     return [Weighed(ids, {name: float(draw.uniform(ends[0], ends[-1])) for name, ends in knots}) for ids in NAMED]
 
 
-def test_the_parts_of_the_judges_score_add_up_to_the_log_of_the_ratio_of_probabilities(some) -> None:
-    shares = judge().probabilities(some)
-    for one, share in zip(some, shares, strict=False):
-        for other, beside in zip(some, shares, strict=False):
+def test_the_parts_of_the_judges_score_add_up_to_the_log_of_the_ratio_of_probabilities(candidates) -> None:
+    shares = judge().probabilities(candidates)
+    for candidate, share in zip(candidates, shares, strict=False):
+        for other, beside in zip(candidates, shares, strict=False):
             ratio = pytest.approx(np.log(share / beside), abs=1e-9)
-            assert sum(judge().because(one, other).values()) == ratio
-            assert sum(by_aspect(judge(), one, other).values()) == ratio
-            assert set(judge().because(one, other)) == {*judge().knots, *OF_EXPLANATION, "names", "size"}
+            assert sum(judge().because(candidate, other).values()) == ratio
+            assert sum(by_aspect(judge(), candidate, other).values()) == ratio
+            assert set(judge().because(candidate, other)) == {*judge().knots, *OF_EXPLANATION, "names", "size"}
 
 
-def test_a_sign_in_which_two_explanations_agree_counts_nothing(some) -> None:
-    one, other = some[1], Weighed(some[3].ids, {**some[3].signs, "left_share": some[1].signs["left_share"]})
-    assert judge().because(one, other)["left_share"] == 0.0 and judge().because(one, other)["size"] == 0.0
-    assert judge().because(one, Weighed(one.ids[:1], one.signs))["size"] != 0.0
+def test_a_sign_in_which_two_explanations_agree_counts_nothing(candidates) -> None:
+    candidate, other = (
+        candidates[1],
+        Weighed(candidates[3].ids, {**candidates[3].signs, "left_share": candidates[1].signs["left_share"]}),
+    )
+    assert judge().because(candidate, other)["left_share"] == 0.0 and judge().because(candidate, other)["size"] == 0.0
+    assert judge().because(candidate, Weighed(candidate.ids[:1], candidate.signs))["size"] != 0.0
 
 
-def test_every_sign_of_the_judge_has_an_aspect_and_every_aspect_a_word(some) -> None:
+def test_every_sign_of_the_judge_has_an_aspect_and_every_aspect_a_word(candidates) -> None:
     of_signs = [sign for signs in SIGNS.values() for sign in signs]
     assert len(of_signs) == len(set(of_signs)) and set(SAID) == {*SIGNS, "size"}
-    known = {*judge().knots, *OF_EXPLANATION}
-    assert {sign for sign in known if not sign.startswith(MARKS)} == set(of_signs)
-    for aspect in by_aspect(judge(), some[0], some[1]):
+    judged_signs = {*judge().knots, *OF_EXPLANATION}
+    assert {sign for sign in judged_signs if not sign.startswith(MARKS)} == set(of_signs)
+    for aspect in by_aspect(judge(), candidates[0], candidates[1]):
         for more in (-1.0, 0.0, 1.0):
             assert reason({"aspect": aspect, "log_odds": -1.0, "more": more})
 
 
-def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_likely_it_is(some) -> None:
-    found = chief(judge(), some[0], some[1])
-    parts = by_aspect(judge(), some[0], some[1])
-    assert [each["log_odds"] for each in found] == sorted(parts.values())[:2] and found[0]["log_odds"] < 0.0
+def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_likely_it_is(candidates) -> None:
+    chief_reasons = chief(judge(), candidates[0], candidates[1])
+    parts = by_aspect(judge(), candidates[0], candidates[1])
+    assert [each["log_odds"] for each in chief_reasons] == sorted(parts.values())[:2] and chief_reasons[0][
+        "log_odds"
+    ] < 0.0
     because = [
         {"aspect": "weakest", "log_odds": -1.0, "more": -2.0},
         {"aspect": "mark_jam", "log_odds": -1, "more": -1},
@@ -71,14 +76,18 @@ def test_what_counts_most_against_an_explanation_is_said_with_how_much_less_like
 
 def test_a_diagnosis_keeps_the_reasons_against_each_explanation_that_was_weighed(studied) -> None:
     shown = explanations(studied("creep")[0], "mm", 0.5)
-    reasons = [one["because"] for one in shown if one["ids"] and one["standing"] != "named"]
+    reasons = [
+        explanation["because"] for explanation in shown if explanation["ids"] and explanation["standing"] != "named"
+    ]
     assert reasons and any(reasons) and all(len(each or []) <= 2 for each in reasons)
     assert all(part["log_odds"] < 0.0 for each in reasons for part in each or [])
     (alone,) = (each for each in shown if not each["ids"])
     assert alone["left_mm"] == 0.5 != alone["approximated_mm"], (
         "as the table has it, beside what the search took it for"
     )
-    assert json.dumps(shown) and "because" not in next(one for one in shown if one["standing"] == "named")
+    assert json.dumps(shown) and "because" not in next(
+        explanation for explanation in shown if explanation["standing"] == "named"
+    )
 
 
 def test_what_a_reader_takes_for_a_merit_is_no_reason_against_an_explanation() -> None:

@@ -26,21 +26,21 @@ def test_what_all_ties_share_and_why_each_rival_was_beaten():
     assert "than 3 by 20 standard deviations." in section
     adds = "5 adds wear to 1, which takes away"
     assert f"{adds} nothing (less than 0.2 times the noise)." in section, "as the table of other effects says it"
-    made = content()
-    made["evidence"]["explanations"][4]["left_mm"] = 0.028
-    assert f"{adds} 0.011 mm rms more: too little for one effect more." in told(made)
+    diagnosis = content()
+    diagnosis["evidence"]["explanations"][4]["left_mm"] = 0.028
+    assert f"{adds} 0.011 mm rms more: too little for one effect more." in told(diagnosis)
 
 
 def test_what_is_nearly_as_good_as_the_best_is_put_beside_its_number():
-    made = content()
-    for left, ratio in ((0.0308, "1.0"), (0.0292, "1.0")):
-        made["evidence"]["explanations"][2]["left_mm"] = left
-        assert re.search(rf"3 +friction_hysteresis \+ sensor_drift +{left:.3f} mm \({ratio}\)", told(made))
+    diagnosis = content()
+    for left_mm, ratio in ((0.0308, "1.0"), (0.0292, "1.0")):
+        diagnosis["evidence"]["explanations"][2]["left_mm"] = left_mm
+        assert re.search(rf"3 +friction_hysteresis \+ sensor_drift +{left_mm:.3f} mm \({ratio}\)", told(diagnosis))
         assert "By the noise of the samples alone, explanation 1 fits better than 3 by 20 standard deviations." in told(
-            made
+            diagnosis
         )
-    made["evidence"]["explanations"][2]["worse"] = 0.0
-    text = " ".join(told(made).split())
+    diagnosis["evidence"]["explanations"][2]["worse"] = 0.0
+    text = " ".join(told(diagnosis).split())
     unweighed = "Not weighed, since the recording lacks a mark of its effects, or cheaper ones of its size are many"
     assert f"{unweighed}: 3." in text
 
@@ -60,8 +60,8 @@ def test_what_most_explanations_share_is_said():
 
 def test_of_no_explanation_is_said_that_it_leaves_more_than_no_effect_does():
     """`end_stop: leaves 26 N rms` stood above `calibration alone: leaves 15 N rms`."""
-    made = content(evidence__calibrated_mm=0.4)
-    made["evidence"]["explanations"][1]["left_mm"] = 0.7
-    assert re.search(r"\n +4 +creep +as much as no effect +", told(made))
-    made["evidence"]["explanations"][1]["left_mm"] = 0.3
-    assert re.search(r"\n +4 +creep +0\.30 mm \(10\) +", told(made))
+    diagnosis = content(evidence__calibrated_mm=0.4)
+    diagnosis["evidence"]["explanations"][1]["left_mm"] = 0.7
+    assert re.search(r"\n +4 +creep +as much as no effect +", told(diagnosis))
+    diagnosis["evidence"]["explanations"][1]["left_mm"] = 0.3
+    assert re.search(r"\n +4 +creep +0\.30 mm \(10\) +", told(diagnosis))

@@ -9,25 +9,25 @@ BOX = {"motor_turns": [3.0, 9.0], "strokes": [1, 12], "phase": "all", "share": 0
 
 def unknown(**changes):
     """An unknown mismatch that eccentricity on a wheel takes away almost whole, and the judge does not believe."""
-    made = content(verdict="unknown", mechanisms=[], alternatives=[], **changes)
-    made["mismatch"] = {"rms_mm": 0.13, "location": BOX, "driver": ["twist"]}
-    made["parameters"]["radius_mm"] = {"nominal": 0.55, "value": 0.5512, "low": 0.55, "high": 0.553}
+    diagnosis = content(verdict="unknown", mechanisms=[], alternatives=[], **changes)
+    diagnosis["mismatch"] = {"rms_mm": 0.13, "location": BOX, "driver": ["twist"]}
+    diagnosis["parameters"]["radius_mm"] = {"nominal": 0.55, "value": 0.5512, "low": 0.55, "high": 0.553}
     run = {"title": "another load, then half the speed", "load": 20.0, "fixed_load": False, "follows": "twist"}
     run["legs"] = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0)]
-    made["next_run"] = run
+    diagnosis["next_run"] = run
     shown = [([], "nothing", 0.13, None), (["wear"], "not enough", 0.125, 0.01)]
     shown += [(["eccentricity", "wear"], "not needed", 0.0312, 0.004), (["eccentricity"], "not enough", 0.0314, 0.07)]
-    made["evidence"] |= {
+    diagnosis["evidence"] |= {
         "calibrated_mm": 0.13, "nominal_mm": 0.64, "moved_sigma": {"radius_mm": 0.6}, "probability_of_none": 0.91,
         "tolerance": {"radius_mm": 0.0165}, "chosen_without_them": [], "closest_without_them": ["eccentricity"],
         "explanations": [
-            {"ids": ids, "standing": standing, "left_mm": left, "bent_mm": left, "probability": share}
-            for ids, standing, left, share in shown
+            {"ids": ids, "standing": standing, "left_mm": left_mm, "bent_mm": left_mm, "probability": share}
+            for ids, standing, left_mm, share in shown
         ],
     }  # fmt: skip
     parameters = {"wheel_mm": 12.8955, "sine_mm": 0.195, "cosine_mm": 0.189}
-    made["closest"] = {"ids": ["eccentricity"], "simulation": [{"id": "eccentricity", "parameters": parameters}]}
-    return made
+    diagnosis["closest"] = {"ids": ["eccentricity"], "simulation": [{"id": "eccentricity", "parameters": parameters}]}
+    return diagnosis
 
 
 def joined(text):
@@ -44,10 +44,10 @@ def test_what_fits_and_is_no_name_has_a_reason_and_its_constants():
     assert (
         "circumference turns. What would show it: one slow stroke: the ripple follows the turn, not the time." in text
     )
-    made = unknown()
-    made["evidence"]["looks_like"] = {"eccentricity": 0.0097, "wear": 0.2, "outside": 0.31}
+    diagnosis = unknown()
+    diagnosis["evidence"]["looks_like"] = {"eccentricity": 0.0097, "wear": 0.2, "outside": 0.31}
     looks = "The pattern of what is missing is unlike the one that eccentricity leaves in simulated recordings."
-    assert looks in joined(page(made))
+    assert looks in joined(page(diagnosis))
     assert "eccentricity wheel_mm 12.9, sine_mm 0.195, cosine_mm 0.189." in joined(full(unknown()))
     assert "less than 1 % adds too little" in joined(page(unknown()))
 
@@ -89,9 +89,9 @@ def test_what_would_be_the_same_of_single_samples_is_not_said():
     near = {"floor_mm": 0.011, "step_s": 0.06, "calibrated_mm": 0.13}
     text = joined(full(unknown(fit__noise_floor_mm=0.016)))
     assert "Of single samples" in joined(full(content(evidence__floor_mm=0.018, evidence__step_s=0.05)))
-    made = unknown(fit__noise_floor_mm=0.016)
-    made["evidence"] |= near
-    text = joined(full(made))
+    diagnosis = unknown(fit__noise_floor_mm=0.016)
+    diagnosis["evidence"] |= near
+    text = joined(full(diagnosis))
     assert "The left column is of averages" in text and "Of single samples" not in text
 
 

@@ -27,7 +27,7 @@ def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest()
 
 
 @pytest.mark.parametrize(
-    ("verdict", "without", "said", "never"),
+    ("verdict", "without", "expected", "never"),
     [
         (
             "ambiguous",
@@ -46,21 +46,27 @@ def test_a_verdict_without_a_name_says_what_it_is_worth_and_what_comes_closest()
         ("unknown", None, "", "regression"),
     ],
 )
-def test_what_a_regression_without_physics_foretells_is_said_where_it_tells_something(verdict, without, said, never):
-    held = content()["fit"]["heldout"] | {"calibrated_mm": 0.8, "explained_mm": 0.8}
-    held |= {} if without is None else {"without_physics_mm": without}
+def test_what_a_regression_without_physics_foretells_is_said_where_it_tells_something(
+    verdict, without, expected, never
+):
+    heldout = content()["fit"]["heldout"] | {"calibrated_mm": 0.8, "explained_mm": 0.8}
+    heldout |= {} if without is None else {"without_physics_mm": without}
     place = {"motor_turns": [20.0, 26.0], "strokes": [8, 9], "phase": "winding", "share": 0.8}
-    changes = {"fit__heldout": held, "evidence__left_of_unseen": {"location": place, "driver": "direction"}}
+    changes = {"fit__heldout": heldout, "evidence__left_of_unseen": {"location": place, "driver": "direction"}}
     changes |= {"mechanisms": [], "alternatives": [], "next_run": None} if verdict == "unknown" else {}
-    made = content(verdict=verdict, **changes)
+    diagnosis = content(verdict=verdict, **changes)
     words = Vocabulary.of(SYSTEMS["mm"])
-    lines = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
-    assert said in lines and never not in lines
-    made["evidence"]["chosen_without_them"] = ["wear"]
-    other = " ".join([*level.beaten(made, words), *(level.to_reach(made, words) if verdict == "unknown" else [])])
+    lines = " ".join(
+        [*level.beaten(diagnosis, words), *(level.to_reach(diagnosis, words) if verdict == "unknown" else [])]
+    )
+    assert expected in lines and never not in lines
+    diagnosis["evidence"]["chosen_without_them"] = ["wear"]
+    other = " ".join(
+        [*level.beaten(diagnosis, words), *(level.to_reach(diagnosis, words) if verdict == "unknown" else [])]
+    )
     assert not other or ("wear" in other and "calibration" not in other)
-    del made["evidence"]["chosen_without_them"]
-    whole = " ".join(told(made).split())
-    assert said in whole and (level.METHOD in whole) == bool(said)
+    del diagnosis["evidence"]["chosen_without_them"]
+    whole = " ".join(told(diagnosis).split())
+    assert expected in whole and (level.METHOD in whole) == bool(expected)
     if without == 0.02:
         assert "at 20 to 26 turns, in strokes 8 to 9, while winding, and it follows the direction of motion" in lines

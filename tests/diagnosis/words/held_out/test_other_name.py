@@ -18,8 +18,8 @@ def test_the_first_line_says_with_the_probability_that_the_name_is_not_settled()
 
 def test_the_first_sentence_says_the_outcome_and_the_page_says_once_that_the_other_effects_fail() -> None:
     failing = {"evidence__chosen_without_them": ["slack"], "fit__heldout__explained_mm": 4.3}
-    made = confident(0.93, 0.96, **ALONE, **failing, fit__worse_than_nominal=["explained"])
-    text = page(made)
+    diagnosis = confident(0.93, 0.96, **ALONE, **failing, fit__worse_than_nominal=["explained"])
+    text = page(diagnosis)
     first = " ".join(text.split("\n\n")[0].split())
     outcome = "nylon-3: friction_hysteresis + creep explains the whole recording best (52 %). It is not settled: "
     assert first.startswith(outcome) and len(outcome) <= 100
@@ -29,10 +29,10 @@ def test_the_first_sentence_says_the_outcome_and_the_page_says_once_that_the_oth
     assert "is that of slack, not of friction_hysteresis + creep." in " ".join(text.split())
     assert "misses them by" not in text, "the first line says that it failed"
     why = "Adopt nothing: the names change when the last 30 % of strokes are left out, so none is proved."
-    asked = "Record the rig once more, with at least 12 strokes, and diagnose all runs together."
-    assert f"1. {why} {asked} Commands: details.txt, The run to make next." in " ".join(text.split())
-    details = " ".join(full(made).split())
-    assert f"The run to make next {asked} The commands, in this order; " in details
+    request = "Record the rig once more, with at least 12 strokes, and diagnose all runs together."
+    assert f"1. {why} {request} Commands: details.txt, The run to make next." in " ".join(text.split())
+    details = " ".join(full(diagnosis).split())
+    assert f"The run to make next {request} The commands, in this order; " in details
     assert "python -m pipeline.new_run nylon-3-next --like raw/nylon-3 python -m pipeline.capture PORT" in details
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together" in details
 
@@ -46,8 +46,8 @@ def test_what_is_not_proved_is_not_reported_as_at_work() -> None:
 
 
 def test_an_effect_that_is_not_named_without_the_last_strokes_is_called_probable_and_the_other_one_sure() -> None:
-    known = confident(0.93, 0.96, **ALONE, evidence__chosen_without_them=["creep"], evidence__moved_sigma={})
-    text = told(known)
+    diagnosis = confident(0.93, 0.96, **ALONE, evidence__chosen_without_them=["creep"], evidence__moved_sigma={})
+    text = told(diagnosis)
     why = "without the last 30 % of strokes other effects are named"
     assert "sure, 96 %" in text and "probable, 93 %" in text
     assert f"friction_hysteresis has 93 %, but is only probable: {why}." in text

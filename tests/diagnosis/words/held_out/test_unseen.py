@@ -39,21 +39,21 @@ def test_the_error_on_unseen_strokes_stands_beside_the_noise():
 
 
 @pytest.mark.parametrize(
-    ("calibrated", "said"),
+    ("calibrated", "expected"),
     [
         (0.039, "Something systematic is still missing: the last strokes are missed by 1.33 times the noise (1.3 is"),
         (0.030, "Something changes from stroke to stroke that the fit does not foresee: the last strokes are missed"),
     ],
 )
-def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones(calibrated, said):
-    held = {"fit__heldout__explained_mm": 0.0415, "fit__heldout__calibrated_mm": 0.0415}
-    text = adopted(**held, evidence__calibrated_mm=calibrated)
-    assert said in text
+def test_strokes_change_only_where_unseen_ones_are_missed_by_more_than_seen_ones(calibrated, expected):
+    heldout_errors = {"fit__heldout__explained_mm": 0.0415, "fit__heldout__calibrated_mm": 0.0415}
+    text = adopted(**heldout_errors, evidence__calibrated_mm=calibrated)
+    assert expected in text
     assert ("from stroke to stroke" in text) == (calibrated < 0.035)
     assert ("So it is in what the fit has seen as well." in text) == (calibrated > 0.035)
 
 
 def test_a_verdict_says_that_its_zero_is_fitted_and_that_of_the_programs_is_not():
     zero = {"zero_mm": {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}}
-    said = "pipeline.simulate of another run takes the zero of the reading from its first second. A verdict fits"
-    assert said in told(content(parameters=CONTENT["parameters"] | zero)) and said not in told()
+    sentence = "pipeline.simulate of another run takes the zero of the reading from its first second. A verdict fits"
+    assert sentence in told(content(parameters=CONTENT["parameters"] | zero)) and sentence not in told()

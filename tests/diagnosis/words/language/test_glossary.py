@@ -14,11 +14,11 @@ def test_the_verdict_explains_its_own_words_last_a_line_each():
     text = told()
     last = text.split("\n\n")[-1].splitlines()
     assert last[0] == "What the words mean"
-    said = dict(line.strip().split(": ", 1) for line in last[1:])
-    assert next(iter(said)) == "ambiguous" and said["wear"] == MEANING["wear"]
-    assert {"wear", "sensor_drift", "calibrated", "rms"} <= set(said)
-    assert not {"jam", "explained"} & set(said), "they stand nowhere on the page"
-    assert not {"friction_hysteresis", "creep", "thermal"} & set(said), "their rows say what they do"
+    meanings = dict(line.strip().split(": ", 1) for line in last[1:])
+    assert next(iter(meanings)) == "ambiguous" and meanings["wear"] == MEANING["wear"]
+    assert {"wear", "sensor_drift", "calibrated", "rms"} <= set(meanings)
+    assert not {"jam", "explained"} & set(meanings), "they stand nowhere on the page"
+    assert not {"friction_hysteresis", "creep", "thermal"} & set(meanings), "their rows say what they do"
     assert "the length follows the temperature." in text
 
 
@@ -28,8 +28,10 @@ def test_every_mechanism_and_every_verdict_is_in_the_glossary_and_in_the_docs():
     for word in ["consistent", "parameters", "explained", "ambiguous", "unknown"]:
         assert f"- `{word}`: {MEANING[word]}" in page, word
     for id_, mechanism in mechanisms().items():
-        said = MEANING[id_]
-        assert said == mechanism.meaning and f"## {id_}\n\n{said[:1].upper()}{said[1:]}\n" in physics, id_
+        definition = MEANING[id_]
+        assert (
+            definition == mechanism.meaning and f"## {id_}\n\n{definition[:1].upper()}{definition[1:]}\n" in physics
+        ), id_
     assert "no physics is missing" not in MEANING["parameters"]
 
 

@@ -20,8 +20,8 @@ def test_no_number_goes_without_unit_sense_or_in_exponents():
 
 
 def test_numbers_read_well():
-    said = [quantity.number(value) for value in (0.0, 0.0312, 5.02, 120.0, 5330.0, 1.49e-4)]
-    assert said == ["0", "0.031", "5", "120", "5,300", "0.00015"]
+    texts = [quantity.number(value) for value in (0.0, 0.0312, 5.02, 120.0, 5330.0, 1.49e-4)]
+    assert texts == ["0", "0.031", "5", "120", "5,300", "0.00015"]
     assert quantity.size(0.0000312, "mm") == "0.031 µm" and quantity.size(0.104, "mm") == "0.10 mm"
     assert quantity.at(-0.000488, "turns", 30.0) == "0 turns" and quantity.at(30.671, "turns", 30.0) == "30.7 turns"
     assert quantity.said_unit("mm/10N") == "mm/10 N" and quantity.said_unit("mm/turn^2") == "mm/turn²"

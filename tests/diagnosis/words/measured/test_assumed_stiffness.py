@@ -6,11 +6,11 @@ from pipeline.systems import systems
 
 
 def test_a_stiffness_that_was_assumed_is_not_called_measured():
-    known = {"nominal": 20.0, "value": 40.0}
+    fitted_stiffness = {"nominal": 20.0, "value": 40.0}
     content = {
         "verdict": "explained",
         "evidence": {"moved_sigma": {"stiffness_n_per_mm": 3.3, "radius_mm": 3.0}},
-        "parameters": {"stiffness_n_per_mm": known, "radius_mm": {"nominal": 0.4, "value": 0.5}},
+        "parameters": {"stiffness_n_per_mm": fitted_stiffness, "radius_mm": {"nominal": 0.4, "value": 0.5}},
     }
     _, stiffness, radius, *_ = table(content, Vocabulary.of(systems()["separator"]))
     assert "20 N/mm (assumed)" in stiffness and "40 N/mm" in stiffness

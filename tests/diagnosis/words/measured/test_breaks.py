@@ -39,10 +39,10 @@ def run_of(name: str, seed: int, lost_turns: float = 0.0, lost_at_s: float = -1.
 
 def verdict_of(second: RecordedRun):
     first = run_of("a-1", 1)
-    found, study = in_memory.diagnosed([first, second])
-    found["run"] = ["a-1", "a-2"]
-    words = verdict_text(found, systems()["separator"], [Path("a-1"), Path("a-2")], Path("out"))
-    return found, study, " ".join(words.split())
+    diagnosis, study = in_memory.diagnosed([first, second])
+    diagnosis["run"] = ["a-1", "a-2"]
+    words = verdict_text(diagnosis, systems()["separator"], [Path("a-1"), Path("a-2")], Path("out"))
+    return diagnosis, study, " ".join(words.split())
 
 
 @pytest.fixture(scope="module")
@@ -53,19 +53,19 @@ def changed():
 
 @pytest.mark.long
 def test_a_twist_that_changed_between_two_runs_is_no_slip_and_is_said(changed) -> None:
-    found, _, words = changed
-    assert found["verdict"] == "parameters" and not found["mechanisms"]
+    diagnosis, _, words = changed
+    assert diagnosis["verdict"] == "parameters" and not diagnosis["mechanisms"]
     assert "Between the runs the twist changed, in a-2 by -0.3 turns. A string hung anew or of another radius" in words
     assert "Measure the zero" not in words and "three is the most" not in words
-    assert found["parameters"]["angle_turns_2"]["value"] == pytest.approx(-TURNS, abs=0.03)
+    assert diagnosis["parameters"]["angle_turns_2"]["value"] == pytest.approx(-TURNS, abs=0.03)
 
 
 @pytest.mark.long
 def test_counts_that_are_lost_within_a_run_are_named_still_with_a_time_that_was_recorded() -> None:
-    found, study, words = verdict_of(run_of("a-2", 2, TURNS, LOSES_AT_S))
-    assert [entry["id"] for entry in found["mechanisms"]] == ["count_slip"]
+    diagnosis, study, words = verdict_of(run_of("a-2", 2, TURNS, LOSES_AT_S))
+    assert [entry["id"] for entry in diagnosis["mechanisms"]] == ["count_slip"]
     assert "Between the runs" not in words
-    at_s = found["mechanisms"][0]["parameters"]["at_s"]
+    at_s = diagnosis["mechanisms"][0]["parameters"]["at_s"]
     begins = study.problem.drivers.elapsed_s[study.problem.drivers.first == 0]
     assert at_s["value"] == pytest.approx(begins[1] + LOSES_AT_S, abs=1.0)
     assert begins[1] <= at_s["low"] <= at_s["value"] <= at_s["high"] <= study.problem.drivers.elapsed_s[-1]

@@ -9,10 +9,16 @@ from pipeline.diagnosis.document.bounds import at_bound
 
 def corrected(value, sigma):
     """The words where only the radius moved."""
-    known = {"radius_mm": {"nominal": 0.55, "value": value, "low": value, "high": value}}
-    made = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None, "parameters": known}
+    parameters = {"radius_mm": {"nominal": 0.55, "value": value, "low": value, "high": value}}
+    verdict_fields = {
+        "verdict": "parameters",
+        "mechanisms": [],
+        "alternatives": [],
+        "next_run": None,
+        "parameters": parameters,
+    }
     changes = {"evidence__moved_sigma": {"radius_mm": sigma}, "evidence__explanations": []}
-    return told(content(**made, **changes, evidence__nominal_mm=0.45, evidence__calibrated_mm=0.033))
+    return told(content(**verdict_fields, **changes, evidence__nominal_mm=0.45, evidence__calibrated_mm=0.033))
 
 
 def test_moved_dimensions_are_listed_with_the_misfit_before_and_after():
@@ -41,8 +47,8 @@ def test_a_dimension_at_the_bound_of_its_tolerance_is_called_suspicious_before_a
         assert f"radius 0.55 mm 0.5612 mm (0.56 to 0.563) – {abs(sigma):.1f} " in text
     assert "Suspicious" not in told() and "as far as it may" not in told()
     both = {"radius_mm": 3.0, "scale": -3.0}
-    known = CONTENT["parameters"] | {"scale": {"nominal": 1.0, "value": 0.985, "low": 0.98, "high": 0.99}}
-    text = " ".join(told(content(evidence__moved_sigma=both, parameters=known)).split())
+    parameters = CONTENT["parameters"] | {"scale": {"nominal": 1.0, "value": 0.985, "low": 0.98, "high": 0.99}}
+    text = " ".join(told(content(evidence__moved_sigma=both, parameters=parameters)).split())
     assert (
         "moved 2 dimensions as far as it may" in text
         and "gain of the displacement sensor, lower bound 0.985 (1 w" in text
@@ -56,31 +62,31 @@ def test_dimensions_that_move_in_vain_explain_nothing():
     again = "Measure the radius again before you believe any of these values."
     assert again in text and again not in adopted("parameters", **LEFT | {"evidence__nominal_mm": 0.4})
     bare = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
-    for before, said in ((0.0302, True), (0.06, False)):
+    for before, in_vain in ((0.0302, True), (0.06, False)):
         text = told(content(**bare, evidence__nominal_mm=before, evidence__calibrated_mm=0.03))
-        assert ("moving dimensions adds" in text) == ("Moving them explains next to nothing" in text) == said
-        assert ("once its measured dimensions move" in text) == ("the dimensions alone explain" in text) != said
+        assert ("moving dimensions adds" in text) == ("Moving them explains next to nothing" in text) == in_vain
+        assert ("once its measured dimensions move" in text) == ("the dimensions alone explain" in text) != in_vain
 
 
 def test_what_the_simulation_misses_may_bend_dimensions_and_so_may_another_rig():
-    made = content()
-    made["evidence"]["explanations"][-1]["left_mm"] = 0.05
-    said = (
+    diagnosis = content()
+    diagnosis["evidence"]["explanations"][-1]["left_mm"] = 0.05
+    warning = (
         "What the simulation still misses bends dimensions as well. Do not copy calibrated values into run.yaml: meas"
     )
-    assert said in told(made) and said not in told()
+    assert warning in told(diagnosis) and warning not in told()
     many = {f"{name}_mm": 3.0 for name in ("radius", "length", "separator", "torsion_zone")}
     values = dict.fromkeys(many, CONTENT["parameters"]["radius_mm"])
     text = told(content(parameters=values, evidence__moved_sigma=many))
-    said = (
+    warning = (
         "where measuring again changes none, physics that the library lacks may have moved them, or run.yaml describes"
     )
-    assert said in text
+    assert warning in text
 
 
 def test_a_dimension_that_stayed_is_in_the_list_too():
-    known = {"nominal": 100.0, "value": 100.001}
+    unmoved = {"nominal": 100.0, "value": 100.001}
     moved = {"radius_mm": 0.9, "torsion_zone_mm": -0.006, "length_mm": 0.001}
-    made = content(evidence__moved_sigma=moved, parameters__torsion_zone_mm=known, parameters__length_mm=known)
+    diagnosis = content(evidence__moved_sigma=moved, parameters__torsion_zone_mm=unmoved, parameters__length_mm=unmoved)
     stayed = "Stayed (moved by less than a hundredth of the tolerance): torsion zone and length."
-    assert stayed in told(made) and "Stayed" not in told(content(evidence__moved_sigma={"radius_mm": 0.9}))
+    assert stayed in told(diagnosis) and "Stayed" not in told(content(evidence__moved_sigma={"radius_mm": 0.9}))

@@ -13,10 +13,10 @@ from pipeline.systems import systems
 
 
 def test_a_value_that_run_yaml_does_not_hold_was_assumed_and_a_tolerance_is_shown():
-    known = {"nominal": 1.0, "value": 0.9861, "low": 0.98, "high": 0.99}
+    gain = {"nominal": 1.0, "value": 0.9861, "low": 0.98, "high": 0.99}
     turned = {"nominal": 0.0, "value": 0.15, "low": 0.1, "high": 0.2}
     changes = {
-        "parameters": {"scale": known, "angle_turns": turned, "radius_mm": CONTENT["parameters"]["radius_mm"]},
+        "parameters": {"scale": gain, "angle_turns": turned, "radius_mm": CONTENT["parameters"]["radius_mm"]},
         "evidence__moved_sigma": {"scale": -2.78, "angle_turns": 3.0, "radius_mm": 2.9},
         "evidence__tolerance": {"scale": 0.005, "angle_turns": 0.05, "radius_mm": 0.0165},
     }
@@ -55,29 +55,29 @@ def test_how_run_yaml_says_a_tolerance_and_a_gain_is_told():
 
 
 def test_the_details_say_how_to_write_all_that_the_page_asks_to_measure():
-    made = content(evidence__moved_sigma={"radius_mm": 2.9, "length_mm": -2.2, "scale": 1.0})
-    made["parameters"] |= {name: {"nominal": 300.0, "value": 295.6} for name in ("length_mm", "scale")}
-    assert "a tolerance is written as `tolerance: {radius: …, length_mm: …}` (docs/import.md)." in told(made)
+    diagnosis = content(evidence__moved_sigma={"radius_mm": 2.9, "length_mm": -2.2, "scale": 1.0})
+    diagnosis["parameters"] |= {name: {"nominal": 300.0, "value": 295.6} for name in ("length_mm", "scale")}
+    assert "a tolerance is written as `tolerance: {radius: …, length_mm: …}` (docs/import.md)." in told(diagnosis)
 
 
 def test_tolerances_stand_in_the_keys_and_units_of_run_yaml_and_a_length_in_place_of_a_share_is_told():
-    known = {"radius_mm": {"nominal": 0.4, "value": 0.436}, "scale": {"nominal": 1.0, "value": 1.01}}
-    known |= {"separator_mm": {"nominal": 8.0, "value": 8.2}}
+    parameters = {"radius_mm": {"nominal": 0.4, "value": 0.436}, "scale": {"nominal": 1.0, "value": 1.01}}
+    parameters |= {"separator_mm": {"nominal": 8.0, "value": 8.2}}
     sigmas = {"radius_mm": 0.012, "separator_mm": 0.5, "scale": 0.005}
-    made = content(parameters=known, evidence__tolerance=sigmas)
+    diagnosis = content(parameters=parameters, evidence__tolerance=sigmas)
     block = "`tolerance: {radius: 0.03, separator_mm: 0.5, scale: 0.005}`"
-    text = told(made)
+    text = told(diagnosis)
     assert (
         f"Now in force, as run.yaml writes it: {block} (radius and scale are shares of the value: 0.03 is 3 %)." in text
     )
     assert yaml.safe_load(block.strip("`")) == {"tolerance": {"radius": 0.03, "separator_mm": 0.5, "scale": 0.005}}
     assert "takes care to measure by hand" not in text
     assert "All are defaults: run.yaml gives no other." in " ".join(text.split())
-    made["evidence"]["tolerance"]["radius_mm"] = 0.012 * 0.4
-    first = told(made).partition("\nWhat is missing\n")[0]
+    diagnosis["evidence"]["tolerance"]["radius_mm"] = 0.012 * 0.4
+    first = told(diagnosis).partition("\nWhat is missing\n")[0]
     assert "That is a share: 1.2 % of 0.4 mm, or 0.0048 mm, which takes care to measure by hand." in first
     assert "If 0.012 mm was meant, write radius: 0.03 and diagnose again." in first
-    assert "separator_mm and scale are defaults: run.yaml gives no other." in " ".join(told(made).split())
+    assert "separator_mm and scale are defaults: run.yaml gives no other." in " ".join(told(diagnosis).split())
     thin = {"radius_mm": {"nominal": 0.1, "value": 0.1}}
     near = content(parameters=thin, evidence__tolerance={"radius_mm": 0.003}, evidence__moved_sigma={})
     assert "by hand" not in told(near), "the default"
@@ -89,8 +89,10 @@ def test_a_tolerance_is_a_share_exactly_where_a_rig_takes_it_for_one(name):
     string = SimpleNamespace(radius_mm=0.4, length_mm=400.0, stiffness_n_per_mm=15.0)
     run = SimpleNamespace(string=string, rig={key: 7.0 for key in {**system.rig, **system.optional_rig}}, tolerance={})
     shares = Vocabulary.of(system).shares
-    for one in system.parameters(run):
-        key = tolerances.key_of(one.name)
+    for parameter in system.parameters(run):
+        key = tolerances.key_of(parameter.name)
         if key in system.tolerance:
             usual = system.tolerance[key]
-            assert one.sigma == pytest.approx(usual * abs(one.nominal) if key in shares else usual), one.name
+            assert parameter.sigma == pytest.approx(usual * abs(parameter.nominal) if key in shares else usual), (
+                parameter.name
+            )

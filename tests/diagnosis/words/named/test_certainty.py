@@ -7,18 +7,18 @@ from made_content import confident, content, told
 
 
 def test_a_sure_effect_whose_size_may_be_nothing_says_so():
-    found = content()
-    found["mechanisms"][0]["rms_mm"] |= {"low": 0.0}
-    found["evidence"]["moved_sigma"] = {}
+    diagnosis = content()
+    diagnosis["mechanisms"][0]["rms_mm"] |= {"low": 0.0}
+    diagnosis["evidence"]["moved_sigma"] = {}
     sure = "friction_hysteresis is sure though the interval reaches 0, for the percentage counts all signs"
-    for share, said in ((0.85, True), (0.6, False)):
-        found["mechanisms"][0]["confidence"] = share
-        for explained in found["evidence"]["explanations"][1:]:
+    for share, is_sure in ((0.85, True), (0.6, False)):
+        diagnosis["mechanisms"][0]["confidence"] = share
+        for explained in diagnosis["evidence"]["explanations"][1:]:
             explained["probability"] = 0.1
-        text = told(copy.deepcopy(found))
-        assert (sure in text) is said and "since dimensions or other effects can take over much" in text
-    found["mechanisms"][0]["confidence"], found["evidence"]["moved_sigma"] = 0.85, {"radius_mm": 3.0}
-    at_its_limit = " ".join(told(found).split())
+        text = told(copy.deepcopy(diagnosis))
+        assert (sure in text) is is_sure and "since dimensions or other effects can take over much" in text
+    diagnosis["mechanisms"][0]["confidence"], diagnosis["evidence"]["moved_sigma"] = 0.85, {"radius_mm": 3.0}
+    at_its_limit = " ".join(told(diagnosis).split())
     assert sure not in at_its_limit
     assert "friction_hysteresis is probable though the interval reaches 0" in at_its_limit
     assert "friction_hysteresis has 85 %, but is only probable: the radius stands at its limit." in at_its_limit
@@ -29,16 +29,18 @@ AT_LIMIT = {"radius_mm": 3.0}
 
 def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
     text = " ".join(told(confident(0.93, 0.46)).split())
-    held = "The percentages compare explanations of the library in which a dimension may move by three tolerances."
+    assumption = (
+        "The percentages compare explanations of the library in which a dimension may move by three tolerances."
+    )
     more = (
         "The 93 % of friction_hysteresis is the sum over all explanations with it; the best explanation alone has 52 %."
     )
     words = "Sure: 80 % or more; probable: 50 % or more, or sure but for what the recording lacks; open: less."
-    assert f"{words} {more}" in text and held in text
+    assert f"{words} {more}" in text and assumption in text
     assert "friction_hysteresis sure, 93 %" in text and "creep open, 46 %" in text and "thermal open, 31 %" in text
     limit = told(confident(0.93, 0.46) | {"evidence": {**confident(0.93, 0.46)["evidence"], "moved_sigma": AT_LIMIT}})
     stands = "The radius stands at that limit: measured better, it can change the percentages."
-    assert f"{held} {stands}" in " ".join(limit.split())
+    assert f"{assumption} {stands}" in " ".join(limit.split())
     text = " ".join(told(confident(0.8, 0.62, alternatives=[["friction_hysteresis"]])).split())
     assert "friction_hysteresis sure, 80 %" in text and "creep probable, 62 %" in text
     assert "Sure:" not in told(content()) and "The percentages compare" not in told(content())
@@ -54,25 +56,25 @@ def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "said"),
+    ("low", "high", "expected"),
     [
         (0.35, 0.44, "0.41 mm (0.35 to 0.44 mm)"),
         (0.0, 0.9, "0.41 mm (0 to 0.90 mm), poorly known"),
     ],
 )
-def test_the_first_table_says_whose_size_is_poorly_known_and_what_is_missing_follows(low, high, said):
-    made = content()
-    made["mechanisms"][1]["rms_mm"] |= {"low": low, "high": high}
-    text = told(made)
+def test_the_first_table_says_whose_size_is_poorly_known_and_what_is_missing_follows(low, high, expected):
+    diagnosis = content()
+    diagnosis["mechanisms"][1]["rms_mm"] |= {"low": low, "high": high}
+    text = told(diagnosis)
     (row,) = [line for line in text.splitlines() if line.startswith("  creep  ")]
-    assert f"  {said} Under load" in row and ("Poorly known: " in text) == ("poorly" in said)
+    assert f"  {expected} Under load" in row and ("Poorly known: " in text) == ("poorly" in expected)
     assert "All hold if friction_hysteresis + creep is right." in text
     assert "\n  Over the whole recording 0.44 mm rms is missing after calibration" in text
 
 
 def test_an_effect_far_larger_than_what_is_missing_is_mostly_hidden_in_both_places():
-    made = content()
-    made["mechanisms"][1]["rms_mm"] = {"value": 3.2, "low": 2.2, "high": 3.5}
-    text = told(made)
+    diagnosis = content()
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 3.2, "low": 2.2, "high": 3.5}
+    text = told(diagnosis)
     assert "3.2 mm (2.2 to 3.5 mm), mostly hidden" in text and "poorly known" not in text
     assert "Mostly hidden: it is far larger than the 0.44 mm that is missing." in text

@@ -70,20 +70,20 @@ def test_what_an_effect_does_in_the_recording_stands_first(problem) -> None:
     shape = {"play_turns": 0.04, "usual_load": float(np.median(problem.drivers.load))}
     state = replace(problem.nominal(), acts=(Act("friction_hysteresis", (shape,), (0.42, 0.65)),))
     own, does = sizes(problem, state), {"friction_hysteresis": "Half the width of the loop is 0.026 turns."}
-    said = coefficients.lines(state.acts, problem.drivers, words, own, does)
-    assert said[1].startswith("  friction_hysteresis: Half the width of the loop is 0.026 turns. In all it moves ")
-    assert said[2] == (
+    lines = coefficients.lines(state.acts, problem.drivers, words, own, does)
+    assert lines[1].startswith("  friction_hysteresis: Half the width of the loop is 0.026 turns. In all it moves ")
+    assert lines[2] == (
         "    It is made of 2 elements: the first 2 rows. 0.42 and 0.65 are weights, which need not add up to 1."
     )
-    said = [line for line in said if not line.startswith("    The rows of the last column add up to ")]
-    first_letter = next(at for at, line in enumerate(said) if line.startswith("    Its formula: "))
-    assert said[first_letter - 1].startswith("    To measure at the rig: half the width of the loop is ")
-    rows = said[4 : first_letter - 1]
+    lines = [line for line in lines if not line.startswith("    The rows of the last column add up to ")]
+    first_letter = next(at for at, line in enumerate(lines) if line.startswith("    Its formula: "))
+    assert lines[first_letter - 1].startswith("    To measure at the rig: half the width of the loop is ")
+    rows = lines[4 : first_letter - 1]
     assert len(rows) % 2 == 0 and all(row.startswith("      ") for row in rows[1::2]), "each row has its meaning"
     assert rows[-2].split()[:3] == ["usual_load", f"{10.0 * shape['usual_load']:.3g}", "N"]
-    assert f"run.yaml has it as {shape['usual_load']:.3g}, in 10 N" in rows[-1] and "where – stands" in said[0]
-    assert said[first_letter].endswith(mechanisms()["friction_hysteresis"].variants["play_turns"])
-    values = {row.split()[0]: row.split("   ")[1:] for row in said[first_letter + 2 : -1]}
+    assert f"run.yaml has it as {shape['usual_load']:.3g}, in 10 N" in rows[-1] and "where – stands" in lines[0]
+    assert lines[first_letter].endswith(mechanisms()["friction_hysteresis"].variants["play_turns"])
+    values = {row.split()[0]: row.split("   ")[1:] for row in lines[first_letter + 2 : -1]}
     assert any("0.04 turns" in cell for cell in values["w"]) and any("1 and 0.4" in cell for cell in values["b_i"])
 
 
@@ -94,17 +94,21 @@ def test_a_column_that_says_nothing_is_left_out(problem) -> None:
         Act("jam", ({"critical_turns": 1.0, "softness_turns": 0.1},), (0.4, 0.0)),
     )
     still = coefficients.Size(0.1, 0.0, (0.0, 20.0))
-    said = coefficients.lines([act], problem.drivers, words, [[still, still]])
-    assert said[2].split() == ["number", "value", "reading", "moved,", "rms"]
+    lines = coefficients.lines([act], problem.drivers, words, [[still, still]])
+    assert lines[2].split() == ["number", "value", "reading", "moved,", "rms"]
     moving = coefficients.Size(0.1, 0.1, (0.0, 20.0))
-    said = coefficients.lines([act], problem.drivers, words, [[moving, moving]])
-    assert said[2].endswith(" change from 0 to 20 turns")
+    lines = coefficients.lines([act], problem.drivers, words, [[moving, moving]])
+    assert lines[2].endswith(" change from 0 to 20 turns")
 
 
 def test_the_rest_of_an_equation_says_what_its_letters_are(problem) -> None:
     friction = mechanisms()["friction_hysteresis"]
-    shown, said = formulas.split(friction.plain_equation)
-    assert shown == "h s" and said["h"] == "half the loop" and said["s"].endswith("to 1, rounded where it turns")
+    shown, letter_meanings = formulas.split(friction.plain_equation)
+    assert (
+        shown == "h s"
+        and letter_meanings["h"] == "half the loop"
+        and letter_meanings["s"].endswith("to 1, rounded where it turns")
+    )
     backlash = mechanisms()["backlash"].equation
     assert formulas.split(backlash) == (backlash, {}), "half the play is no letter"
 
@@ -128,26 +132,26 @@ def test_numbers_that_cancel_are_said_to_and_what_rounding_leaves_is_not(problem
     words, ends = Vocabulary.of(problem.system), (0.0, 20.0)
     whole = moved_reading.Size(0.11, 0.003, ends)
     parts = [moved_reading.Size(0.668, 0.135, ends), moved_reading.Size(0.305, -0.1324, ends)]
-    (said,) = moved_reading.not_added_up(whole, parts, words)
-    assert said == (
+    (sentence,) = moved_reading.not_added_up(whole, parts, words)
+    assert sentence == (
         "    The numbers cancel each other in part: up to 0.67 mm rms each, where the whole effect is 0.11 mm."
     )
     alike = [moved_reading.Size(0.06, 0.002, ends), moved_reading.Size(0.05, 0.0004, ends)]
     assert moved_reading.not_added_up(whole, alike, words) == []
-    (said,) = moved_reading.not_added_up(whole, [moved_reading.Size(0.1, 0.05, ends)], words)
-    assert said.endswith("+0.050 mm, not to +0.003 mm: what each number does depends on the others.")
+    (sentence,) = moved_reading.not_added_up(whole, [moved_reading.Size(0.1, 0.05, ends)], words)
+    assert sentence.endswith("+0.050 mm, not to +0.003 mm: what each number does depends on the others.")
 
 
 def test_half_a_play_is_said_as_what_a_person_measures_at_the_rig(problem) -> None:
     """A row sent the reader to another page for the one number that he can measure."""
     words = Vocabulary.of(problem.system)
     act = Act("backlash", ({"half_width_turns": 0.0256},), (0.487, 0.673))
-    said = measurable(act, problem.drivers, words)
-    assert said == ["    To measure at the rig: half the play is 0.0211 turns."]
+    advice = measurable(act, problem.drivers, words)
+    assert advice == ["    To measure at the rig: half the play is 0.0211 turns."]
     shape = {"play_turns": 0.0504, "usual_load": 2.0}
     act = Act("friction_hysteresis", (shape,), (0.0, 1.047))
-    (said,) = measurable(act, problem.drivers, words)
-    assert said.startswith("    To measure at the rig: half the width of the loop is ") and said.endswith(
+    (advice,) = measurable(act, problem.drivers, words)
+    assert advice.startswith("    To measure at the rig: half the width of the loop is ") and advice.endswith(
         " under 20 N."
     )
 
@@ -158,12 +162,12 @@ def test_each_letter_of_a_formula_has_a_row_with_value_and_meaning(problem, id_:
     numbers = formulas.Numbers(("0.1 mm", "0.2 mm"), {"load_power": "1"}, 0.1)
     for equation in (mechanism.equation, *mechanism.variants.values()):
         formula = re.split(r", (?:s_i: stop|theta' the|e: any|s sticks)|; half|: any| where ", equation)[0]
-        said = formulas.lines(equation, mechanism, words, problem.drivers, numbers)
-        rows = {line.split()[0]: line.split()[1:] for line in said}
+        lines = formulas.lines(equation, mechanism, words, problem.drivers, numbers)
+        rows = {line.split()[0]: line.split()[1:] for line in lines}
         for letter in set(formulas.LETTER.findall(formula)) - NO_LETTERS:
             bare = letter if letter in rows else re.sub("'+$|^d", "", letter)
             assert bare in rows and len(rows[bare]) > 1, letter
-        signs = said[-1] if said[-1].startswith("Signs: ") else ""
+        signs = lines[-1] if lines[-1].startswith("Signs: ") else ""
         assert all(f" {name}: " in signs for name in formulas.FUNCTIONS if name in formulas.LETTER.findall(equation))
 
 
@@ -204,7 +208,9 @@ def test_a_mechanism_says_in_its_own_file_what_its_nonlinear_parameters_mean(pro
 
 def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -> None:
     words, rigs = Vocabulary.of(problem.system), systems()
-    keys = {key for one in mechanisms().values() for shape in one.candidates(problem.drivers) for key in shape}
+    keys = {
+        key for mechanism in mechanisms().values() for shape in mechanism.candidates(problem.drivers) for key in shape
+    }
     per_s = sorted(key for key in keys if key.endswith("_per_s"))
     assert "fastest_turns_per_s" in per_s
     for key in per_s:
@@ -218,27 +224,27 @@ def test_a_number_in_a_formula_has_the_unit_of_its_names_whole_ending(problem) -
         assert unit_of_nonlinear(key) in ("1", unit_of(key)), key
 
 
-@pytest.mark.parametrize("id_", [id_ for id_, one in mechanisms().items() if one.names])
+@pytest.mark.parametrize("id_", [id_ for id_, mechanism in mechanisms().items() if mechanism.names])
 def test_every_word_that_is_explained_stands_in_a_name_of_its_mechanism(problem, id_: str) -> None:
-    one, kinds = mechanisms()[id_], [problem.drivers, replace(problem.drivers, levered=False)]
+    mechanism, kinds = mechanisms()[id_], [problem.drivers, replace(problem.drivers, levered=False)]
     named = [
         f"_{term.name}_"
         for drivers in kinds
-        for nonlinear in one.candidates(drivers)
-        for term in one.terms(drivers, nonlinear | ({"loaded": 1.0} if "loaded" in nonlinear else {}))
+        for nonlinear in mechanism.candidates(drivers)
+        for term in mechanism.terms(drivers, nonlinear | ({"loaded": 1.0} if "loaded" in nonlinear else {}))
     ]
-    for word in one.names:
-        there = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
-        assert any(there.search(name) for name in named), word
+    for word in mechanism.names:
+        pattern = re.compile(f"_{re.escape(word)}_".replace(r"\*", "[0-9.]+"))
+        assert any(pattern.search(name) for name in named), word
 
 
 def explained(problem, act: Act, dimensions: dict | None = None) -> dict[str, str]:
     """The lines that `--explain` has of an act, by their first word; each with the line below it."""
     words, size = Vocabulary.of(problem.system), moved_reading.Size(0.1, 0.1, (0.0, 20.0))
     count = sum(value != 0.0 for value in act.coefficients)
-    said = coefficients.lines([act], problem.drivers, words, [[size] * (1 + count)], {}, dimensions or {})
+    lines = coefficients.lines([act], problem.drivers, words, [[size] * (1 + count)], {}, dimensions or {})
     return {
-        line.split()[0]: f"{line.strip()} {below.strip()}" for line, below in zip(said, [*said[1:], ""], strict=True)
+        line.split()[0]: f"{line.strip()} {below.strip()}" for line, below in zip(lines, [*lines[1:], ""], strict=True)
     }
 
 
@@ -250,14 +256,16 @@ def with_all(problem, id_: str, nonlinear: dict[str, float]) -> Act:
 def test_each_coefficient_of_a_radius_that_falls_says_what_it_multiplies(problem) -> None:
     """Five rows said no more than "changes the radius, as a share of it"."""
     shape = {"loaded": 0.0, "steepest": 0.4, "highest_pressure": 0.517}
-    said = explained(problem, with_all(problem, "radius_compaction", shape), {"radius_mm": (0.428, 0.4)})
+    sentences = explained(problem, with_all(problem, "radius_compaction", shape), {"radius_mm": (0.428, 0.4)})
     names = [term.name for term in mechanisms()["radius_compaction"].terms(problem.drivers, shape)]
-    assert len(names) > 10 and all("; it multiplies " in said[name] for name in names)
-    assert "minus tan(helix angle) to the power in its name" in said["tangent_2"]
-    assert said["highest_pressure"].startswith("highest_pressure") and " 5.17 N " in said["highest_pressure"]
-    assert "run.yaml has it as 0.517, in 10 N" in said["highest_pressure"]
-    assert f"rows 1 to {len(names)} above" in said["k"] and "not used here: the load did not vary" in said["s"]
-    assert "0.428 mm, as adopted (measured 0.4)" in said["r"]
+    assert len(names) > 10 and all("; it multiplies " in sentences[name] for name in names)
+    assert "minus tan(helix angle) to the power in its name" in sentences["tangent_2"]
+    assert sentences["highest_pressure"].startswith("highest_pressure") and " 5.17 N " in sentences["highest_pressure"]
+    assert "run.yaml has it as 0.517, in 10 N" in sentences["highest_pressure"]
+    assert (
+        f"rows 1 to {len(names)} above" in sentences["k"] and "not used here: the load did not vary" in sentences["s"]
+    )
+    assert "0.428 mm, as adopted (measured 0.4)" in sentences["r"]
     varied = explained(problem, with_all(problem, "radius_compaction", shape | {"loaded": 1.0}))
     assert f"0.1, row {len(names) + 3} above" in varied["s"] and f"rows 1 to {len(names) + 2} above" in varied["k"]
     assert "see run.yaml" in varied["r"]
@@ -267,8 +275,8 @@ def test_a_letter_has_the_rows_of_its_own_strengths_alone(problem) -> None:
     """`P_L: rows 1 to 6` and `k: rows 1 to 6` stood above, and only row 6 grew with the tension."""
     shape = {"load_power": 1.0, "work": 5.0, "loaded": 0.0}
     act = with_all(problem, "plastic_elongation", shape)
-    said, last = explained(problem, act), len(act.coefficients)
-    assert f"rows 1 to {last - 1} above" in said["P_L"] and f", row {last} above" in said["k"]
+    sentences, last = explained(problem, act), len(act.coefficients)
+    assert f"rows 1 to {last - 1} above" in sentences["P_L"] and f", row {last} above" in sentences["k"]
     two = explained(problem, Act(act.id, act.nonlinear, (*act.coefficients[:2], *(0.0,) * (last - 2))))
     assert "rows 1 and 2 above" in two["P_L"] and "not in this one" in two["k"]
 
@@ -277,11 +285,13 @@ def test_what_usually_heats_says_which_heat_it_is_with_its_unit(problem) -> None
     """Five numbers without a unit had one sentence: "how much of what heats there usually is"."""
     shape = next(each for each in mechanisms()["thermal"].candidates(problem.drivers) if not each["measured"])
     shape |= {"usual_friction": 2.0, "usual_speed": 3.0}
-    said = explained(problem, Act("thermal", (shape,), with_all(problem, "thermal", shape).coefficients))
-    assert " 20 N turns/s " in said["usual_friction"] and "the mean of speed x load, " in said["usual_friction"]
-    assert "run.yaml has it as 2, in 10 N turns/s" in said["usual_friction"]
-    assert " 3 turns²/s² " in said["usual_speed"] and "speed squared" in said["usual_speed"]
-    meanings = {said[f"usual_{heat}"].partition(" the ")[2] for heat in ("friction", "speed", "current", "torque")}
+    sentences = explained(problem, Act("thermal", (shape,), with_all(problem, "thermal", shape).coefficients))
+    assert (
+        " 20 N turns/s " in sentences["usual_friction"] and "the mean of speed x load, " in sentences["usual_friction"]
+    )
+    assert "run.yaml has it as 2, in 10 N turns/s" in sentences["usual_friction"]
+    assert " 3 turns²/s² " in sentences["usual_speed"] and "speed squared" in sentences["usual_speed"]
+    meanings = {sentences[f"usual_{heat}"].partition(" the ")[2] for heat in ("friction", "speed", "current", "torque")}
     assert len(meanings) == 4
 
 

@@ -23,9 +23,9 @@ def test_every_size_says_of_which_explanation_it_is() -> None:
 
 def test_a_wide_table_of_effects_breaks_no_line() -> None:
     own = {"evidence__beyond_dimensions_mm": {"friction_hysteresis": 0.01, "creep": 0.01}, "evidence__moved_sigma": {}}
-    made = confident(0.997, 0.996, verdict="explained", alternatives=[], next_run=None, **own)
-    made["mechanisms"][0]["rms_mm"] = {"value": 0.082, "low": 0.0123, "high": 0.123}
-    rows = page(made).splitlines()
+    diagnosis = confident(0.997, 0.996, verdict="explained", alternatives=[], next_run=None, **own)
+    diagnosis["mechanisms"][0]["rms_mm"] = {"value": 0.082, "low": 0.0123, "high": 0.123}
+    rows = page(diagnosis).splitlines()
     at = next(at for at, line in enumerate(rows) if line.startswith("  effect "))
     head, below = rows[at : at + 2]
     assert head.endswith("  part that no wrong") and len(head) <= 112

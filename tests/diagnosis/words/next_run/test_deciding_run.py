@@ -8,16 +8,20 @@ from pipeline.diagnosis.words.pages.spoken import spoken
 
 @pytest.mark.parametrize("verdict", ["consistent", "parameters", "explained"])
 def test_where_no_run_is_needed_next_the_verdict_says_so_and_why(verdict):
-    made = spoken(content(verdict=verdict, next_run=None), SYSTEMS["mm"])
+    diagnosis = spoken(content(verdict=verdict, next_run=None), SYSTEMS["mm"])
     text = told(content(verdict=verdict, next_run=None))
     assert "The run to make next\n  None is needed: " in text and "None is needed" not in told()
-    assert made["next_experiment"] is None
+    assert diagnosis["next_experiment"] is None
 
 
 def test_where_no_run_decides_the_open_effects_own_signs_are_told():
     heading = "\nWhat tells the open effects apart at the rig\n"
-    said = told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0)).partition(heading)[2].partition("\n\n")[0]
-    assert "\n  creep: a hold under load" in said and "\n  thermal: " in said and "These hold in general" in said
+    section = (
+        told(content(next_run__gap_now=2809.0, next_run__gap_then=4761.0)).partition(heading)[2].partition("\n\n")[0]
+    )
+    assert (
+        "\n  creep: a hold under load" in section and "\n  thermal: " in section and "These hold in general" in section
+    )
     decided = told().partition(heading)[2].partition("\n\n")[0]
     assert "\n  creep: a hold under load" in f"\n{decided}" and "These hold in general" not in decided
     assert heading not in told(content(verdict="explained", alternatives=[], next_run=None))
@@ -37,9 +41,10 @@ def test_what_makes_sure_of_a_name_is_said_to_stand_above_only_where_it_does():
 def test_the_page_promises_of_the_details_no_numbers_that_they_have_not():
     covered = {"load": [20.0, 20.0], "speed_per_s": [1.0, 1.0], "longest_hold_s": 0.0, "longest_rest_s": 4.0}
     bare = {**ALONE, **NEAR, "evidence__loaded": False, "evidence__covered": covered}
-    made = confident(0.9, 0.9, **bare)
-    made["mechanisms"] = made["mechanisms"][:1]
-    assert "Its tests and the commands: details.txt." in page(made), "they foretell no number"
+    diagnosis = confident(0.9, 0.9, **bare)
+    diagnosis["mechanisms"] = diagnosis["mechanisms"][:1]
+    assert "Its tests and the commands: details.txt." in page(diagnosis), "they foretell no number"
     assert (
-        "no holds and rests of up to 4 s" in told(made) and "0 s" not in told(made).partition("Recorded so far")[2][:90]
+        "no holds and rests of up to 4 s" in told(diagnosis)
+        and "0 s" not in told(diagnosis).partition("Recorded so far")[2][:90]
     )

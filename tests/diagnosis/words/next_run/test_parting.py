@@ -16,13 +16,13 @@ def parted(*gaps, **changes):
         {"ids": pair, "gap_now": 9.0, "gap_then": then} for pair, then in zip(pairs[::-1], gaps[::-1], strict=True)
     ]
     least = min(entries, key=lambda entry: entry["gap_then"])
-    made = content(next_run__pairs=entries, next_run__gap_now=9.0, next_run__gap_then=least["gap_then"], **changes)
-    made["next_run"]["parts"], made["alternatives"] = least["ids"], ids[1:]
-    return made
+    diagnosis = content(next_run__pairs=entries, next_run__gap_now=9.0, next_run__gap_then=least["gap_then"], **changes)
+    diagnosis["next_run"]["parts"], diagnosis["alternatives"] = least["ids"], ids[1:]
+    return diagnosis
 
 
 @pytest.mark.parametrize(
-    ("gaps", "said"),
+    ("gaps", "expected"),
     [
         (
             (400.0, 400.0, 9.1),
@@ -36,35 +36,35 @@ def parted(*gaps, **changes):
         ((9.1, 9.2, 9.1), "It is not sure to tell any of the 3 likeliest explanations from all others."),
     ],
 )
-def test_a_run_says_which_of_three_explanations_it_parts_and_which_it_leaves_together(gaps, said):
-    made = parted(*gaps)
-    assert said in told(copy.deepcopy(made))
-    section = " ".join(full(made).partition("\nThe run to make next\n")[2].partition("\n\n")[0].split())
-    assert section.count(said) == 1, "where the run stands, and once"
+def test_a_run_says_which_of_three_explanations_it_parts_and_which_it_leaves_together(gaps, expected):
+    diagnosis = parted(*gaps)
+    assert expected in told(copy.deepcopy(diagnosis))
+    section = " ".join(full(diagnosis).partition("\nThe run to make next\n")[2].partition("\n\n")[0].split())
+    assert section.count(expected) == 1, "where the run stands, and once"
 
 
 def test_an_explanation_of_several_effects_stands_in_no_brackets_and_counts_as_one():
     """`jam, or friction_hysteresis and radius_compaction, the two that are hardest to tell apart`: which two?"""
-    made = parted(400.0, 400.0, 9.1)
-    for pair in made["next_run"]["pairs"]:
+    diagnosis = parted(400.0, 400.0, 9.1)
+    for pair in diagnosis["next_run"]["pairs"]:
         pair["ids"] = [[*ids, "slack"] if ids[-1] == "creep" else ids for ids in pair["ids"]]
-    made["mechanisms"].append({**made["mechanisms"][-1], "id": "slack"})
-    said = "it can tell creep + slack from the others; thermal and wear stay together"
-    assert said in parting.sentence(made)
-    made["next_run"]["parts"] = [["creep", "slack"], ["thermal"]]
-    assert worth.question(made) == "which is at work: creep + slack or thermal"
-    made["next_run"] |= {"gap_now": 9.0, "gap_then": 30.0}
-    assert "try the run that tells most" in told(made)
-    for pair in made["next_run"]["pairs"]:
+    diagnosis["mechanisms"].append({**diagnosis["mechanisms"][-1], "id": "slack"})
+    sentence = "it can tell creep + slack from the others; thermal and wear stay together"
+    assert sentence in parting.sentence(diagnosis)
+    diagnosis["next_run"]["parts"] = [["creep", "slack"], ["thermal"]]
+    assert worth.question(diagnosis) == "which is at work: creep + slack or thermal"
+    diagnosis["next_run"] |= {"gap_now": 9.0, "gap_then": 30.0}
+    assert "try the run that tells most" in told(diagnosis)
+    for pair in diagnosis["next_run"]["pairs"]:
         pair["gap_then"] = 30.0
-    assert "the two explanations that are hardest to tell apart" in told(made)
+    assert "the two explanations that are hardest to tell apart" in told(diagnosis)
 
 
 def test_the_step_says_first_what_the_run_tells_apart_where_it_leaves_the_closest_two_together():
     """`The run that tells jam from radius_compaction best` stood before `jam and radius_compaction stay together`."""
-    made = parted(400.0, 400.0, 15.0)
-    made["next_run"] |= {"gap_now": 9.0, "gap_then": 30.0}
-    step = " ".join(page(made).partition("What to do, in this order")[2].split())
+    diagnosis = parted(400.0, 400.0, 15.0)
+    diagnosis["next_run"] |= {"gap_now": 9.0, "gap_then": 30.0}
+    step = " ".join(page(diagnosis).partition("What to do, in this order")[2].split())
     need = "Only if you need to know which is at work: try the run that tells most"
     first = "Of the 3 likeliest explanations it can tell creep from the others; thermal and wear stay together."
     assert step.index(need) < step.index(first) < step.index("In tests such runs settled 30 of 50")
@@ -72,13 +72,13 @@ def test_the_step_says_first_what_the_run_tells_apart_where_it_leaves_the_closes
 
 
 def test_two_that_the_run_is_to_decide_between_never_stay_together_over_a_third():
-    made = parted(400.0, 9.1, 9.2)  # it decides between creep and heat, and parts wear from neither
+    diagnosis = parted(400.0, 9.1, 9.2)  # it decides between creep and heat, and parts wear from neither
     ids = [["friction_hysteresis", last] for last in ("creep", "thermal")]
-    made["next_run"] |= {"parts": ids, "gap_now": 9.0, "gap_then": 400.0}
-    said = "it can tell creep from thermal; it need not tell wear from creep or thermal."
-    assert f"Of the 3 likeliest explanations {said}" in told(copy.deepcopy(made)), "the details"
-    text = " ".join(full(made).split())
-    assert "which is at work, creep or thermal" in text and text.count(said) == 1 and "stay together" not in text
+    diagnosis["next_run"] |= {"parts": ids, "gap_now": 9.0, "gap_then": 400.0}
+    sentence = "it can tell creep from thermal; it need not tell wear from creep or thermal."
+    assert f"Of the 3 likeliest explanations {sentence}" in told(copy.deepcopy(diagnosis)), "the details"
+    text = " ".join(full(diagnosis).split())
+    assert "which is at work, creep or thermal" in text and text.count(sentence) == 1 and "stay together" not in text
 
 
 def test_of_two_explanations_and_in_an_older_file_nothing_is_said_to_stay_together():

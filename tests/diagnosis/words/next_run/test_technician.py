@@ -26,11 +26,11 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
 
 
 def test_the_json_holds_the_same_protocol_in_one_string():
-    said = spoken(content(), SYSTEMS["mm"])["next_experiment"]
-    assert said.startswith(
+    protocol = spoken(content(), SYSTEMS["mm"])["next_experiment"]
+    assert protocol.startswith(
         "A hold at full twist, then a rest: 3.5 min in all. 1. Begin at rest, at 0 turns under 20 N."
     )
-    assert "5. Hold 2 min at 0 turns." in said and "`--together`" in said
+    assert "5. Hold 2 min at 0 turns." in protocol and "`--together`" in protocol
 
 
 def test_another_load_where_the_load_is_not_recorded_is_a_run_of_its_own():
@@ -46,8 +46,8 @@ def test_another_load_where_the_load_is_not_recorded_is_a_run_of_its_own():
     assert "  python -m pipeline.new_run nylon-3-next-2 --like raw/nylon-3\n" in both
     assert "  python -m pipeline.capture PORT raw/nylon-3-next-2\n" in both
     assert "If your rig cannot change its load, make the run at the other speed alone: it shows less." in both
-    one = told(content(next_run=run | {"fixed_load": False}))
-    assert "Change the load to 20 N." in one and "raw/nylon-3 raw/nylon-3-next --together" in one
+    single_run = told(content(next_run=run | {"fixed_load": False}))
+    assert "Change the load to 20 N." in single_run and "raw/nylon-3 raw/nylon-3-next --together" in single_run
 
 
 def test_a_load_cell_that_reads_a_little_more_changes_no_load():
@@ -77,9 +77,9 @@ def test_a_run_of_the_adopted_verdict_keeps_its_loads():
     legs = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0),
             leg(0.5, 0.0, 20.0), leg(20.0, 12.0, 20.0), leg(20.0, 0.0, 20.0)]  # fmt: skip
     run = {"title": "another load", "legs": legs, "load": 20.0, "follows": "twist", "fixed_load": True}
-    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
-    one["next_experiment"] = spoken(content(next_run=run), SYSTEMS["mm"])["next_experiment"]
-    text = adopted(adopted=[one])
+    adopted_verdict = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    adopted_verdict["next_experiment"] = spoken(content(next_run=run), SYSTEMS["mm"])["next_experiment"]
+    text = adopted(adopted=[adopted_verdict])
     assert " Run 2, under 20 N as recorded:\n    1. Begin at rest, at 0 turns under 20 N.\n" in text
     assert "  python -m pipeline.new_run nylon-3-next-1 --like raw/nylon-3 --load-n 30\n" in text
     assert "  python -m pipeline.new_run nylon-3-next-2 --like raw/nylon-3\n" in text
@@ -87,8 +87,8 @@ def test_a_run_of_the_adopted_verdict_keeps_its_loads():
 
 def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
     text = told(content(next_run__title="one stroke under twice the load"))
-    said = "Only if the rig bears so much. If your rig cannot change its load, leave this run out: the likelier expl"
-    assert f"{said}anations stay tied." in text and "If your rig cannot" not in told()
+    advice = "Only if the rig bears so much. If your rig cannot change its load, leave this run out: the likelier expl"
+    assert f"{advice}anations stay tied." in text and "If your rig cannot" not in told()
     half = "one stroke under half the load"
     fixed = told(content(next_run__title=half, next_run__load=20.0, next_run__fixed_load=True))
     look = "`python -m pipeline.settle RUN --limits '{load_n: [20, 20]}'` looks for one under this load"
@@ -98,17 +98,22 @@ def test_a_run_that_the_rig_may_not_bear_says_what_stays_without_it():
 
 
 def test_the_run_that_decides_is_a_short_list_in_run_yaml_that_the_next_verdict_reads_as_the_paragraph():
-    made = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
-    held = as_list(made)
-    assert held[0] == "One stroke under half the load: 3.5 min in all." and held[2].startswith("2. Wind to 30.7 turns")
-    assert [line[:2] for line in held[1:6]] == ["1.", "2.", "3.", "4.", "5."] and len(held) < 12
-    assert all(line.count(". ") <= 1 for line in held), "a line says one thing"
-    assert held[-1].startswith("It is to tell friction_hysteresis + creep from")
-    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
-    texts = [adopted(adopted=[one | {"next_experiment": experiment}]) for experiment in (made, held)]
+    paragraph = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
+    protocol_lines = as_list(paragraph)
+    assert protocol_lines[0] == "One stroke under half the load: 3.5 min in all." and protocol_lines[2].startswith(
+        "2. Wind to 30.7 turns"
+    )
+    assert [line[:2] for line in protocol_lines[1:6]] == ["1.", "2.", "3.", "4.", "5."] and len(protocol_lines) < 12
+    assert all(line.count(". ") <= 1 for line in protocol_lines), "a line says one thing"
+    assert protocol_lines[-1].startswith("It is to tell friction_hysteresis + creep from")
+    adopted_verdict = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    texts = [
+        adopted(adopted=[adopted_verdict | {"next_experiment": experiment}])
+        for experiment in (paragraph, protocol_lines)
+    ]
     steps = [re.findall(r"^    \d\. .*$", text, re.M) for text in texts]
     assert steps[0] == steps[1] and len(steps[0]) == 5
     load = [leg(2.0, 0.0, 20.0), leg(0.5, 0.0, 30.0), leg(10.0, 12.0, 30.0), leg(10.0, 0.0, 30.0)]
     run = {"title": "another load", "legs": load, "load": 20.0, "follows": "twist", "fixed_load": True}
-    held = as_list(spoken(content(next_run=run), SYSTEMS["mm"])["next_experiment"])
-    assert "--load-n 30" in adopted(adopted=[one | {"next_experiment": held}])
+    protocol_lines = as_list(spoken(content(next_run=run), SYSTEMS["mm"])["next_experiment"])
+    assert "--load-n 30" in adopted(adopted=[adopted_verdict | {"next_experiment": protocol_lines}])

@@ -10,28 +10,28 @@ from pipeline.diagnosis.words.next_run import worth
 
 
 def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_it_is_worth_it():
-    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, next_run__gap_now=16.0, next_run__gap_then=16.0)
-    made["alternatives"] += [["friction_hysteresis", "sensor_drift"], ["creep"], ["wear"]]
-    text = told(made)
+    diagnosis = weighed(0.004, 0.06, 0.31, 0.02, 0.52, next_run__gap_now=16.0, next_run__gap_then=16.0)
+    diagnosis["alternatives"] += [["friction_hysteresis", "sensor_drift"], ["creep"], ["wear"]]
+    text = told(diagnosis)
     pair = "friction_hysteresis + creep (probability 52 %) from friction_hysteresis + thermal (probability 31 %)"
     assert f"It is to tell {pair}." in text
     assert "Hardly worth making: you can skip it." in text
     none = "no other run that was tried in simulation does better"
     assert f"in this recording; {none}." in text
-    made["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
-    text = told(copy.deepcopy(made))
+    diagnosis["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
+    text = told(copy.deepcopy(diagnosis))
     assert re.search(r"\n  friction_hysteresis \+ creep +52 %\n  friction_hysteresis \+ thermal +31 %\n", text)
     assert "These two are the closest of the 4 likeliest explanations." in text
-    made["next_run"]["parts"][0].append("wear")
-    text = told(copy.deepcopy(made))
+    diagnosis["next_run"]["parts"][0].append("wear")
+    text = told(copy.deepcopy(diagnosis))
     assert (
         "at work, creep + wear or thermal" in text
         and "Without the run report the best explanation as one of 5." in text
     )
     assert "; the best one differs from both by at least as much." in text
-    made["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
-    made["fit"]["heldout"]["explained_mm"] = 0.95
-    assert "Without the run report all 5 explanations and adopt none." in told(made)
+    diagnosis["next_run"]["parts"][0] = ["friction_hysteresis", "thermal", "slack"]
+    diagnosis["fit"]["heldout"]["explained_mm"] = 0.95
+    assert "Without the run report all 5 explanations and adopt none." in told(diagnosis)
 
 
 def test_a_run_that_hardly_parts_them_better_is_told_as_that():
@@ -65,7 +65,7 @@ def test_a_run_that_decides_nothing_says_so_before_its_steps():
 
 
 @pytest.mark.parametrize(
-    ("now", "then", "said"), [(4.0, 4.2, False), (4.0, 4.9, True), (0.1, 0.9, False), (0.1, 1.1, True)]
+    ("now", "then", "raises_gap"), [(4.0, 4.2, False), (4.0, 4.9, True), (0.1, 0.9, False), (0.1, 1.1, True)]
 )
-def test_a_run_raises_the_gap_where_more_than_a_standard_deviation_is_seen_after_it(now, then, said):
-    assert worth.raises({"gap_now": now, "gap_then": then}) is said
+def test_a_run_raises_the_gap_where_more_than_a_standard_deviation_is_seen_after_it(now, then, raises_gap):
+    assert worth.raises({"gap_now": now, "gap_then": then}) is raises_gap

@@ -26,8 +26,8 @@ def test_what_is_named_comes_with_the_command_that_adopts_it():
 
 @pytest.mark.parametrize(("sigma", "first"), [(3.0, True), (0.4, False)])
 def test_the_command_that_adopts_is_told_only_where_adopting_is_advised(sigma, first):
-    made, system = content(evidence__moved_sigma={"radius_mm": sigma}), SYSTEMS["mm"]
-    text = details_text(spoken(made, system), system, [Path("raw/nylon-3")], Path("reports/nylon 3"))
+    diagnosis, system = content(evidence__moved_sigma={"radius_mm": sigma}), SYSTEMS["mm"]
+    text = details_text(spoken(diagnosis, system), system, [Path("raw/nylon-3")], Path("reports/nylon 3"))
     use = " ".join(text.partition("\nTo use it\n")[2].partition("\n\n")[0].split())
     assert use.startswith(
         "To predict with it, dimensions included (PLAN.csv is a motion that you plan: time_s, motor_turns and, unless "
@@ -44,5 +44,5 @@ def test_the_page_simulates_and_settles_the_run_that_was_recorded_last():
     """On one page `settle` had the last run and `simulate` the first, and no reason was said."""
     folders = [Path("raw/nylon-3"), Path("raw/nylon-4")]
     text = verdict_text(content(run=["nylon-3", "nylon-4"]), SYSTEMS["mm"], folders, Path("reports/both"))
-    said = [line.split()[2:4] for line in text.splitlines() if "python -m pipeline.s" in line]
-    assert said == [["pipeline.settle", "raw/nylon-4"], ["pipeline.simulate", "raw/nylon-4"]]
+    commands = [line.split()[2:4] for line in text.splitlines() if "python -m pipeline.s" in line]
+    assert commands == [["pipeline.settle", "raw/nylon-4"], ["pipeline.simulate", "raw/nylon-4"]]

@@ -23,19 +23,19 @@ def test_where_effects_are_adopted_no_verdict_says_that_no_physics_is_missing():
             in text
         )
     bare = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None)
-    said = " ".join(told(bare).split())
-    assert "no physics is missing" in said and "adopted" not in said.lower()
+    details = " ".join(told(bare).split())
+    assert "no physics is missing" in details and "adopted" not in details.lower()
 
 
 def test_what_tied_with_what_was_adopted_is_said_once_and_at_once():
-    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"], ["wear", "slack"], ["jam"]]}
-    said = " ".join(adopted(adopted=[one]).split())
+    adopted_verdict = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"], ["wear", "slack"], ["jam"]]}
+    text = " ".join(adopted(adopted=[adopted_verdict]).split())
     told_ = "this may be right, for it was likely as well: thermal or wear + slack, or one of 1 more (`adopted` in run"
     assert (
-        f"Instead of what was adopted (creep) {told_}.yaml)." in said and "Whether another explanation fits" not in said
+        f"Instead of what was adopted (creep) {told_}.yaml)." in text and "Whether another explanation fits" not in text
     )
-    said = " ".join(adopted(adopted=[one | {"tied": [], "verdict": "explained"}]).split())
-    assert "No other explanation was as likely as what was adopted (creep)." in said
+    text = " ".join(adopted(adopted=[adopted_verdict | {"tied": [], "verdict": "explained"}]).split())
+    assert "No other explanation was as likely as what was adopted (creep)." in text
     assert "Whether another explanation fits as well stands in the verdict that was adopted" in " ".join(
         adopted().split()
     )
@@ -43,14 +43,14 @@ def test_what_tied_with_what_was_adopted_is_said_once_and_at_once():
 
 def second(**changes):
     """The words on a run whose own verdict was adopted, and named creep and what tied with it."""
-    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
-    return " ".join(adopted(adopted=[one | changes]).split())
+    adopted_verdict = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    return " ".join(adopted(adopted=[adopted_verdict | changes]).split())
 
 
 def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
-    for runs, said in ((["nylon-3"], "seen before"), (None, "perhaps seen before")):
+    for runs, expected in ((["nylon-3"], "seen before"), (None, "perhaps seen before")):
         text = second(runs=runs)
-        assert f" last 30 % of strokes ({said}) nominal – 1.9 mm" in text
+        assert f" last 30 % of strokes ({expected}) nominal – 1.9 mm" in text
         assert "unseen" not in text and "no fit has seen" not in text
     assert "It was fitted to this very recording, all its strokes included" in second()
     again = content(adopted=[{"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}])
@@ -58,9 +58,13 @@ def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
     assert "(seen before)" in told(again), "creep, which is adopted, is named once more"
     elsewhere = second(runs=["nylon-2"])
     assert "last 30 % of strokes (seen by no fit)" in elsewhere and "very recording" not in elsewhere
-    held = {"fit__heldout__calibrated_mm": 3.0, "fit__heldout__explained_mm": 3.0, "evidence__calibrated_mm": 0.031}
-    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
-    doubts = " ".join(adopted(adopted=[one], **held).split())
+    error_fields = {
+        "fit__heldout__calibrated_mm": 3.0,
+        "fit__heldout__explained_mm": 3.0,
+        "evidence__calibrated_mm": 0.031,
+    }
+    adopted_verdict = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    doubts = " ".join(adopted(adopted=[adopted_verdict], **error_fields).split())
     assert "On the last strokes the calibrated simulator is worse" in doubts and "unseen" not in doubts
     assert (
         "Something systematic is still missing: the last strokes are missed by 96 times the noise (1.3 is the limit). "
@@ -69,9 +73,9 @@ def test_strokes_that_adopted_effects_have_seen_are_nowhere_called_unseen():
 
 
 def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_proposed_with_its_steps_and_commands():
-    made = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
-    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
-    text = adopted(adopted=[one | {"next_experiment": made}])
+    experiment = spoken(content(next_run__title="one stroke under half the load"), SYSTEMS["mm"])["next_experiment"]
+    adopted_verdict = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    text = adopted(adopted=[adopted_verdict | {"next_experiment": experiment}])
     run = text.partition("\nThe run to make next\n")[2].partition("\n\n")[0].splitlines()
     still = "Others were likely beside what was adopted. The run that decides is still that of the adopted verdict:"
     assert run[:2] == [f"  {still}", "  One stroke under half the load: 3.5 min in all."]
@@ -89,9 +93,9 @@ def test_the_run_that_decides_between_what_was_adopted_and_what_tied_stays_propo
 
 
 def test_a_run_that_does_not_decide_is_not_proposed_once_more_after_adopting():
-    made = spoken(content(next_run__gap_now=9.0, next_run__gap_then=9.0), SYSTEMS["mm"])["next_experiment"]
-    assert "Hardly worth making" in made
-    text = second(next_experiment=made)
+    experiment = spoken(content(next_run__gap_now=9.0, next_run__gap_then=9.0), SYSTEMS["mm"])["next_experiment"]
+    assert "Hardly worth making" in experiment
+    text = second(next_experiment=experiment)
     assert "found no run that decides between them" in text and "pipeline.new_run" not in text
     assert "nothing further can be named; what was adopted is one of 2 likely explanations" in " ".join(text.split())
     assert "The run that decides is still" not in text
@@ -107,9 +111,9 @@ def test_dimensions_at_their_bounds_take_trust_from_the_first_line_after_adoptin
 
 def test_the_first_line_says_by_how_much_a_run_with_adopted_effects_errs_and_when_not_to_predict_with_it():
     bad = adopted(evidence__nominal_mm=1.0, evidence__calibrated_mm=0.034).partition("\n\n")[0]
-    said = "fits no more with the dimensions of run.yaml: "
-    said += "do not predict with run.yaml as it stands: it errs by 1.0 mm rms, and by 0.034 mm once"
-    assert said in " ".join(bad.split())
+    advice = "fits no more with the dimensions of run.yaml: "
+    advice += "do not predict with run.yaml as it stands: it errs by 1.0 mm rms, and by 0.034 mm once"
+    assert advice in " ".join(bad.split())
     fair = " ".join(adopted(evidence__nominal_mm=0.05, evidence__calibrated_mm=0.034).partition("\n\n")[0].split())
     assert (
         "run.yaml as it stands errs by 0.050 mm rms, calibrated by 0.034 mm." in fair and "do not predict" not in fair
@@ -137,8 +141,8 @@ def test_what_is_adopted_already_is_not_listed_among_what_would_have_been_seen()
     ],
 )
 def test_after_adopting_the_page_says_what_its_words_now_mean(verdict, means):
-    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
-    text = " ".join(adopted(adopted=[one], verdict=verdict).split())
+    adopted_verdict = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    text = " ".join(adopted(adopted=[adopted_verdict], verdict=verdict).split())
     assert "`nominal` now means the simulator with creep and the dimensions of run.yaml." in text
     assert "now means" not in told()
     assert f"`{verdict}` now means: {means}. That" in adoption.now_means(verdict, "creep", f"a {verdict} run")[0]
@@ -146,13 +150,15 @@ def test_after_adopting_the_page_says_what_its_words_now_mean(verdict, means):
 
 def test_only_words_that_the_page_uses_are_said_to_mean_something_else_now():
     """The page said what `parameters` and `nominal` now mean, and used neither word."""
-    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
-    made = content(verdict="parameters", mechanisms=[], alternatives=[], next_run=None, mismatch=None, adopted=[one])
-    made["simulation"], made["evidence"]["explanations"] = [{"id": "creep", "parameters": {}}], []
-    made["evidence"] |= {"adopted_mm": 0.03, "nominal_mm": 0.4, "calibrated_mm": 0.03}
-    for shown in (page(made), told(made)):
+    adopted_verdict = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"]}
+    diagnosis = content(
+        verdict="parameters", mechanisms=[], alternatives=[], next_run=None, mismatch=None, adopted=[adopted_verdict]
+    )
+    diagnosis["simulation"], diagnosis["evidence"]["explanations"] = [{"id": "creep", "parameters": {}}], []
+    diagnosis["evidence"] |= {"adopted_mm": 0.03, "nominal_mm": 0.4, "calibrated_mm": 0.03}
+    for shown in (page(diagnosis), told(diagnosis)):
         first, _, words = shown.partition("What to know first\n")[2].partition("\n\n")
         rest = words.partition("What the words mean")[0]
         for word in ("parameters", "nominal", "calibrated"):
             assert (f"`{word}` now means" in " ".join(first.split())) is (word in rest), word
-    assert "nominal" not in page(made) and "`parameters`" not in page(made) + told(made)
+    assert "nominal" not in page(diagnosis) and "`parameters`" not in page(diagnosis) + told(diagnosis)

@@ -10,9 +10,9 @@ from pipeline.diagnosis.words.pages.details import details_text
 from pipeline.diagnosis.words.pages.spoken import spoken
 
 
-def first_lines(**held):
+def first_lines(**errors_mm):
     """The headline, and what stands in the section of doubts after it."""
-    text = told(content(**{f"fit__heldout__{name}_mm": value for name, value in held.items()}))
+    text = told(content(**{f"fit__heldout__{name}_mm": value for name, value in errors_mm.items()}))
     head, doubts = text.split("\n\n")[:2]
     return [*head.splitlines(), *(doubts.splitlines()[1:] if doubts.startswith("What to know first\n") else [])]
 
@@ -29,8 +29,8 @@ def test_what_must_be_known_first_stands_first():
     worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.107))
     assert "worse than the nominal one" not in worse, "what is named mends it: the first line says so"
     assert "the unseen strokes are missed by 3.4 times the noise (1.3 is the limit); " in worse
-    left = "fitted to all strokes, as in the figure, 1.0 times is left."
-    assert f"{left} So something changes from stroke to stroke that the explanation does not foresee" in worse
+    clause = "fitted to all strokes, as in the figure, 1.0 times is left."
+    assert f"{clause} So something changes from stroke to stroke that the explanation does not foresee" in worse
     worse = " ".join(first_lines(nominal=0.31, calibrated=1.13, explained=0.4))
     assert "the calibrated simulator is worse than the nominal one: 1.1 mm against 0.31 mm" in worse
     assert "improves nothing" in " ".join(first_lines(explained=0.80))
@@ -38,11 +38,11 @@ def test_what_must_be_known_first_stands_first():
 
 
 def test_the_sentences_keep_their_subject_and_need_no_second_reading():
-    made = content()
-    made["mechanisms"][1]["rms_mm"]["value"] = 3.52
+    diagnosis = content()
+    diagnosis["mechanisms"][1]["rms_mm"]["value"] = 3.52
     for gap in (1.0, 900.0):
-        made["next_run"]["gap_now"] = gap
-        text = told(copy.deepcopy(made))
+        diagnosis["next_run"]["gap_now"] = gap
+        text = told(copy.deepcopy(diagnosis))
         assert ("This recording does not" in " ".join(text.split())) == (gap > 25.0)
         assert "standard deviations of the noise" not in text
         assert not re.search("make up for|a little wrong|slightly wrong|two part|whatever the rig", text)
@@ -50,8 +50,8 @@ def test_the_sentences_keep_their_subject_and_need_no_second_reading():
 
 def test_the_doubts_stand_under_a_heading_of_their_own_before_all_else_and_are_wrapped():
     jump = "The zero jumps between two runs of one string: " + "one thing after another " * 20 + "at its end."
-    made = spoken(content(fit__heldout__explained_mm=0.80), SYSTEMS["mm"])
-    text = details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], doubts=[jump])
+    diagnosis = spoken(content(fit__heldout__explained_mm=0.80), SYSTEMS["mm"])
+    text = details_text(diagnosis, SYSTEMS["mm"], [Path("raw/nylon-3")], doubts=[jump])
     _, doubts, _ = text.split("\n\n", 2)
     lines = doubts.splitlines()
     assert lines[0] == "What to know first" and lines[1].startswith("  The zero jumps between two runs")

@@ -18,8 +18,10 @@ SAID = (
 
 def written(out: Path, runs: str | list[str], **changes: object) -> str:
     """The page of a verdict on some runs, written into a folder."""
-    made = spoken(confident(0.93, 0.46) | {"run": runs, "simulation": [], **changes}, SYSTEMS["mm"])
-    return " ".join(write_words(made, SYSTEMS["mm"], FOLDERS[: 1 if isinstance(runs, str) else 2], out, []).split())
+    diagnosis = spoken(confident(0.93, 0.46) | {"run": runs, "simulation": [], **changes}, SYSTEMS["mm"])
+    return " ".join(
+        write_words(diagnosis, SYSTEMS["mm"], FOLDERS[: 1 if isinstance(runs, str) else 2], out, []).split()
+    )
 
 
 @pytest.mark.parametrize(
@@ -72,8 +74,8 @@ def test_what_the_verdict_on_more_runs_does_not_keep_is_said(tmp_path, monkeypat
     evidence = now["evidence"] | {"tolerance": {"radius_mm": 0.0165}}
     changed = {"mechanisms": alone, "alternatives": [], "evidence": evidence, "verdict": "explained"}
     text = written(folder, runs, **changed, parameters={"radius_mm": moved})
-    said = "replaces it. This one does not name friction_hysteresis and has a radius of 0.561 mm, not 0.531 mm."
-    assert said in text, text[:900]
+    sentence = "replaces it. This one does not name friction_hysteresis and has a radius of 0.561 mm, not 0.531 mm."
+    assert sentence in text, text[:900]
     changed["alternatives"] = [["friction_hysteresis", "thermal"]]
     text = written(folder, runs, **changed | {"verdict": "ambiguous"}, parameters={"radius_mm": radius})
     assert "This one has friction_hysteresis only in another likely explanation." in text
@@ -88,7 +90,7 @@ def verdict(runs, name, ids):
 
 
 @pytest.mark.parametrize(
-    ("before", "now", "asked"),
+    ("before", "now", "is_asked"),
     [
         (("explained", ["friction_hysteresis"]), ("unknown", []), True),
         (("explained", ["friction_hysteresis"]), ("ambiguous", ["friction_hysteresis", "x_clock"]), True),
@@ -98,11 +100,14 @@ def verdict(runs, name, ids):
     ],
 )
 def test_runs_that_only_a_stand_in_joins_are_asked_whether_they_are_of_one_string(
-    tmp_path, monkeypatch, before, now, asked
+    tmp_path, monkeypatch, before, now, is_asked
 ):
     alone = verdict("a-1", *before)
     monkeypatch.setattr(earlier, "read_diagnosis", lambda path: alone)
     (tmp_path / "a-1").mkdir()
     (tmp_path / "a-1" / "diagnosis.json").write_text(json.dumps(alone))
     (line,) = earlier.sentences(verdict(["a-1", "a-2"], *now), [tmp_path / "a-1"], tmp_path)
-    assert ("are they of one string, mounted and measured alike?" in line, "replaces it" in line) == (asked, not asked)
+    assert ("are they of one string, mounted and measured alike?" in line, "replaces it" in line) == (
+        is_asked,
+        not is_asked,
+    )

@@ -27,27 +27,27 @@ def test_each_number_says_what_it_is_of_and_calibration_leaves_the_same_everywhe
 
 def test_where_nothing_is_named_the_last_error_keeps_its_row_and_says_of_what_it_is():
     """Without the last strokes effects were named, or came closest: what they err by was on no page once."""
-    made = content(verdict="unknown", mechanisms=[], alternatives=[])
-    made["evidence"]["explanations"] = [each for each in made["evidence"]["explanations"] if not each["ids"]]
-    made["fit"]["heldout"] |= {"calibrated_mm": 0.4, "explained_mm": 0.123}
+    diagnosis = content(verdict="unknown", mechanisms=[], alternatives=[])
+    diagnosis["evidence"]["explanations"] = [each for each in diagnosis["evidence"]["explanations"] if not each["ids"]]
+    diagnosis["fit"]["heldout"] |= {"calibrated_mm": 0.4, "explained_mm": 0.123}
     words = Vocabulary.of(systems()["separator"])
-    made["evidence"] |= {"chosen_without_them": ["creep"]}
-    (row,) = [line for line in error_table.lines(made, words) if "0.12 mm" in line]
+    diagnosis["evidence"] |= {"chosen_without_them": ["creep"]}
+    (row,) = [line for line in error_table.lines(diagnosis, words) if "0.12 mm" in line]
     assert row.startswith("as diagnosed")
-    made["evidence"] |= {"chosen_without_them": [], "closest_without_them": ["creep"]}
-    (row,) = [line for line in error_table.lines(made, words) if "0.12 mm" in line]
+    diagnosis["evidence"] |= {"chosen_without_them": [], "closest_without_them": ["creep"]}
+    (row,) = [line for line in error_table.lines(diagnosis, words) if "0.12 mm" in line]
     assert row.startswith("closest, no name: creep")
 
 
 def test_a_rig_that_is_scored_in_averages_says_so_in_both_columns_with_the_noise_of_single_samples():
     """`0.070 deg` of averages stood without a word beside the `0.10 deg` of single samples that adopt counts."""
     averages = {"scored_step_s": 0.02, "step_s": 0.02, "single_floor_mm": 0.095}
-    made = content(**{f"evidence__{key}": value for key, value in averages.items()}, fit__noise_floor_mm=0.03)
+    diagnosis = content(**{f"evidence__{key}": value for key, value in averages.items()}, fit__noise_floor_mm=0.03)
     noise = "0.030 mm, of averages of 0.02 s"
-    assert re.search(rf"noise +{noise} +{noise}", told(made))
+    assert re.search(rf"noise +{noise} +{noise}", told(diagnosis))
     single = "count, the noise is 0.095 mm, and 0.030 mm would be about 0.095 mm."
-    assert "Both columns are of averages: their noise is `the noise` elsewhere on this page." in told(made)
-    assert single in told(made)
-    short = " ".join(page(made).split())
+    assert "Both columns are of averages: their noise is `the noise` elsewhere on this page." in told(diagnosis)
+    assert single in told(diagnosis)
+    short = " ".join(page(diagnosis).split())
     assert "The noise of single samples, which pipeline.simulate and pipeline.adopt count, is 0.095 mm." in short
     assert f"noise: about the least possible {noise} {noise}" in short

@@ -33,33 +33,33 @@ def test_no_effect_smaller_than_what_is_left_is_said_to_have_been_seen():
     assert "0.051 mm rms is more than noise" in adopted("consistent", **only_unseen)
 
 
-@pytest.mark.parametrize(("alone", "said"), [(0.6, True), (0.505, False)])
-def test_what_comes_nearest_is_said_where_nothing_is_named_and_it_takes_a_little_away(alone, said):
+@pytest.mark.parametrize(("alone", "is_stated"), [(0.6, True), (0.505, False)])
+def test_what_comes_nearest_is_said_where_nothing_is_named_and_it_takes_a_little_away(alone, is_stated):
     shown = [{"ids": [], "left_mm": 0.4}, {"ids": ["creep"], "left_mm": 0.55}, {"ids": ["wear"], "left_mm": 0.5}]
-    made = content(evidence__explanations=shown, evidence__calibrated_mm=alone)
-    lines = unexplained_pattern.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
-    assert len(lines) == said
-    if said:
+    diagnosis = content(evidence__explanations=shown, evidence__calibrated_mm=alone)
+    lines = unexplained_pattern.nearest(diagnosis, Vocabulary.of(SYSTEMS["mm"]))
+    assert len(lines) == is_stated
+    if is_stated:
         assert lines[0].startswith("The best that an effect could do: with wear 0.50 mm rms (")
         assert lines[0].endswith("would be left instead of 0.60 mm. That gain is too small to name it.")
-        made["evidence"]["explanations"][2]["ids"] = ["x_swelling"]
-        made["simulation"] = [{"id": "backlash", "parameters": {}}]
-        (line,) = unexplained_pattern.nearest(made, Vocabulary.of(SYSTEMS["mm"]))
+        diagnosis["evidence"]["explanations"][2]["ids"] = ["x_swelling"]
+        diagnosis["simulation"] = [{"id": "backlash", "parameters": {}}]
+        (line,) = unexplained_pattern.nearest(diagnosis, Vocabulary.of(SYSTEMS["mm"]))
         assert "that one more effect could do: with x_swelling (a stand-in that fits the data" in line
 
 
 def test_what_is_worse_than_the_nominal_simulator_on_unseen_strokes_ends_the_first_line():
-    held = {"nominal": 0.31, "calibrated": 1.1, "explained": 0.2}
-    assert worse_than_nominal(held) == ["calibrated"]
-    assert worse_than_nominal(held | {"explained": 0.4}) == ["calibrated", "explained"]
-    assert worse_than_nominal(held | {"calibrated": 0.312}) == []
-    numbers = {f"fit__heldout__{name}_mm": value for name, value in held.items()}
+    errors_mm = {"nominal": 0.31, "calibrated": 1.1, "explained": 0.2}
+    assert worse_than_nominal(errors_mm) == ["calibrated"]
+    assert worse_than_nominal(errors_mm | {"explained": 0.4}) == ["calibrated", "explained"]
+    assert worse_than_nominal(errors_mm | {"calibrated": 0.312}) == []
+    numbers = {f"fit__heldout__{name}_mm": value for name, value in errors_mm.items()}
     first = told(content(**numbers, fit__worse_than_nominal=["calibrated"])).split("\n\n")[0].replace("\n  ", " ")
-    said = (
+    sentence = (
         "On the unseen strokes the simulator with what is named errs by 0.20 mm. The simulator of run.yaml as it "
         "stands (nominal) errs by 0.31 mm, and calibrated alone by more: 1.1 mm."
     )
-    assert "(ambiguous)" in first and said in " ".join(first.split())
+    assert "(ambiguous)" in first and sentence in " ".join(first.split())
     numbers["fit__heldout__explained_mm"] = 0.4
     both = " ".join(told(content(**numbers, fit__worse_than_nominal=["calibrated", "explained"])).split())
     assert "the simulator as diagnosed is worse than the nominal one (0.40 mm against 0.31 mm)." in both

@@ -32,9 +32,9 @@ def test_what_moved_far_is_in_the_table_and_is_measured_first():
 
 
 def test_what_is_left_has_one_size():
-    made = content(**LEFT)
-    assert "0.052 mm rms is more than noise" in page(copy.deepcopy(made))
-    assert "- 0.052 mm rms is missing after calibration, noise taken off" in joined(full(made))
+    diagnosis = content(**LEFT)
+    assert "0.052 mm rms is more than noise" in page(copy.deepcopy(diagnosis))
+    assert "- 0.052 mm rms is missing after calibration, noise taken off" in joined(full(diagnosis))
 
 
 def test_a_ratio_below_the_limit_is_rounded_as_the_others():
@@ -42,13 +42,13 @@ def test_a_ratio_below_the_limit_is_rounded_as_the_others():
 
 
 def test_other_ways_are_those_that_the_recording_does_not_have():
-    known = {"load": [10.0, 10.0], "speed_per_s": [2.0, 2.1], "longest_hold_s": 0.0, "longest_rest_s": 0.2}
-    made = {"evidence": {"covered": known, "loaded": False}}
-    assert not_yet(made, MM) == "at another speed, under another load and with pauses"
-    made["evidence"]["loaded"] = True
-    known |= {"load": [7.0, 15.0], "longest_hold_s": 11.0}
-    assert not_yet(made, MM) == "at another speed"
-    known["speed_per_s"] = [1.4, 5.1]
+    covered = {"load": [10.0, 10.0], "speed_per_s": [2.0, 2.1], "longest_hold_s": 0.0, "longest_rest_s": 0.2}
+    diagnosis = {"evidence": {"covered": covered, "loaded": False}}
+    assert not_yet(diagnosis, MM) == "at another speed, under another load and with pauses"
+    diagnosis["evidence"]["loaded"] = True
+    covered |= {"load": [7.0, 15.0], "longest_hold_s": 11.0}
+    assert not_yet(diagnosis, MM) == "at another speed"
+    covered["speed_per_s"] = [1.4, 5.1]
     beyond = "beyond what it has, as far as it bears that (speeds of 1.4 to 5.1 turns/s, loads of 7 to 15 N and pauses"
-    assert not_yet(made, MM) == f"{beyond} of up to 11 s)"
+    assert not_yet(diagnosis, MM) == f"{beyond} of up to 11 s)"
     assert not_yet({"evidence": {}}, MM) == "at another speed, under another load and with pauses"

@@ -20,9 +20,9 @@ def joined(text):
 
 def test_one_of_two_effects_that_exclude_each_other_is_said_as_that():
     """`backlash is probably at work; whether friction_hysteresis is at work is open` read as two that add."""
-    made = confident(0.57, 0.42, alternatives=[["creep"]])
-    made["mechanisms"] = made["mechanisms"][:1]
-    first = page(made).partition("\n\n")[0]
+    diagnosis = confident(0.57, 0.42, alternatives=[["creep"]])
+    diagnosis["mechanisms"] = diagnosis["mechanisms"][:1]
+    first = page(diagnosis).partition("\n\n")[0]
     assert ": probably friction_hysteresis (57 %), else creep (" in first
     sure = confident(0.93, 0.42, alternatives=[["creep"]])
     sure["mechanisms"] = sure["mechanisms"][:1]
@@ -53,14 +53,14 @@ def test_a_sure_name_is_set_apart_from_a_prediction_that_misses():
 
 def test_strokes_to_record_again_have_what_only_the_last_ones_had():
     wider = {"load": [[0.0088, 0.0421], [0.0338, 0.0559]]}
-    made = content(fit__heldout__explained_mm=0.1, evidence__beyond_seen=wider, **NEAR)
-    text = joined(page(copy.deepcopy(made)))
+    diagnosis = content(fit__heldout__explained_mm=0.1, evidence__beyond_seen=wider, **NEAR)
+    text = joined(page(copy.deepcopy(diagnosis)))
     assert "had 0.034 to 0.056 N of load (before them: 0.0088 to 0.042 N)" in text, "two digits"
     begin = "begin with the high load, 0.056 N, which only the last strokes had"
     assert f"record 12 strokes again; {begin}, and diagnose" in text
     assert "in the same way" not in text
-    told = joined(full(made))
-    assert "Record each load and each twist among the first strokes as well." in told
+    details = joined(full(diagnosis))
+    assert "Record each load and each twist among the first strokes as well." in details
     close = {"load": [[10.0, 123.2], [10.0, 123.4]]}
     both = joined(page(content(fit__heldout__explained_mm=0.1, evidence__beyond_seen=close, **NEAR)))
     assert "had 10 to 123 N of load" in both, "a third where two read alike"
@@ -68,51 +68,53 @@ def test_strokes_to_record_again_have_what_only_the_last_ones_had():
 
 def test_no_run_is_needed_to_choose_but_what_is_missing_has_one():
     """`None is needed` stood below a step that asks to record."""
-    told = joined(full(content(fit__heldout__explained_mm=0.1, **NEAR)))
-    assert "None is needed to choose between explanations: no other explanation fits as well." in told
-    assert "what shows what is still missing, stands above" in told or "What shows what is still missing" in told
+    details = joined(full(content(fit__heldout__explained_mm=0.1, **NEAR)))
+    assert "None is needed to choose between explanations: no other explanation fits as well." in details
+    assert "what shows what is still missing, stands above" in details or "What shows what is still missing" in details
 
 
 def test_the_stroke_that_makes_sure_has_its_load_and_the_loop_to_see():
-    known = {
+    expected = {
         "load": 0.0269,
         "speed_per_s": 44.2,
         "explanations": [
             {"ids": ["friction_hysteresis"], "loop_half_speed_deg": 3.9, "plus_minus": {"loop_half_speed_deg": 0.77}}
         ],
     }
-    made = {"evidence": {"expected": known, "explanations": []}, "mechanisms": [{"id": "friction_hysteresis"}],
+    diagnosis = {"evidence": {"expected": expected, "explanations": []}, "mechanisms": [{"id": "friction_hysteresis"}],
             "alternatives": [], "fit": {"heldout": None, "noise_floor_deg": 0.1, "noise_floor_n": 2.5}}  # fmt: skip
-    ((line,),) = loop_to_see.step(made, DRIVE, ["a table"], short=True)
+    ((line,),) = loop_to_see.step(diagnosis, DRIVE, ["a table"], short=True)
     assert "at 22 deg/s, half the usual speed, under 0.027 Nm, and compare its loop with the 3.9 ± 0.8 deg of" in line
     assert line.endswith("friction_hysteresis (more: details.txt).")
-    assert loop_to_see.step(made, DRIVE, [], short=True) == []
+    assert loop_to_see.step(diagnosis, DRIVE, [], short=True) == []
     for deg, other in ((1.8, "; viscous_loss would open 1.8 ± 0.7 deg"), (3.2, "")):
         rival = {"ids": ["viscous_loss"], "loop_half_speed_deg": deg, "plus_minus": {"loop_half_speed_deg": 0.7}}
-        known["explanations"] = [known["explanations"][0], rival]
-        made["evidence"]["explanations"] = [{"ids": ["viscous_loss"], "standing": "beaten", "left_deg": 0.2}]
-        ((line,),) = loop_to_see.step(made, DRIVE, ["a table"], short=True)
+        expected["explanations"] = [expected["explanations"][0], rival]
+        diagnosis["evidence"]["explanations"] = [{"ids": ["viscous_loss"], "standing": "beaten", "left_deg": 0.2}]
+        ((line,),) = loop_to_see.step(diagnosis, DRIVE, ["a table"], short=True)
         assert line.endswith(f"of friction_hysteresis{other} (more: details.txt).")
-    made["evidence"]["explanations"] = []
-    known["explanations"] = [{"ids": ["friction_hysteresis", "viscous_loss"], "loop_half_speed_n": 46.0,
+    diagnosis["evidence"]["explanations"] = []
+    expected["explanations"] = [{"ids": ["friction_hysteresis", "viscous_loss"], "loop_half_speed_n": 46.0,
                               "plus_minus": {"loop_half_speed_n": 6.0}}]  # fmt: skip
-    made["mechanisms"].append({"id": "viscous_loss"})
-    ((line,),) = loop_to_see.step(made, MASS, ["a table"], short=True)
+    diagnosis["mechanisms"].append({"id": "viscous_loss"})
+    ((line,),) = loop_to_see.step(diagnosis, MASS, ["a table"], short=True)
     assert "with the 46 ± 6 N of friction_hysteresis + viscous_loss, both effects together" in line
 
 
 def test_what_calibration_moved_is_on_the_page_by_its_own_name():
     parameters = {"mass_kg": {"nominal": 100.0, "value": 113.4, "low": 113.0, "high": 114.0}}
-    made = {"verdict": "explained", "parameters": parameters, "adopted": []}
-    made["evidence"] = {"moved_sigma": {"mass_kg": 1.34}, "tolerance": {"mass_kg": 10.0}}
-    assert moved_words.what(made) == "mass"
-    said = "Moved by more than its tolerance: mass from 100 kg to 113.4 kg (+13 %, 1.3 times its tolerance of 10 kg)."
-    said += " Up to 2.5 times nothing needs to be measured again."
-    assert moved_words.lines(made) == [said]
-    made["evidence"]["moved_sigma"] = {"mass_kg": 0.4}
-    assert moved_words.lines(made) == []
-    made["evidence"]["moved_sigma"] |= {"radius_mm": 0.1}
-    assert moved_words.what(made) == "dimensions"
+    diagnosis = {"verdict": "explained", "parameters": parameters, "adopted": []}
+    diagnosis["evidence"] = {"moved_sigma": {"mass_kg": 1.34}, "tolerance": {"mass_kg": 10.0}}
+    assert moved_words.what(diagnosis) == "mass"
+    sentence = (
+        "Moved by more than its tolerance: mass from 100 kg to 113.4 kg (+13 %, 1.3 times its tolerance of 10 kg)."
+    )
+    sentence += " Up to 2.5 times nothing needs to be measured again."
+    assert moved_words.lines(diagnosis) == [sentence]
+    diagnosis["evidence"]["moved_sigma"] = {"mass_kg": 0.4}
+    assert moved_words.lines(diagnosis) == []
+    diagnosis["evidence"]["moved_sigma"] |= {"radius_mm": 0.1}
+    assert moved_words.what(diagnosis) == "dimensions"
 
 
 def test_sizes_of_several_effects_are_not_to_be_added():
@@ -124,32 +126,34 @@ def test_sizes_of_several_effects_are_not_to_be_added():
 
 
 def test_a_size_that_is_partly_hidden_is_not_to_be_quoted_where_it_stands():
-    made = confident(0.93, 0.96, **NEAR)
-    made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
-    assert "0.60 mm in this fit, partly hidden: do not quote" in page(copy.deepcopy(made))
-    assert "do not quote" not in full(made)
+    diagnosis = confident(0.93, 0.96, **NEAR)
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
+    assert "0.60 mm in this fit, partly hidden: do not quote" in page(copy.deepcopy(diagnosis))
+    assert "do not quote" not in full(diagnosis)
 
 
 def test_an_explanation_without_a_percentage_has_its_reason():
-    made = weighed(None, 0.06, 0.31, 0.02, 0.52)
-    assert "cheaper ones of its size are many: " in joined(full(made))
+    diagnosis = weighed(None, 0.06, 0.31, 0.02, 0.52)
+    assert "cheaper ones of its size are many: " in joined(full(diagnosis))
 
 
 def test_the_run_that_decides_has_the_likeliest_first_and_says_when_its_reading_is_taken():
-    made = weighed(0.004, 0.06, 0.52, 0.02, 0.31)
+    diagnosis = weighed(0.004, 0.06, 0.52, 0.02, 0.31)
     apart = {"by_mm": 0.27, "motor_turns": 0.0, "first_mm": -1.04, "second_mm": -0.77}
-    made["next_run"] |= {"apart": apart}
-    table = full(copy.deepcopy(made)).partition("it is to tell apart")[2]
+    diagnosis["next_run"] |= {"apart": apart}
+    table = full(copy.deepcopy(diagnosis)).partition("it is to tell apart")[2]
     assert table.index("friction_hysteresis + thermal") < table.index("friction_hysteresis + creep")
     row = next(line for line in table.splitlines() if "friction_hysteresis + thermal" in line)
     assert row.endswith("-0.77 mm"), "each keeps its reading"
     assert "reading in it, twist near 0 turns" in table
-    made["next_run"]["apart"]["after_s"] = 95.0
-    assert "reading after 95 s, twist near 0 turns" in full(copy.deepcopy(made))
-    made["next_run"]["legs"] = [{"seconds": 1.0, "motor_turns": to, "load_n": 10.0} for to in (0.0, 0.0, 12.0, 12.0)]
+    diagnosis["next_run"]["apart"]["after_s"] = 95.0
+    assert "reading after 95 s, twist near 0 turns" in full(copy.deepcopy(diagnosis))
+    diagnosis["next_run"]["legs"] = [
+        {"seconds": 1.0, "motor_turns": to, "load_n": 10.0} for to in (0.0, 0.0, 12.0, 12.0)
+    ]
     for after_s, taken in ((1.5, "on the way to 12 turns"), (2.5, "while it stands at 12 turns")):
-        made["next_run"]["apart"]["after_s"] = after_s
-        assert f"The reading is taken {taken}." in joined(full(copy.deepcopy(made)))
+        diagnosis["next_run"]["apart"]["after_s"] = after_s
+        assert f"The reading is taken {taken}." in joined(full(copy.deepcopy(diagnosis)))
 
 
 def test_one_turn_is_one():
@@ -159,10 +163,10 @@ def test_one_turn_is_one():
 
 def test_an_interval_shows_its_value_inside():
     """`-0.03 turns (-0.04 to -0.03)` stood there."""
-    made = content(**NEAR | {"evidence__moved_sigma": {"angle_turns": 0.64}})
-    made["parameters"] = {"angle_turns": {"nominal": 0.0, "value": -0.032, "low": -0.037, "high": -0.028}}
-    made["evidence"]["tolerance"] = {"angle_turns": 0.05}
-    assert "-0.032 turns (-0.037 to -0.028)" in joined(full(made))
+    diagnosis = content(**NEAR | {"evidence__moved_sigma": {"angle_turns": 0.64}})
+    diagnosis["parameters"] = {"angle_turns": {"nominal": 0.0, "value": -0.032, "low": -0.037, "high": -0.028}}
+    diagnosis["evidence"]["tolerance"] = {"angle_turns": 0.05}
+    assert "-0.032 turns (-0.037 to -0.028)" in joined(full(diagnosis))
 
 
 def test_steps_say_that_a_port_can_be_left_out():
@@ -171,9 +175,9 @@ def test_steps_say_that_a_port_can_be_left_out():
 
 def test_the_width_of_a_loop_says_that_it_is_of_all_loads():
     """`by up to 2.7 deg under 0.01 Nm and 5.8 deg under 0.047 Nm: half the loop is 2.47 deg` left open of which."""
-    made = confident(0.93, 0.96, **NEAR)
+    diagnosis = confident(0.93, 0.96, **NEAR)
     loop = {"width_mm": 0.2, "motor_turns": 22.0}
-    made["evidence"]["loops"] = {"friction_hysteresis": loop | {"by_load": [[10.0, 0.1], [20.0, 0.2]]}}
-    assert "half the loop is 0.101 mm (0.0909 to 0.111), over all loads." in joined(full(copy.deepcopy(made)))
-    made["evidence"]["loops"] = {"friction_hysteresis": loop}
-    assert "over all loads" not in full(made)
+    diagnosis["evidence"]["loops"] = {"friction_hysteresis": loop | {"by_load": [[10.0, 0.1], [20.0, 0.2]]}}
+    assert "half the loop is 0.101 mm (0.0909 to 0.111), over all loads." in joined(full(copy.deepcopy(diagnosis)))
+    diagnosis["evidence"]["loops"] = {"friction_hysteresis": loop}
+    assert "over all loads" not in full(diagnosis)

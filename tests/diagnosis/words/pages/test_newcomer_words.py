@@ -19,23 +19,23 @@ def first(text):
 @pytest.mark.parametrize("show", [page, full])
 def test_the_doubt_about_a_slow_effects_name_stands_before_its_percentage(show):
     """`probably creep (63 %)` stood first, and far below that its name is not sure: 63 % was taken for that."""
-    said = first(show(confident(0.3, 0.62, evidence__loaded=False)))
+    headline = first(show(confident(0.3, 0.62, evidence__loaded=False)))
     doubt = "one load cannot settle its name. By the probability of the library's formulas: "
-    assert said.startswith(f"nylon-3: something slow is likely at work, but {doubt}") and "creep (62 %)" in said
-    assert said.index(doubt) < said.index("%")
+    assert headline.startswith(f"nylon-3: something slow is likely at work, but {doubt}") and "creep (62 %)" in headline
+    assert headline.index(doubt) < headline.index("%")
     assert "something slow is surely at work" in first(show(confident(0.3, 0.95, evidence__loaded=False)))
     assert "something slow" not in first(show(confident(0.3, 0.62, evidence__loaded=True))), "a second load settles it"
 
 
 def test_one_explanation_with_a_slow_effect_has_the_doubt_first_too():
     alone = {"verdict": "explained", "alternatives": [], "next_run": None}
-    said = first(page(confident(0.93, 0.96, evidence__loaded=False, **alone)))
-    assert said.index("cannot settle its name") < said.index("explained by friction_hysteresis + creep")
+    headline = first(page(confident(0.93, 0.96, evidence__loaded=False, **alone)))
+    assert headline.index("cannot settle its name") < headline.index("explained by friction_hysteresis + creep")
 
 
 def test_where_no_percentage_is_known_none_is_spoken_of():
-    said = first(page(content(evidence__loaded=False)))
-    assert "cannot settle its name. By the library's formulas: friction_hysteresis is in both" in said
+    headline = first(page(content(evidence__loaded=False)))
+    assert "cannot settle its name. By the library's formulas: friction_hysteresis is in both" in headline
 
 
 def test_a_stand_in_that_a_page_names_is_said_in_words():
@@ -51,9 +51,9 @@ def test_the_table_of_effects_and_its_remark_say_in_plain_words_what_dimensions_
     """`share no dimension can imitate` was the head of the column."""
     moved = {"moved_alone_sigma": {"radius_mm": 1.9}, "moved_sigma": {"radius_mm": 0.1}}
     evidence = {f"evidence__{key}": value for key, value in moved.items()}
-    made = confident(0.93, 0.96, evidence__beyond_dimensions_mm={"creep": 0.031}, **evidence)
-    made["mechanisms"] = made["mechanisms"][1:]
-    text = joined(page(made))
+    diagnosis = confident(0.93, 0.96, evidence__beyond_dimensions_mm={"creep": 0.031}, **evidence)
+    diagnosis["mechanisms"] = diagnosis["mechanisms"][1:]
+    text = joined(page(diagnosis))
     assert "part that no wrong dimension can make" in text and "imitate" not in text
     assert "Of creep report the last column, not the size before it: a slightly different radius could make the" in text
 

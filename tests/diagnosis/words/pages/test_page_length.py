@@ -26,61 +26,61 @@ COVERED = {"temperature_c": [17.8, 29.9], "load": [20.0, 20.0], "speed_per_s": [
 
 def two(**changes):
     """Two effects, hidden in part, on four dimensions that moved far under one load."""
-    made = confident(0.84, 0.38, evidence__nominal_mm=1.1, **changes)
-    for entry, mm in zip(made["mechanisms"], (2.3, 1.9), strict=True):
+    diagnosis = confident(0.84, 0.38, evidence__nominal_mm=1.1, **changes)
+    for entry, mm in zip(diagnosis["mechanisms"], (2.3, 1.9), strict=True):
         entry["rms_mm"] = {"value": mm, "low": 0.3 * mm, "high": 1.1 * mm}
     for name, nominal, value in (("scale", 1.0, 1.01), ("length_mm", 300.0, 295.0), ("separator_mm", 8.0, 9.4)):
-        made["parameters"][name] = {"nominal": nominal, "value": value, "low": value, "high": value}
-    made["evidence"] |= {
+        diagnosis["parameters"][name] = {"nominal": nominal, "value": value, "low": value, "high": value}
+    diagnosis["evidence"] |= {
         "beyond_dimensions_mm": {"creep": 0.15, "friction_hysteresis": 0.16}, "calibrated_mm": 0.079,
         "moved_sigma": {"radius_mm": 3.0, "scale": 2.9, "length_mm": 3.0, "separator_mm": 2.8},
         "moved_alone_sigma": {"radius_mm": 1.9, "scale": 0.1, "length_mm": 0.2},
         "tolerance": {"radius_mm": 0.0037, "scale": 0.005, "length_mm": 2.0, "separator_mm": 0.5},
         "loaded": False, "step_s": 0.05, "covered": COVERED, "expected": FORETOLD,
         "tops_mm": {"creep": -0.4, "friction_hysteresis": 0.2}, "probability_of_none": 0.11,
-        "pattern": {"location": made["mismatch"]["location"], "driver": ["time"], "rms_mm": 0.02},
+        "pattern": {"location": diagnosis["mismatch"]["location"], "driver": ["time"], "rms_mm": 0.02},
     }  # fmt: skip
-    return made
+    return diagnosis
 
 
 def missing(**changes):
     """The same, where something is still missing that a regression foretells better."""
-    made = two(**changes)
-    made["fit"]["heldout"] |= {"explained_mm": 0.3, "without_physics_mm": 0.05}
-    made["evidence"]["left_of_unseen"] = {"location": made["mismatch"]["location"], "driver": "direction"}
-    return made
+    diagnosis = two(**changes)
+    diagnosis["fit"]["heldout"] |= {"explained_mm": 0.3, "without_physics_mm": 0.05}
+    diagnosis["evidence"]["left_of_unseen"] = {"location": diagnosis["mismatch"]["location"], "driver": "direction"}
+    return diagnosis
 
 
-def near(made):
+def near(diagnosis):
     """The same on dimensions that stayed."""
-    made["evidence"]["moved_sigma"] = {"radius_mm": 0.4}
-    return made
+    diagnosis["evidence"]["moved_sigma"] = {"radius_mm": 0.4}
+    return diagnosis
 
 
 def adopted(**changes):
     """A verdict on a simulator with adopted effects, of which others were likely as well."""
-    made = two(**changes)
+    diagnosis = two(**changes)
     run = {"next_experiment": "One stroke under half the load: 30 s in all.", "tied": [["thermal"], ["wear"], ["jam"]]}
-    made["adopted"] = [{"effects": ["jam"], "verdict": "ambiguous", "runs": ["nylon-3"], **run}]
-    made["evidence"]["adopted_effects"] = []
-    return made
+    diagnosis["adopted"] = [{"effects": ["jam"], "verdict": "ambiguous", "runs": ["nylon-3"], **run}]
+    diagnosis["evidence"]["adopted_effects"] = []
+    return diagnosis
 
 
 def nothing_further():
     """After adopting, nothing further, on dimensions that moved far."""
-    made = adopted(**ALONE) | NOTHING
-    made["evidence"] |= {"explanations": [], "adopted_mm": 0.4}
-    return made | {"simulation": [{"id": "jam", "parameters": {}}]}
+    diagnosis = adopted(**ALONE) | NOTHING
+    diagnosis["evidence"] |= {"explanations": [], "adopted_mm": 0.4}
+    return diagnosis | {"simulation": [{"id": "jam", "parameters": {}}]}
 
 
-def of_several(made):
+def of_several(diagnosis):
     """A diagnosis of ten recordings, each with a zero of its own that moved far."""
-    made["run"] = [Path(folder).name for folder in SEVERAL]
+    diagnosis["run"] = [Path(folder).name for folder in SEVERAL]
     for number in range(1, 11):
-        made["parameters"][f"angle_turns_{number}"] = {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}
-        made["evidence"]["moved_sigma"][f"angle_turns_{number}"] = 2.9
-        made["evidence"]["tolerance"][f"angle_turns_{number}"] = 0.03
-    return made
+        diagnosis["parameters"][f"angle_turns_{number}"] = {"nominal": 0.0, "value": 0.1, "low": 0.1, "high": 0.1}
+        diagnosis["evidence"]["moved_sigma"][f"angle_turns_{number}"] = 2.9
+        diagnosis["evidence"]["tolerance"][f"angle_turns_{number}"] = 0.03
+    return diagnosis
 
 
 CASES = {
@@ -102,14 +102,14 @@ CASES = {
 }  # fmt: skip
 
 
-def folders(made):
-    return SEVERAL if isinstance(made["run"], list) else SEVERAL[:1]
+def folders(diagnosis):
+    return SEVERAL if isinstance(diagnosis["run"], list) else SEVERAL[:1]
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_the_page_is_short_and_narrow_whatever_there_is_to_say(case):
-    made = CASES[case]()
-    text = page(copy.deepcopy(made), folders=folders(made))
+    diagnosis = CASES[case]()
+    text = page(copy.deepcopy(diagnosis), folders=folders(diagnosis))
     lines = text.splitlines()
     assert len(lines) <= LINES, f"{len(lines)} lines:\n{text}"
     assert not [line for line in lines if len(line) > WIDE and "python -m" not in line]
@@ -119,15 +119,15 @@ def test_the_page_is_short_and_narrow_whatever_there_is_to_say(case):
 
 @pytest.mark.parametrize("case", CASES)
 def test_the_page_names_each_effect_with_how_sure_it_is_and_how_large_and_the_details_say_what_it_does(case):
-    made = CASES[case]()
-    text, more = (show(copy.deepcopy(made), folders=folders(made)) for show in (page, full))
-    for entry in spoken(made, SYSTEMS["mm"])["mechanisms"]:
+    diagnosis = CASES[case]()
+    text, more = (show(copy.deepcopy(diagnosis), folders=folders(diagnosis)) for show in (page, full))
+    for entry in spoken(diagnosis, SYSTEMS["mm"])["mechanisms"]:
         rows = text.partition("What acts")[2].splitlines()
         row = next(line for line in rows if line.strip().startswith(f"{entry['id']} "))
         assert f"{round(100 * entry['confidence'])} %" in row and " mm (" in row
         assert entry["sentence"] in " ".join(more.split())
-    known = {explanation.get("probability") for explanation in made["evidence"]["explanations"]} - {None}
-    if made["mechanisms"] and known:
+    probabilities = {explanation.get("probability") for explanation in diagnosis["evidence"]["explanations"]} - {None}
+    if diagnosis["mechanisms"] and probabilities:
         assert "physics that the library lacks" in more
     assert "unseen strokes" in text or "last 30 % of strokes" in text
 
@@ -137,7 +137,7 @@ def test_a_doubt_is_told_by_its_first_sentences_on_the_page_and_whole_in_the_det
     first, second, _ = line.split(". ")
     assert shortened(line, 10) == f"{first}.", "the first one in any case"
     assert shortened(line, 330) == f"{first}. {second}." and shortened(line, 400) == line
-    made = missing(**ALONE)
-    for doubt in what_first(spoken(made, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"])):
-        assert doubt in " ".join(full(copy.deepcopy(made)).split())
-        assert shortened(doubt, LONG) in " ".join(page(copy.deepcopy(made)).split())
+    diagnosis = missing(**ALONE)
+    for doubt in what_first(spoken(diagnosis, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"])):
+        assert doubt in " ".join(full(copy.deepcopy(diagnosis)).split())
+        assert shortened(doubt, LONG) in " ".join(page(copy.deepcopy(diagnosis)).split())

@@ -13,9 +13,9 @@ def joined(text):
 
 def test_the_first_step_settles_the_name_and_its_commands_stand_where_it_says():
     """What to do lacked it, and the details said that no run is needed."""
-    made = confident(0.93, 0.96, **CHANGED)
+    diagnosis = confident(0.93, 0.96, **CHANGED)
     assert f"1. {STEP} Commands: details.txt, The run to make next." in joined(page(confident(0.93, 0.96, **CHANGED)))
-    run = full(made).partition("The run to make next\n")[2].partition("\n\n")[0]
+    run = full(diagnosis).partition("The run to make next\n")[2].partition("\n\n")[0]
     assert STEP in run and "None is needed" not in run
     assert "pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together" in run
     same = page(confident(0.93, 0.96, **CHANGED | {"evidence__chosen_without_them": ["creep", "friction_hysteresis"]}))

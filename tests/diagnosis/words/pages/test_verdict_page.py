@@ -18,10 +18,10 @@ NEAR = {"radius_mm": 0.4}
 NOTHING = {"verdict": "parameters", "mechanisms": [], "alternatives": [], "next_run": None}
 
 
-def details(made):
+def details(diagnosis):
     """The details beside the page, on one line."""
-    made = spoken(made, SYSTEMS["mm"])
-    return " ".join(details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3")).split())
+    diagnosis = spoken(diagnosis, SYSTEMS["mm"])
+    return " ".join(details_text(diagnosis, SYSTEMS["mm"], [Path("raw/nylon-3")], Path("reports/nylon-3")).split())
 
 
 def under(heading, text):
@@ -29,19 +29,19 @@ def under(heading, text):
     return text.partition(f"{heading}\n")[2].partition("\n\n")[0].splitlines()
 
 
-def steps(made=None, **others):
+def steps(diagnosis=None, **others):
     """What to do, on one line."""
-    return " ".join(" ".join(under(STEPS, page(made, **others))).split())
+    return " ".join(" ".join(under(STEPS, page(diagnosis, **others))).split())
 
 
-def full_steps(made=None, **others):
+def full_steps(diagnosis=None, **others):
     """What to do as the details say it, on one line."""
-    return " ".join(" ".join(under(STEPS, full(made, **others))).split())
+    return " ".join(" ".join(under(STEPS, full(diagnosis, **others))).split())
 
 
-def reported(made=None, **others):
+def reported(diagnosis=None, **others):
     """What can be reported, as the details say it, on one line."""
-    return " ".join(" ".join(under("To report it", full(made, **others))).split())
+    return " ".join(" ".join(under("To report it", full(diagnosis, **others))).split())
 
 
 def test_the_verdict_is_one_page_wide_and_long_and_says_where_the_rest_is():
@@ -53,11 +53,14 @@ def test_the_verdict_is_one_page_wide_and_long_and_says_where_the_rest_is():
 
 def crowded(**changes):
     """A verdict of two effects of which the page has much to say: hidden, on dimensions that moved far."""
-    made = confident(0.84, 0.38, evidence__nominal_mm=1.1, **changes)
-    for entry, mm in zip(made["mechanisms"], (2.3, 1.9), strict=True):
+    diagnosis = confident(0.84, 0.38, evidence__nominal_mm=1.1, **changes)
+    for entry, mm in zip(diagnosis["mechanisms"], (2.3, 1.9), strict=True):
         entry["rms_mm"] = {"value": mm, "low": 0.3 * mm, "high": 1.1 * mm}
-    made["parameters"] |= {"scale": {"nominal": 1.0, "value": 1.01}, "length_mm": {"nominal": 300.0, "value": 295.0}}
-    made["evidence"] |= {
+    diagnosis["parameters"] |= {
+        "scale": {"nominal": 1.0, "value": 1.01},
+        "length_mm": {"nominal": 300.0, "value": 295.0},
+    }
+    diagnosis["evidence"] |= {
         "beyond_dimensions_mm": {"creep": 0.15, "friction_hysteresis": 0.16}, "calibrated_mm": 0.079,
         "moved_sigma": {"radius_mm": 2.9, "scale": 1.2, "length_mm": 1.1}, "probability_of_none": 0.11,
         "moved_alone_sigma": {"radius_mm": 1.9, "scale": 0.1, "length_mm": 0.2},
@@ -65,8 +68,8 @@ def crowded(**changes):
         "covered": {"temperature_c": [17.8, 29.9], "load": [8.41, 24.5], "speed_per_s": [0.945, 3.63],
                     "longest_hold_s": 8.4, "longest_rest_s": 13.0},
     }  # fmt: skip
-    made["alternatives"] = [["friction_hysteresis", "jam"]] if made["alternatives"] else []
-    return made
+    diagnosis["alternatives"] = [["friction_hysteresis", "jam"]] if diagnosis["alternatives"] else []
+    return diagnosis
 
 
 def test_the_page_of_two_effects_with_much_to_say_of_them_is_one_page_long():
@@ -78,14 +81,14 @@ def test_the_page_of_two_effects_with_much_to_say_of_them_is_one_page_long():
 
 
 def test_no_command_is_printed_twice():
-    made = crowded(**ALONE, fit__heldout__explained_mm=0.05)
+    diagnosis = crowded(**ALONE, fit__heldout__explained_mm=0.05)
     hold = {"loop_as_before_mm": 0.2, "loop_half_speed_mm": 0.2}
     columns = [
         {"ids": ["friction_hysteresis", "creep"], **hold, "hold_mm": -0.3, "rest_mm": 0.2},
         {"ids": ["friction_hysteresis", "thermal"], **hold, "hold_mm": 0.001, "rest_mm": 0.001},
     ]
-    made["evidence"]["expected"] = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": columns}
-    text = full(made)
+    diagnosis["evidence"]["expected"] = {"load": 20.0, "speed_per_s": 2.0, "stand_s": 120.0, "explanations": columns}
+    text = full(diagnosis)
     commands = [line.strip() for line in text.splitlines() if "python -m" in line]
     assert len(commands) == len(set(commands)) and sum("pipeline.new_run" in line for line in commands) == 1
     assert "diagnose the runs together (commands: the step before)." in " ".join(text.split())
@@ -112,15 +115,15 @@ def test_without_probabilities_an_effect_says_in_how_many_explanations_it_is():
 
 
 def test_a_size_with_a_wide_interval_or_far_above_what_is_missing_says_so():
-    made = confident(0.93, 0.96)
-    assert "oorly known" not in full(made) and "ostly hidden" not in full(made)
-    made["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    diagnosis = confident(0.93, 0.96)
+    assert "oorly known" not in full(diagnosis) and "ostly hidden" not in full(diagnosis)
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     assert "0.20 mm (0 to 0.40 mm), poorly known" in full(
-        made
-    ) and "Poorly known: the interval is wider than a factor of 2" in full(made)
-    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
-    assert "1.5 mm (1.4 to 1.6 mm), mostly hidden" in full(made)
-    assert "far larger than the 0.44 mm that is missing" in full(made)
+        diagnosis
+    ) and "Poorly known: the interval is wider than a factor of 2" in full(diagnosis)
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
+    assert "1.5 mm (1.4 to 1.6 mm), mostly hidden" in full(diagnosis)
+    assert "far larger than the 0.44 mm that is missing" in full(diagnosis)
 
 
 def test_the_errors_are_a_table_whose_rows_say_what_they_are_of():
@@ -150,10 +153,10 @@ def test_what_calibration_moved_far_is_measured_first_with_how_to_and_what_then(
         "better",
     ]
     assert "a caliper at ten places" in table[3]
-    said = full_steps()
-    assert "- If you find another value: write it into run.yaml, and diagnose again;" in said
-    assert "known better than its tolerance: say how well (`tolerance: {radius: …}`) and diagnose again;" in said
-    assert "- if the same, no better known: go on with step 2. The percentages do not hold" in said
+    to_do = full_steps()
+    assert "- If you find another value: write it into run.yaml, and diagnose again;" in to_do
+    assert "known better than its tolerance: say how well (`tolerance: {radius: …}`) and diagnose again;" in to_do
+    assert "- if the same, no better known: go on with step 2. The percentages do not hold" in to_do
     assert "Three times is the most that it may" in text and "provisional" in text
     near = full(content(evidence__moved_sigma=NEAR))
     assert "Measure again" not in near and "provisional" not in near
@@ -166,7 +169,7 @@ def test_every_dimension_of_a_string_says_how_it_is_measured():
 
 
 @pytest.mark.parametrize(
-    ("then", "said"),
+    ("then", "expected"),
     [
         (5330.0, "2. If you need to know which is at work, creep or thermal, make the run that can decide."),
         (
@@ -176,12 +179,12 @@ def test_every_dimension_of_a_string_says_how_it_is_measured():
         (5.02, "2. Make no other run: none that was tried decides which is at work: creep or thermal."),
     ],
 )
-def test_a_run_is_a_step_as_far_as_it_decides(then, said):
-    made = content(next_run__gap_then=then)
-    assert said in full_steps(made)
+def test_a_run_is_a_step_as_far_as_it_decides(then, expected):
+    diagnosis = content(next_run__gap_then=then)
+    assert expected in full_steps(diagnosis)
     run = "A hold at full twist, then a rest: 3.5 min in all. Steps and commands: "
-    assert (f"{run}The run to make next." in full_steps(copy.deepcopy(made))) is (then > 6.0)
-    assert (f"{run}details.txt, The run to make next." in steps(made)) is (then > 6.0)
+    assert (f"{run}The run to make next." in full_steps(copy.deepcopy(diagnosis))) is (then > 6.0)
+    assert (f"{run}details.txt, The run to make next." in steps(diagnosis)) is (then > 6.0)
 
 
 def test_prediction_and_adopting_come_with_their_commands_after_what_is_to_be_measured():
@@ -203,11 +206,11 @@ def test_a_command_stays_on_one_line_and_a_numbered_step_hangs():
 
 
 def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
-    said = reported(content(evidence__nominal_mm=1.4))
+    report = reported(content(evidence__nominal_mm=1.4))
     missing = "0.44 mm rms is missing after calibration, noise taken off; the errors on the unseen strokes above"
-    assert f"You can report, if measuring again changed nothing: - {missing}" in said
+    assert f"You can report, if measuring again changed nothing: - {missing}" in report
     assert (
-        "Do not report how much an effect does alone, its constants (loop, times, corners), or calibrated dim" in said
+        "Do not report how much an effect does alone, its constants (loop, times, corners), or calibrated dim" in report
     )
     near = content(evidence__moved_sigma=NEAR)
     assert f"You can report: - {missing};" in reported(near)
@@ -237,22 +240,22 @@ def test_what_can_be_reported_is_a_list_and_what_cannot_follows():
     ],
 )
 def test_one_sentence_says_whether_to_adopt_and_page_and_details_agree(changes, advice):
-    made = content(**changes)
-    if "length_mm" in made["evidence"]["moved_sigma"]:
-        made["parameters"]["length_mm"] = {"nominal": 300.0, "value": 295.0}
-    assert advice in steps(made) and advice in details(made).partition("To use it")[2]
-    poorly = copy.deepcopy(made)
+    diagnosis = content(**changes)
+    if "length_mm" in diagnosis["evidence"]["moved_sigma"]:
+        diagnosis["parameters"]["length_mm"] = {"nominal": 300.0, "value": 295.0}
+    assert advice in steps(diagnosis) and advice in details(diagnosis).partition("To use it")[2]
+    poorly = copy.deepcopy(diagnosis)
     for entry in poorly["mechanisms"]:
         entry["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    if "may adopt" in steps(made):
-        assert "do not report its sizes" not in steps(made)
+    if "may adopt" in steps(diagnosis):
+        assert "do not report its sizes" not in steps(diagnosis)
         assert "; do not report its sizes." in steps(poorly) and "; do not report its sizes." in details(poorly)
 
 
 def test_an_explanation_that_makes_things_worse_is_not_to_be_used():
-    said = steps(content(verdict="explained", alternatives=[], next_run=None, fit__heldout__explained_mm=0.95))
-    assert said.startswith("1. Adopt nothing: on the unseen strokes the explanation makes the simulator worse.")
-    assert "pipeline." not in said
+    to_do = steps(content(verdict="explained", alternatives=[], next_run=None, fit__heldout__explained_mm=0.95))
+    assert to_do.startswith("1. Adopt nothing: on the unseen strokes the explanation makes the simulator worse.")
+    assert "pipeline." not in to_do
 
 
 def test_without_a_name_the_page_says_what_comes_closest_what_moved_and_what_would_have_been_seen():
@@ -272,32 +275,36 @@ def test_without_a_name_the_page_says_what_comes_closest_what_moved_and_what_wou
 
 
 def test_after_adopting_dimensions_that_moved_far_are_measured_and_the_effects_taken_out():
-    one = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
-    made = content(**NOTHING, mismatch=None)
-    made["simulation"] = [{"id": "creep", "parameters": {}}]
-    made["adopted"] = [one | {"next_experiment": "Hardly worth making", "diagnosis": "reports/old/diagnosis.json"}]
-    made["evidence"]["explanations"] = []
-    said = steps(made)
-    assert "2. Measure again what calibration moved far:" in said
-    assert "python -m pipeline.adopt --remove raw/nylon-3" in said
-    assert "python -m pipeline.simulate raw/nylon-3 --simulation reports/old/diagnosis.json --out FILE" in said
-    made["adopted"][0]["dimensions"] = {"radius_mm": {"nominal": 0.55, "fitted": 0.5612}}
-    within = " ".join(page(made | {"evidence": made["evidence"] | {"tolerance": {"radius_mm": 0.0165}}}).split())
+    adopted_verdict = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
+    diagnosis = content(**NOTHING, mismatch=None)
+    diagnosis["simulation"] = [{"id": "creep", "parameters": {}}]
+    diagnosis["adopted"] = [
+        adopted_verdict | {"next_experiment": "Hardly worth making", "diagnosis": "reports/old/diagnosis.json"}
+    ]
+    diagnosis["evidence"]["explanations"] = []
+    to_do = steps(diagnosis)
+    assert "2. Measure again what calibration moved far:" in to_do
+    assert "python -m pipeline.adopt --remove raw/nylon-3" in to_do
+    assert "python -m pipeline.simulate raw/nylon-3 --simulation reports/old/diagnosis.json --out FILE" in to_do
+    diagnosis["adopted"][0]["dimensions"] = {"radius_mm": {"nominal": 0.55, "fitted": 0.5612}}
+    within = " ".join(
+        page(diagnosis | {"evidence": diagnosis["evidence"] | {"tolerance": {"radius_mm": 0.0165}}}).split()
+    )
     assert "Measure again" not in within and "That is no reason to measure them again" in within
-    made["evidence"]["tolerance"] = {"radius_mm": 0.004}
-    kept = steps(made)
+    diagnosis["evidence"]["tolerance"] = {"radius_mm": 0.004}
+    kept = steps(diagnosis)
     assert "If nothing changed, keep what was adopted, and predict with python -m pipeline.simulate as it is." in kept
     assert "--simulation" not in kept
-    text = " ".join(page(made).split())
+    text = " ".join(page(diagnosis).split())
     assert "dimensions are fitted anew from the measured ones; pipeline.simulate takes those that were adopted" in text
     assert "These are the values that were adopted with the effects: nothing new was found about them." in text
-    made["adopted"][0]["dimensions"]["radius_mm"]["fitted"] = 0.54
-    assert "What was adopted fitted with other dimensions" in " ".join(page(made).split())
+    diagnosis["adopted"][0]["dimensions"]["radius_mm"]["fitted"] = 0.54
+    assert "What was adopted fitted with other dimensions" in " ".join(page(diagnosis).split())
 
 
 def test_slow_effects_under_one_load_are_said_to_look_alike():
-    said = "Under one load what is called creep can be "
-    assert said in " ".join(page(content(evidence__loaded=False)).split())
+    sentence = "Under one load what is called creep can be "
+    assert sentence in " ".join(page(content(evidence__loaded=False)).split())
     assert "look alike" not in page(content(evidence__loaded=True))
 
 
@@ -309,26 +316,26 @@ def test_a_doubt_of_the_recording_stands_before_the_names():
 def test_a_tolerance_that_nobody_gave_is_called_the_default_and_what_moved_beside_is_measured_too():
     sigmas = {"radius_mm": 0.03 * 0.55, "length_mm": 2.0, "separator_mm": 0.3}
     moved = {"radius_mm": 2.9, "length_mm": -2.2, "separator_mm": 1.9}
-    made = content(evidence__moved_sigma=moved, evidence__tolerance=sigmas)
-    made["parameters"] |= {name: {"nominal": 300.0, "value": 295.6} for name in ("length_mm", "separator_mm")}
-    said = full_steps(made)
-    assert "mm (3 %, default) 0.56" in said and "length 300 mm 2 mm (default) 295.6 mm" in said
-    assert "separator 300" not in said, "it moved by less than 2 tolerances"
-    assert "`tolerance: {radius: …, length_mm: …}`" in said
-    made["evidence"]["moved_sigma"]["radius_mm"] = 2.4
-    assert "Measure again" not in full_steps(made), "none moved far"
+    diagnosis = content(evidence__moved_sigma=moved, evidence__tolerance=sigmas)
+    diagnosis["parameters"] |= {name: {"nominal": 300.0, "value": 295.6} for name in ("length_mm", "separator_mm")}
+    to_do = full_steps(diagnosis)
+    assert "mm (3 %, default) 0.56" in to_do and "length 300 mm 2 mm (default) 295.6 mm" in to_do
+    assert "separator 300" not in to_do, "it moved by less than 2 tolerances"
+    assert "`tolerance: {radius: …, length_mm: …}`" in to_do
+    diagnosis["evidence"]["moved_sigma"]["radius_mm"] = 2.4
+    assert "Measure again" not in full_steps(diagnosis), "none moved far"
 
 
 def test_the_first_sentence_names_what_explains_and_says_where_something_is_still_missing():
-    one = {"verdict": "explained", "alternatives": [], "next_run": None}
-    assert page(content(**one)).startswith("nylon-3: explained by friction_hysteresis + creep.\n")
-    part = page(content(**one, fit__heldout__explained_mm=0.06))
+    verdict_fields = {"verdict": "explained", "alternatives": [], "next_run": None}
+    assert page(content(**verdict_fields)).startswith("nylon-3: explained by friction_hysteresis + creep.\n")
+    part = page(content(**verdict_fields, fit__heldout__explained_mm=0.06))
     assert part.startswith("nylon-3: explained by friction_hysteresis + creep, but something is still missing.\n")
 
 
 def test_the_first_sentence_of_a_tie_says_first_what_is_sure():
     acts = "nylon-3: friction_hysteresis (93 %) is at work; "
-    for made, said in (
+    for diagnosis, expected in (
         (confident(0.93, 0.46), f"{acts}it is not known which of creep (46 %) and thermal (31 %) acts beside it"),
         (
             confident(0.93, 0.46, alternatives=[["friction_hysteresis"]]),
@@ -343,9 +350,9 @@ def test_the_first_sentence_of_a_tie_says_first_what_is_sure():
             "nylon-3: which of creep (40 %), friction_hysteresis (30 %) and th",
         ),
     ):
-        made["evidence"]["moved_sigma"] = NEAR
-        first = " ".join(page(made).partition("\n\n")[0].split())
-        assert first.startswith(said) and first.endswith(" (ambiguous).")
+        diagnosis["evidence"]["moved_sigma"] = NEAR
+        first = " ".join(page(diagnosis).partition("\n\n")[0].split())
+        assert first.startswith(expected) and first.endswith(" (ambiguous).")
     swap = confident(0.48, 0.4, alternatives=[["backlash"]], evidence__moved_sigma=NEAR)
     swap["mechanisms"] = swap["mechanisms"][:1]
     first = " ".join(page(swap).partition("\n\n")[0].split())
@@ -353,7 +360,7 @@ def test_the_first_sentence_of_a_tie_says_first_what_is_sure():
 
 
 @pytest.mark.parametrize(
-    ("others", "said"),
+    ("others", "expected"),
     [
         ([["wear", "jam"]], "whether wear (2 %) and jam (0 %) are at work is open"),
         ([["wear", "jam"], ["wear"]], "whether wear (2 %), jam (0 %) or both are at work is open"),
@@ -361,28 +368,28 @@ def test_the_first_sentence_of_a_tie_says_first_what_is_sure():
         ([["wear"], ["jam"]], "whether wear (2 %) or jam (0 %) is at work is open"),
     ],
 )
-def test_effects_that_one_explanation_has_together_are_no_either_or(others, said):
+def test_effects_that_one_explanation_has_together_are_no_either_or(others, expected):
     """`whether plastic_elongation or radius_compaction is at work`, though the one that was kept has both."""
-    made = confident(0.93, 0.9, alternatives=others, evidence__moved_sigma=NEAR)
-    assert said in " ".join(page(made).partition("\n\n")[0].split())
+    diagnosis = confident(0.93, 0.9, alternatives=others, evidence__moved_sigma=NEAR)
+    assert expected in " ".join(page(diagnosis).partition("\n\n")[0].split())
 
 
 def test_a_single_explanation_is_reported_with_its_probability():
-    made = weighed(0.004, 0.06, 0.01, 0.02, 0.73, none=0.22, verdict="explained", alternatives=[], next_run=None)
-    made["evidence"]["explanations"][3]["standing"] = "beaten"
+    diagnosis = weighed(0.004, 0.06, 0.01, 0.02, 0.73, none=0.22, verdict="explained", alternatives=[], next_run=None)
+    diagnosis["evidence"]["explanations"][3]["standing"] = "beaten"
     best = "- the recording agrees best with friction_hysteresis + creep"
     assert f"{best} (73 %); every other explanation is less likely, but none is impossible" in " ".join(
-        reported(made).split()
+        reported(diagnosis).split()
     ), "how probable the others are stands in the table"
-    assert full(made).startswith("nylon-3: explained by friction_hysteresis + creep (73 %).")
+    assert full(diagnosis).startswith("nylon-3: explained by friction_hysteresis + creep (73 %).")
     assert f"{best} (52 %); every other explanation is less likely" in reported(weighed(0.004, 0.06, 0.31, 0.02, 0.52))
     assert "agrees best" not in reported(), "no probability is known"
 
 
 def test_the_page_tells_how_probable_each_explanation_is_and_on_which_tolerances_that_stands():
-    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, none=0.04)
-    made["evidence"]["tolerance"] = {"radius_mm": 0.004}
-    rows = under("How probable each explanation is", full(made))
+    diagnosis = weighed(0.004, 0.06, 0.31, 0.02, 0.52, none=0.04)
+    diagnosis["evidence"]["tolerance"] = {"radius_mm": 0.004}
+    rows = under("How probable each explanation is", full(diagnosis))
     assert [re.split(" {2,}", row.strip())[1:3] for row in rows[1:9]] == [
         ["friction_hysteresis + creep", "52 %"],
         ["friction_hysteresis + thermal", "31 %"],
@@ -393,56 +400,56 @@ def test_the_page_tells_how_probable_each_explanation_is_and_on_which_tolerances
         ["physics that the library lacks", "4 %"],
         ["calibration alone", "–"],
     ], "together they are everything"
-    short = under("How probable each explanation is", page(copy.deepcopy(made)))
+    short = under("How probable each explanation is", page(copy.deepcopy(diagnosis)))
     assert [re.split(" {2,}", row.strip())[0] for row in short][2:] == [
         "friction_hysteresis + sensor_drift", "other explanations of the library", "physics that the library lacks",
     ]  # fmt: skip
     assert "All this stands on the tolerances of step 1." in " ".join(" ".join(rows).split()), "its table has them"
-    made["evidence"]["moved_sigma"] = {"radius_mm": 1.9}
-    assert "All this stands on these tolerances: radius 0.004 mm (0.727 %). Know one better" in full(made)
-    made["evidence"]["moved_sigma"] = {"radius_mm": 0.9}
-    assert "stands on these tolerances" not in full(made)
+    diagnosis["evidence"]["moved_sigma"] = {"radius_mm": 1.9}
+    assert "All this stands on these tolerances: radius 0.004 mm (0.727 %). Know one better" in full(diagnosis)
+    diagnosis["evidence"]["moved_sigma"] = {"radius_mm": 0.9}
+    assert "stands on these tolerances" not in full(diagnosis)
     assert "How probable each explanation is" not in full(), "no probability is known"
 
 
 def test_an_effect_larger_than_what_is_missing_says_where_the_rest_is():
-    made = confident(0.93, 0.96)
-    assert "artly hidden" not in full(made)
-    made["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
-    assert "0.60 mm (0.55 to 0.65 mm), partly hidden" in full(made)
-    made["evidence"]["moved_sigma"] = NEAR
-    assert "Do not report how much creep does alone." in reported(made)
-    assert "it is more than the 0.44 mm that is missing" in full(made)
+    diagnosis = confident(0.93, 0.96)
+    assert "artly hidden" not in full(diagnosis)
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 0.6, "low": 0.55, "high": 0.65}
+    assert "0.60 mm (0.55 to 0.65 mm), partly hidden" in full(diagnosis)
+    diagnosis["evidence"]["moved_sigma"] = NEAR
+    assert "Do not report how much creep does alone." in reported(diagnosis)
+    assert "it is more than the 0.44 mm that is missing" in full(diagnosis)
 
 
 def test_where_the_procedure_chose_other_effects_without_the_last_strokes_that_is_what_fails():
     bad = {**ALONE, "fit__heldout__explained_mm": 4.3}
     same = page(content(**bad, evidence__chosen_without_them=["creep", "friction_hysteresis"]))
     assert "the explanation makes the calibrated simulator worse" in same and "the procedure names" not in same
-    made = content(**bad, evidence__chosen_without_them=["slack"])
-    other = " ".join(page(made).split())
+    diagnosis = content(**bad, evidence__chosen_without_them=["slack"])
+    other = " ".join(page(diagnosis).split())
     slack = "slack"
     worse = f"On the unseen strokes {slack} makes the calibrated simulator worse: adopt nothing."
     assert f"{worse} So the recording is too short to choose" in other
     assert "1. Adopt nothing: the names change when the last 30 % of strokes are left out, so none is proved." in other
     assert "the explanation makes" not in other and "explanation improves" not in other
     assert "the procedure names slack, and that misses the unseen strokes by 4.3 mm. friction" in other
-    made["fit"]["worse_than_nominal"] = ["explained"]
-    first = " ".join(page(made).split("\n\n")[0].split())
+    diagnosis["fit"]["worse_than_nominal"] = ["explained"]
+    first = " ".join(page(diagnosis).split("\n\n")[0].split())
     assert first.endswith("which failed on them (4.3 mm rms; the nominal simulator: 1.9 mm).")
-    everywhere = [details(made), figures.warning(spoken(made, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"]))]
+    everywhere = [details(diagnosis), figures.warning(spoken(diagnosis, SYSTEMS["mm"]), Vocabulary.of(SYSTEMS["mm"]))]
     assert all("the names change" in each and "the explanation makes" not in each for each in everywhere)
-    made["evidence"]["chosen_without_them"] = []
-    made["fit"]["heldout"]["explained_mm"] = made["fit"]["heldout"]["calibrated_mm"]
+    diagnosis["evidence"]["chosen_without_them"] = []
+    diagnosis["fit"]["heldout"]["explained_mm"] = diagnosis["fit"]["heldout"]["calibrated_mm"]
     none = "On the unseen strokes nothing was tried, for without them the procedure names no effect. So the"
-    assert none in " ".join(page(made).split())
+    assert none in " ".join(page(diagnosis).split())
 
 
 def test_what_calibration_alone_misses_is_not_laid_to_an_explanation_that_was_not_tried():
     """`Nothing was tried` stood beside `missed by 2.1 times the noise, which the explanation does not foresee`."""
-    made = content(evidence__chosen_without_them=[])
-    made["fit"]["heldout"] |= {"calibrated_mm": 0.81, "explained_mm": 0.81}
-    shown = " ".join(full(made).split())
+    diagnosis = content(evidence__chosen_without_them=[])
+    diagnosis["fit"]["heldout"] |= {"calibrated_mm": 0.81, "explained_mm": 0.81}
+    shown = " ".join(full(diagnosis).split())
     best = "friction_hysteresis + creep"
     assert f"Calibration alone misses the unseen strokes by 26 times the noise: that says nothing of {best}." in shown
     assert "does not foresee" not in shown and "Something systematic is still missing" not in shown
@@ -450,8 +457,8 @@ def test_what_calibration_alone_misses_is_not_laid_to_an_explanation_that_was_no
         full(content(**{"evidence__chosen_without_them": [], "evidence__moved_sigma": {}}
             | {"fit__heldout__explained_mm": 0.81})).split()
     )  # fmt: skip
-    made["evidence"]["floor_mm"] = 0.02
-    shown = " ".join(full(made).split())
+    diagnosis["evidence"]["floor_mm"] = 0.02
+    shown = " ".join(full(diagnosis).split())
     assert f"still missing: {best} leaves 1.5 times the noise of the whole recording (1.3 is the limit)." in shown
     assert "The 26 times by which the unseen strokes are missed are of calibration alone." in shown
 
@@ -469,10 +476,10 @@ def test_a_load_that_only_the_unseen_strokes_had_is_said_where_they_are_missed()
 
 
 def test_a_good_error_of_other_effects_is_said_to_be_of_these():
-    made = content(evidence__chosen_without_them=["creep", "friction_hysteresis"])
-    assert "not settled" not in page(made) and "see below" not in page(made)
-    made["evidence"]["chosen_without_them"] = ["thermal"]
-    shown = " ".join(page(made).split())
+    diagnosis = content(evidence__chosen_without_them=["creep", "friction_hysteresis"])
+    assert "not settled" not in page(diagnosis) and "see below" not in page(diagnosis)
+    diagnosis["evidence"]["chosen_without_them"] = ["thermal"]
+    shown = " ".join(page(diagnosis).split())
     without = "Without the last 30 % of strokes the procedure names thermal"
     error = re.search(rf"{re.escape(without)}, and that misses the unseen strokes by (.+?)\. friction", shown)
     assert error and re.search(rf"thermal, see below – {error[1]} \([0-9.]+ times the noise\)", shown)
@@ -480,10 +487,10 @@ def test_a_good_error_of_other_effects_is_said_to_be_of_these():
     tried = "friction_hysteresis + creep was not fitted without them, because the procedure fits only what it names"
     assert f"Other effects: thermal, which the procedure names without these strokes. {tried}." in shown
     untried = "this to predict motions like the recorded ones (how much it errs on unseen strokes is not known)"
-    made["evidence"]["moved_sigma"] = {"radius_mm": 0.4}
-    assert untried in advice.of_adopting(made, Vocabulary.of(SYSTEMS["mm"]))
-    del made["evidence"]["chosen_without_them"]
-    assert untried not in advice.of_adopting(made, Vocabulary.of(SYSTEMS["mm"]))
+    diagnosis["evidence"]["moved_sigma"] = {"radius_mm": 0.4}
+    assert untried in advice.of_adopting(diagnosis, Vocabulary.of(SYSTEMS["mm"]))
+    del diagnosis["evidence"]["chosen_without_them"]
+    assert untried not in advice.of_adopting(diagnosis, Vocabulary.of(SYSTEMS["mm"]))
 
 
 def test_what_is_worse_than_the_nominal_simulator_is_not_to_be_adopted():
@@ -498,39 +505,39 @@ def test_of_a_tie_the_program_is_named_that_makes_the_run_and_weighs_it():
 
 
 def test_after_adopting_what_tied_is_decided_after_measuring_again():
-    made = content(**NOTHING, mismatch=None)
-    made["simulation"] = [{"id": "creep", "parameters": {}}]
+    diagnosis = content(**NOTHING, mismatch=None)
+    diagnosis["simulation"] = [{"id": "creep", "parameters": {}}]
     run = {"next_experiment": "One stroke under half the load: 30 s in all.", "tied": [["thermal"]]}
-    made["adopted"] = [{"effects": ["creep"], "verdict": "ambiguous", "runs": ["nylon-3"]} | run]
-    made["evidence"]["explanations"] = []
-    said = steps(made)
-    assert said.startswith("1. Measure again what calibration moved far:")
-    assert "4. Decide between what was adopted and what was likely as well" in said
-    assert "Take out what was adopted first, for it is not weighed again: python -m pipeline.adopt --remove" in said
+    diagnosis["adopted"] = [{"effects": ["creep"], "verdict": "ambiguous", "runs": ["nylon-3"]} | run]
+    diagnosis["evidence"]["explanations"] = []
+    to_do = steps(diagnosis)
+    assert to_do.startswith("1. Measure again what calibration moved far:")
+    assert "4. Decide between what was adopted and what was likely as well" in to_do
+    assert "Take out what was adopted first, for it is not weighed again: python -m pipeline.adopt --remove" in to_do
 
 
 def test_a_scale_that_run_yaml_gives_is_not_called_assumed_and_the_next_one_is_reckoned():
-    made = content(evidence__moved_sigma={"scale": 3.0}, evidence__tolerance={"scale": 0.005})
-    made["parameters"] = {"scale": {"nominal": 1.0, "value": 0.995}}
-    assert "gain of the displacement sensor 1 (assumed) 0.5 % (default) 0.995" in steps(made)
-    made["evidence"] |= {"scale_given": 1.015, "tolerances_given": ["scale"]}
-    said = steps(made)
-    assert "gain of the displacement sensor 1 (taken, after the scale of 1.015 in run.yaml) 0.5 % 0.995" in said
-    details = " ".join(told(made).split())
+    diagnosis = content(evidence__moved_sigma={"scale": 3.0}, evidence__tolerance={"scale": 0.005})
+    diagnosis["parameters"] = {"scale": {"nominal": 1.0, "value": 0.995}}
+    assert "gain of the displacement sensor 1 (assumed) 0.5 % (default) 0.995" in steps(diagnosis)
+    diagnosis["evidence"] |= {"scale_given": 1.015, "tolerances_given": ["scale"]}
+    to_do = steps(diagnosis)
+    assert "gain of the displacement sensor 1 (taken, after the scale of 1.015 in run.yaml) 0.5 % 0.995" in to_do
+    details = " ".join(told(diagnosis).split())
     assert "run.yaml says scale: 1.015, and a gain of 0.995 is left beside it." in details
     assert "write scale: 1.02, which is 1.015 divided by 0.995" in details
     assert "taken where run.yaml says nothing" not in details and "was assumed" not in details
 
 
 def test_after_adopting_the_table_says_what_the_adopted_simulator_errs_by():
-    made = content(**NOTHING, mismatch=None, evidence__nominal_mm=1.4, evidence__calibrated_mm=0.031)
-    assert "as adopted" not in page(made)
-    made["evidence"]["adopted_mm"] = 0.033
-    rows = under("How far the simulator is off, rms", page(made))
+    diagnosis = content(**NOTHING, mismatch=None, evidence__nominal_mm=1.4, evidence__calibrated_mm=0.031)
+    assert "as adopted" not in page(diagnosis)
+    diagnosis["evidence"]["adopted_mm"] = 0.033
+    rows = under("How far the simulator is off, rms", page(diagnosis))
     assert " ".join(rows[1].split()) == "as adopted: effects and dimensions 0.033 mm (1.1 times the noise) –"
     assert not any(row.strip().startswith("nominal") for row in rows), "nobody simulates with that"
-    made["evidence"]["adopted_mm"] = 0.2
-    rows = under("How far the simulator is off, rms", page(made))
+    diagnosis["evidence"]["adopted_mm"] = 0.2
+    rows = under("How far the simulator is off, rms", page(diagnosis))
     assert [row.split()[0] for row in rows[1:]] == ["nominal:", "as", "calibrated:", "as", "noise:"]
 
 
@@ -543,9 +550,9 @@ def test_what_is_still_missing_has_a_step_of_its_own_and_its_commands():
     assert "If what is still missing is too much for your use: record 12 strokes again" in changes
     assert "python -m pipeline.new_run nylon-3-next --like raw/nylon-3" in changes
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out reports/nylon-3-next" in changes
-    made = content(**ALONE, fit__heldout__explained_mm=0.06)
-    made["evidence"]["explanations"][-1]["left_mm"] = 0.058
-    alike = full_steps(made)
+    diagnosis = content(**ALONE, fit__heldout__explained_mm=0.06)
+    diagnosis["evidence"]["explanations"][-1]["left_mm"] = 0.058
+    alike = full_steps(diagnosis)
     assert "Leave what is still missing, unless it is too much for your use" in alike and "-next" not in alike
 
 
@@ -559,9 +566,11 @@ def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_ado
     assert f"{many}. If the error" in without and "new_run nylon-3-next --like raw/nylon-3" in without
     idle = content(fit__heldout__explained_mm=0.06, next_run__gap_then=5.1)
     assert "new_run nylon-3-next --like raw/nylon-3" in full_steps(idle), "a run that decides nothing has no commands"
-    made = content(fit__heldout__explained_mm=0.06)
-    made["evidence"]["explanations"][-1]["left_mm"] = 0.058
-    assert "Leave what is still missing, unless it is too much for your use. The best explanation" in full_steps(made)
+    diagnosis = content(fit__heldout__explained_mm=0.06)
+    diagnosis["evidence"]["explanations"][-1]["left_mm"] = 0.058
+    assert "Leave what is still missing, unless it is too much for your use. The best explanation" in full_steps(
+        diagnosis
+    )
     tied = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
     adopted = content(**NOTHING, mismatch=None, adopted=[tied], simulation=[{"id": "creep", "parameters": {}}])
     adopted["evidence"]["moved_sigma"] = NEAR
@@ -574,20 +583,20 @@ def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_ado
 def test_a_name_comes_with_what_tells_it_from_others_and_what_of_that_the_recording_holds():
     covered = {"load": [24.8, 36.9], "speed_per_s": [1.9, 5.8], "longest_hold_s": 3.7, "longest_rest_s": 6.5}
     timeless = [entry | {"parameters": {}} for entry in content()["mechanisms"]]
-    said = full_steps(content(**ALONE, mechanisms=timeless, evidence__covered=covered))
+    to_do = full_steps(content(**ALONE, mechanisms=timeless, evidence__covered=covered))
     holds = "holds of up to 3.7 s and rests of up to 6.5 s under 25 N or more."
-    assert f"Recorded so far: loads of 25 to 37 N, speeds of 1.9 to 5.8 turns/s, {holds}" in said
-    assert "Optional, to be surer of a name, after step 1: before adopting, record what tells" in said
-    assert "record what tells the effect from others: - friction_hysteresis: " in said
-    assert "- creep: a hold under load, then a rest under less" in said
+    assert f"Recorded so far: loads of 25 to 37 N, speeds of 1.9 to 5.8 turns/s, {holds}" in to_do
+    assert "Optional, to be surer of a name, after step 1: before adopting, record what tells" in to_do
+    assert "record what tells the effect from others: - friction_hysteresis: " in to_do
+    assert "- creep: a hold under load, then a rest under less" in to_do
     covered["speed_per_s"] = [5.0, 5.8]
     under_one = full_steps(content(**ALONE, mechanisms=timeless, evidence__loaded=False, evidence__covered=covered))
     assert "Recorded so far: one load, one speed, 5.8 turns/s, holds of up to" in under_one
     longest = "(13 s or longer each, twice the longest one here, under 37 N as recorded here)."
-    assert longest in under_one and longest.replace("37", "25 to 37") in said
-    made = content(**ALONE, evidence__covered=covered)
-    assert "(2 min or longer each, twice its longest time constant, under 25 to 37 N as" in full_steps(made)
-    assert "It has two speeds: the fastest is 3.1 times the slowest. It has more than one load." in said
+    assert longest in under_one and longest.replace("37", "25 to 37") in to_do
+    diagnosis = content(**ALONE, evidence__covered=covered)
+    assert "(2 min or longer each, twice its longest time constant, under 25 to 37 N as" in full_steps(diagnosis)
+    assert "It has two speeds: the fastest is 3.1 times the slowest. It has more than one load." in to_do
     assert "no second speed: 2.9 or 12 turns/s, half or twice, would do. It has no second load: 18 or" in under_one
     assert "what tells the effect from others" not in full_steps(), "where explanations tie a run is proposed"
 
@@ -613,11 +622,11 @@ def test_what_improves_nothing_on_unseen_strokes_is_no_number_to_report_without_
 
 def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_intervals():
     firm = content(**ALONE, evidence__moved_sigma=NEAR)
-    said = (
+    sentence = (
         "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.41 mm (0.37 to 0.45 mm) (rms, 90 % "
         "interval), and the constants of friction_hysteresis above"
     )
-    assert said in reported(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in full(firm)
+    assert sentence in reported(firm) and "half the loop is 0.101 mm (0.0909 to 0.111)" in full(firm)
     firm["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
     only = reported(firm)
     assert "- TO REPORT: creep 0.41 mm (0.37 to 0.45 mm) (rms" in only and "constants" not in only
@@ -625,52 +634,52 @@ def test_sizes_and_constants_of_one_firm_explanation_can_be_reported_with_their_
 
 
 def test_an_effect_that_is_surer_than_its_explanation_says_why():
-    made = confident(0.93, 0.96, none=0.22, **ALONE)
+    diagnosis = confident(0.93, 0.96, none=0.22, **ALONE)
     sums = "The 93 % of friction_hysteresis and the 96 % of creep are the sum over all explanations with each"
     more = f"{sums}; the best explanation alone has 52 %."
-    assert all(more in " ".join(show(copy.deepcopy(made)).split()) for show in (told, page))
-    made["evidence"]["explanations"][-1]["probability"] = 0.96
-    assert "the sum over" not in told(copy.deepcopy(made))
-    assert "The share of physics that the library lacks was learnt on simulated" in told(made)
+    assert all(more in " ".join(show(copy.deepcopy(diagnosis)).split()) for show in (told, page))
+    diagnosis["evidence"]["explanations"][-1]["probability"] = 0.96
+    assert "the sum over" not in told(copy.deepcopy(diagnosis))
+    assert "The share of physics that the library lacks was learnt on simulated" in told(diagnosis)
     assert "The share of physics that the library lacks" not in told(confident(0.93, 0.96, none=0.01, **ALONE))
 
 
 def test_what_was_adopted_and_still_fits_is_said_first_to_do_so():
-    made = content(**NOTHING, mismatch=None, evidence__nominal_mm=1.4, evidence__calibrated_mm=0.031)
-    made["simulation"] = [{"id": "creep", "parameters": {}}]
+    diagnosis = content(**NOTHING, mismatch=None, evidence__nominal_mm=1.4, evidence__calibrated_mm=0.031)
+    diagnosis["simulation"] = [{"id": "creep", "parameters": {}}]
     came = {"radius_mm": {"nominal": 0.55, "fitted": 0.5612}}
-    made["adopted"] = [
+    diagnosis["adopted"] = [
         {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": ["nylon-3"], "dimensions": came}
     ]
-    made["evidence"] |= {"explanations": [], "adopted_mm": 0.033}
-    assert " ".join(page(made).split()).startswith(
+    diagnosis["evidence"] |= {"explanations": [], "adopted_mm": 0.033}
+    assert " ".join(page(diagnosis).split()).startswith(
         "nylon-3: creep was fitted to this recording, which is no test of it; nothing further can be named. What to "
     )
-    other = copy.deepcopy(made)
+    other = copy.deepcopy(diagnosis)
     other["adopted"][0]["runs"] = ["nylon-2"]
     assert " ".join(page(other).split()).startswith(
         "nylon-3: creep was adopted and still holds: with it and the dimensions that came with it the simulator "
         "explains the recording (0.033 mm rms, 1.1 times the noise); nothing further can be named."
     )
-    tied = copy.deepcopy(made)
+    tied = copy.deepcopy(diagnosis)
     tied["adopted"][0]["tied"] = [["thermal"], ["wear"]]
     assert "what was adopted is one of 3 likely explanations" in " ".join(page(tied).split())
-    made["evidence"]["adopted_mm"] = 0.2
-    assert "dimensions that came with it the simulator explains" not in " ".join(page(made).split())
+    diagnosis["evidence"]["adopted_mm"] = 0.2
+    assert "dimensions that came with it the simulator explains" not in " ".join(page(diagnosis).split())
     more = content(simulation=[{"id": "wear", "parameters": {}}])
     more["simulation"] += [{"id": entry["id"], "parameters": {}} for entry in more["mechanisms"]]
     assert page(more).startswith("nylon-3: wear was adopted and something new is there (ambiguous): friction_")
 
 
 def test_what_was_adopted_keeps_its_table_with_the_sizes_that_it_has_here():
-    made = content(**NOTHING, mismatch=None)
-    made["simulation"] = [{"id": "creep", "parameters": {}}, {"id": "backlash", "parameters": {}}]
-    assert "What was adopted" not in page(made), "an older file has no sizes"
-    made["adopted"] = [{"effects": ["creep", "backlash"], "verdict": "ambiguous", "tied": [["creep", "wear"]]}]
+    diagnosis = content(**NOTHING, mismatch=None)
+    diagnosis["simulation"] = [{"id": "creep", "parameters": {}}, {"id": "backlash", "parameters": {}}]
+    assert "What was adopted" not in page(diagnosis), "an older file has no sizes"
+    diagnosis["adopted"] = [{"effects": ["creep", "backlash"], "verdict": "ambiguous", "tied": [["creep", "wear"]]}]
     lengthens = {"id": "creep", "rms_mm": 0.41, "sentence": "Under load the string lengthens.", "top_mm": -0.3}
     jerks = {"id": "backlash", "rms_mm": 0.08, "sentence": "", "top_mm": None}
-    made["evidence"]["adopted_effects"] = [lengthens, jerks]
-    for text in (page(copy.deepcopy(made)), details_text(made, SYSTEMS["mm"], [Path("raw/nylon-3")])):
+    diagnosis["evidence"]["adopted_effects"] = [lengthens, jerks]
+    for text in (page(copy.deepcopy(diagnosis)), details_text(diagnosis, SYSTEMS["mm"], [Path("raw/nylon-3")])):
         rows = under("What was adopted, by the library's names", text)
         assert rows[1].split() == ["creep", "in", "both", "likely", "explanations", "0.41", "mm"]
         assert rows[2].strip().startswith("Under load the string lengthens. At 30.7 turns that is 0.30 mm less in the")
@@ -680,14 +689,14 @@ def test_what_was_adopted_keeps_its_table_with_the_sizes_that_it_has_here():
 
 
 def test_a_sure_effect_whose_interval_reaches_0_says_why_both_hold():
-    made = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
-    made["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    said = " ".join(full(copy.deepcopy(made)).split())
-    assert "sure, 93 %" in said and "friction_hysteresis is sure though the interval reaches 0, for the" in said
-    made["mechanisms"][0]["rms_mm"]["low"] = 0.1
-    assert "interval reaches 0" not in full(copy.deepcopy(made))
-    made["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
-    assert "interval reaches 0" not in full(made), "creep is not sure"
+    diagnosis = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
+    diagnosis["mechanisms"][0]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    text = " ".join(full(copy.deepcopy(diagnosis)).split())
+    assert "sure, 93 %" in text and "friction_hysteresis is sure though the interval reaches 0, for the" in text
+    diagnosis["mechanisms"][0]["rms_mm"]["low"] = 0.1
+    assert "interval reaches 0" not in full(copy.deepcopy(diagnosis))
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 0.2, "low": 0.0, "high": 0.4}
+    assert "interval reaches 0" not in full(diagnosis), "creep is not sure"
 
 
 def test_a_temperature_that_was_logged_and_is_not_needed_is_said_in_one_sentence():
@@ -703,11 +712,11 @@ def test_a_temperature_that_was_logged_and_is_not_needed_is_said_in_one_sentence
     logged["alternatives"] = [["thermal"]]
     assert "logged temperature" not in full(logged), "something that ties may follow it"
     for verdict in ("consistent", "parameters"):
-        made = content(
+        diagnosis = content(
             **NOTHING | {"verdict": verdict}, mismatch=None, evidence__covered={"temperature_c": [21.0, 25.5]}
         )
-        made["evidence"]["explanations"], made["simulation"] = [], []
-        assert sentence in " ".join(full(made).split()), verdict
+        diagnosis["evidence"]["explanations"], diagnosis["simulation"] = [], []
+        assert sentence in " ".join(full(diagnosis).split()), verdict
 
 
 AT_LIMIT = {"evidence__moved_sigma": {"radius_mm": 3.0, "torsion_zone_mm": 3.0, "scale": -3.0}}
@@ -715,16 +724,16 @@ AT_LIMIT = {"evidence__moved_sigma": {"radius_mm": 3.0, "torsion_zone_mm": 3.0, 
 
 def at_limit(radius_sigma=3.0):
     """A verdict with the radius, the torsion zone and the sensor's gain at their limits."""
-    made = confident(0.93, 0.96, **ALONE, **copy.deepcopy(AT_LIMIT))
-    made["evidence"]["moved_sigma"]["radius_mm"] = radius_sigma
-    made["evidence"]["tolerance"] = {"radius_mm": 0.0117, "torsion_zone_mm": 1.0, "scale": 0.005}
+    diagnosis = confident(0.93, 0.96, **ALONE, **copy.deepcopy(AT_LIMIT))
+    diagnosis["evidence"]["moved_sigma"]["radius_mm"] = radius_sigma
+    diagnosis["evidence"]["tolerance"] = {"radius_mm": 0.0117, "torsion_zone_mm": 1.0, "scale": 0.005}
     for name, nominal, value in (
         ("radius_mm", 0.39, 0.39 + 0.0117 * radius_sigma),
         ("torsion_zone_mm", 124.6, 127.6),
         ("scale", 1, 0.985),
     ):
-        made["parameters"][name] = {"nominal": nominal, "value": value, "low": value, "high": value}
-    return made
+        diagnosis["parameters"][name] = {"nominal": nominal, "value": value, "low": value, "high": value}
+    return diagnosis
 
 
 def test_a_dimension_at_its_limit_is_measured_for_a_gross_error_not_to_the_tolerance_that_it_has():
@@ -741,20 +750,22 @@ def test_a_dimension_at_its_limit_is_measured_for_a_gross_error_not_to_the_toler
     assert any(row.strip().startswith("radius") and "0.011 mm or better" in row for row in near)
 
 
-@pytest.mark.parametrize(("shared", "said"), [(0.95, "correlation 0.95"), (-0.9, "correlation -0.90"), (0.5, "")])
-def test_dimensions_that_take_each_others_place_in_the_fit_are_measured_in_one_go(shared, said):
-    made = at_limit()
+@pytest.mark.parametrize(
+    ("shared", "correlation"), [(0.95, "correlation 0.95"), (-0.9, "correlation -0.90"), (0.5, "")]
+)
+def test_dimensions_that_take_each_others_place_in_the_fit_are_measured_in_one_go(shared, correlation):
+    diagnosis = at_limit()
     rest = (1.0 - shared**2) ** 0.5
-    made["uncertainty"] = [
+    diagnosis["uncertainty"] = [
         {"name": "zero_mm", "moves": [0.01]},
         {"name": "radius_mm", "moves": [0.0, 0.003]},
         {"name": "torsion_zone_mm", "moves": [0.0, 0.0, 2.0]},
         {"name": "scale", "moves": [0.0, 0.0, 0.01 * shared, 0.01 * rest]},
         {"name": "scale", "moves": [1.0], "id": "creep", "entry": 0},
     ]
-    text = steps(made)
-    assert ("one of them alone settles little" in text) == bool(said) and said in text
-    if said:
+    text = steps(diagnosis)
+    assert ("one of them alone settles little" in text) == bool(correlation) and correlation in text
+    if correlation:
         assert "Measure the torsion zone and the gain of the displacement sensor in one go" in text
 
 
@@ -774,21 +785,23 @@ def test_no_effect_is_called_sure_while_a_dimension_stands_at_its_limit():
 
 def test_standard_deviations_beside_odds_are_said_to_count_the_noise_alone():
     assert told().count("They count the noise alone") == 1
-    made = content()
-    made["evidence"]["explanations"] = [one for one in made["evidence"]["explanations"] if one.get("worse") != 400.0]
-    assert "count the noise alone" not in told(made)
+    diagnosis = content()
+    diagnosis["evidence"]["explanations"] = [
+        explanation for explanation in diagnosis["evidence"]["explanations"] if explanation.get("worse") != 400.0
+    ]
+    assert "count the noise alone" not in told(diagnosis)
 
 
 def test_a_hidden_effect_says_how_large_it_is_in_all_and_which_dimensions_could_do_much_of_it():
-    made = confident(0.93, 0.96)
-    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
-    made["evidence"] |= {
+    diagnosis = confident(0.93, 0.96)
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
+    diagnosis["evidence"] |= {
         "beyond_dimensions_mm": {"creep": 0.031, "friction_hysteresis": 0.08},
         "moved_sigma": {"radius_mm": 2.9, "scale": -1.0, "length_mm": 0.1},
         "moved_alone_sigma": {"radius_mm": 1.0, "scale": 1.6, "length_mm": 0.3},
     }
-    made["parameters"] |= {name: {"nominal": 1.0, "value": 0.995} for name in ("scale", "length_mm")}
-    text = " ".join(full(copy.deepcopy(made)).split())
+    diagnosis["parameters"] |= {name: {"nominal": 1.0, "value": 0.995} for name in ("scale", "length_mm")}
+    text = " ".join(full(copy.deepcopy(diagnosis)).split())
     assert (
         "What no wrong dimension can make of creep: 0.031 mm (0.029 to 0.033 mm). The rest a slightly different "
         in text
@@ -796,19 +809,19 @@ def test_a_hidden_effect_says_how_large_it_is_in_all_and_which_dimensions_could_
     assert "different gain of the displacement sensor and radius could make as well." in text
     assert "1.5 mm (1.4 to 1.6 mm)" in text, "in all"
     assert "far larger than the" not in text and "all of it except" not in text, "rms sizes do not subtract"
-    made["evidence"]["beyond_dimensions_mm"]["friction_hysteresis"] = 0.02
+    diagnosis["evidence"]["beyond_dimensions_mm"]["friction_hysteresis"] = 0.02
     both = "What no wrong dimension can make of creep and friction_hysteresis: creep 0.031 mm (0.029 to 0.033 mm) and "
-    assert both in " ".join(full(made).split())
+    assert both in " ".join(full(diagnosis).split())
 
 
 def test_spikes_that_do_not_count_are_said_in_the_details_and_on_the_page():
     assert "spike" not in details(content()) and "spike" not in page()
     first = {"run": "nylon-3", "column": "displacement_mm", "count": 4, "first_s": 12.34567}
     few = content(evidence__spikes=[first, {**first, "column": "motor_turns", "count": 1, "first_s": 1234.5}])
-    told = (
+    sentence = (
         "5 single samples (spikes) were left out: 4 of the displacement (the first at 12.35 s) and 1 of the twist (at"
     )
-    assert told in details(copy.deepcopy(few)) and told in " ".join(page(few).split()), "both alike"
+    assert sentence in details(copy.deepcopy(few)) and sentence in " ".join(page(few).split()), "both alike"
     many = content(evidence__spikes=[first, {**first, "column": "load_n", "count": 2}])
     assert "2 of the load (the first at" in " ".join(page(many).split())
     alone = "4 single samples of the displacement (spikes, the first at 12.35 s) were left out."
@@ -825,8 +838,8 @@ def test_the_commands_make_a_run_as_the_recorded_one_was_made(tmp_path):
     folder.mkdir()
 
     def typed(**changes):
-        made = spoken(content(**changes), SYSTEMS["mm"])
-        text = details_text(made, SYSTEMS["mm"], [folder], Path("reports/nylon-3"))
+        diagnosis = spoken(content(**changes), SYSTEMS["mm"])
+        text = details_text(diagnosis, SYSTEMS["mm"], [folder], Path("reports/nylon-3"))
         return [line.strip() for line in under("The run to make next", text) if "pipeline." in line], text
 
     capturing, text = typed()
@@ -876,8 +889,8 @@ def test_each_effect_that_is_not_kept_has_a_row_why_also_by_what_goes_on_while_t
         {**entry, "id": "axial_elasticity", "possible": False, "left_mm": None, "beside_mm": None, "stands": None},
     ]
     first = {"id": None, "left_mm": 0.03, "stands": stands(0.001), "tied": [{"ids": ["slack"], "stands": stands(0.0)}]}
-    made = content(evidence__not_kept=[first, *others], evidence__calibrated_mm=0.45)
-    spoken_ = details_text(spoken(copy.deepcopy(made), SYSTEMS["mm"]), SYSTEMS["mm"], [Path("raw/nylon-3")])
+    diagnosis = content(evidence__not_kept=[first, *others], evidence__calibrated_mm=0.45)
+    spoken_ = details_text(spoken(copy.deepcopy(diagnosis), SYSTEMS["mm"]), SYSTEMS["mm"], [Path("raw/nylon-3")])
     text = " ".join(" ".join(under(heading, spoken_)).split())
     assert text.startswith("Each effect was tried in place of a part of the best explanation, which leaves 0.030 mm,")
     rows = [re.split(" {2,}", row.strip()) for row in under(heading, spoken_)]
@@ -894,28 +907,28 @@ def test_each_effect_that_is_not_kept_has_a_row_why_also_by_what_goes_on_while_t
     assert "What it takes away there is too little for one effect more." in text
     assert "How likely at work: viscous_loss 2 %; each other one less than 1 %." in text
     assert text.endswith("This recording could not show axial_elasticity (it follows the load).")
-    made["evidence"]["not_kept"][0]["tied"][0]["stands"] = stands(0.05)
-    assert "Wrong while the motor stands, though likely: slack." in details(copy.deepcopy(made))
-    made["evidence"]["not_kept"][0]["stands"] = {}
-    assert "The motor never stood long enough in this recording" in details(made)
+    diagnosis["evidence"]["not_kept"][0]["tied"][0]["stands"] = stands(0.05)
+    assert "Wrong while the motor stands, though likely: slack." in details(copy.deepcopy(diagnosis))
+    diagnosis["evidence"]["not_kept"][0]["stands"] = {}
+    assert "The motor never stood long enough in this recording" in details(diagnosis)
 
 
-def not_kept(id_, hold, left=0.45):
+def not_kept(id_, hold, left_mm=0.45):
     """Why an effect is not kept, that leaves a change of `hold` mm in holds."""
     entry = {"id": id_, "likely": 0.001, "possible": True, "instead": [id_], "stands": stands(hold)}
-    return {**entry, "left_mm": left, "beside_mm": 0.03}
+    return {**entry, "left_mm": left_mm, "beside_mm": 0.03}
 
 
 def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_names_the_open_ones():
     first = {"id": None, "left_mm": 0.03, "stands": stands(0.001), "tied": []}
     slow = ("plastic_elongation", "sensor_drift", "stiffening", "wear")
 
-    def made(*still):
+    def creep_diagnosis(*still):
         others = [not_kept(id_, 0.0 if id_ in still else 0.068) for id_ in slow]
-        known = confident(0.9, 0.95, evidence__loaded=False, evidence__not_kept=[first, *others], alternatives=[])
-        return known | {"verdict": "explained"}
+        diagnosis = confident(0.9, 0.95, evidence__loaded=False, evidence__not_kept=[first, *others], alternatives=[])
+        return diagnosis | {"verdict": "explained"}
 
-    text, more = (" ".join(show(made("wear")).split()) for show in (page, details))
+    text, more = (" ".join(show(creep_diagnosis("wear")).split()) for show in (page, details))
 
     assert "Under one load what is called creep can be wear. What acts" in text
     assert "(creep as the library's name for a slow effect: one load cannot tell it from wear)" in more
@@ -925,12 +938,12 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
     assert more.count("all of it 0.45 mm (15) 0.068 mm") == 3, "the same stands in the table"
     assert "- wear: the library's formula of it leaves 0.45 mm (15 times the noise), but another law" in more
     assert "A recording tells: " in more and "You may write that in a paper." in more
-    text, more = (" ".join(show(made()).split()) for show in (page, details))
+    text, more = (" ".join(show(creep_diagnosis()).split()) for show in (page, details))
     assert "one load" not in text and "- wear: " not in more
     assert f"{by_standing}plastic_elongation {by}, sensor_drift {by}, stiffening {by} and wear {by}." in more
     out = "not plastic_elongation, sensor_drift, stiffening or wear in its place"
     assert f"{out}, whose formulas are wrong while the motor stands" in more
-    text, more = (" ".join(show(made(*slow)).split()) for show in (page, details))
+    text, more = (" ".join(show(creep_diagnosis(*slow)).split()) for show in (page, details))
     assert (
         "can be plastic_elongation, sensor_drift, stiffening or wear." in text
         and "xcluded" not in text
@@ -939,67 +952,73 @@ def test_each_slow_look_alike_is_excluded_by_the_recording_or_open_and_the_page_
 
 
 def test_the_size_to_report_stands_once_with_its_interval_also_of_a_part_that_no_dimension_could_do():
-    made = content(evidence__beyond_dimensions_mm={"creep": 0.031, "friction_hysteresis": 0.08})
-    text = full(copy.deepcopy(made))
+    diagnosis = content(evidence__beyond_dimensions_mm={"creep": 0.031, "friction_hysteresis": 0.08})
+    text = full(copy.deepcopy(diagnosis))
     assert (
         "dimension can make of creep: 0.031 mm (0.028 to 0.034 mm)." in " ".join(text.split())
         and "0.082 mm (0.074 to 0.090 mm)" in text
     )
-    row = next(line for line in page(copy.deepcopy(made)).splitlines() if line.strip().startswith("creep "))
+    row = next(line for line in page(copy.deepcopy(diagnosis)).splitlines() if line.strip().startswith("creep "))
     assert "0.41 mm (0.37 to 0.45 mm)" in row and row.endswith("0.031 mm"), "the page: all of it, then that part"
     assert row in text, "the details have the row of the page"
     assert "TO REPORT" not in text, "a dimension moved far"
-    made["evidence"]["moved_sigma"] = NEAR
-    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.35, "high": 1.65}
-    said = (
+    diagnosis["evidence"]["moved_sigma"] = NEAR
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.35, "high": 1.65}
+    sentence = (
         "- TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm); creep 0.031 mm (0.028 to 0.034 mm), the part "
         "that no wrong dimension can make (rms, 90 % interval), and the constants of friction_hysteresis above"
     )
-    text = " ".join(full(copy.deepcopy(made)).split())
-    assert said in text and text.count("TO REPORT") == 1
+    text = " ".join(full(copy.deepcopy(diagnosis)).split())
+    assert sentence in text and text.count("TO REPORT") == 1
     assert "Such a size has an interval narrower than a factor of 2; where moved dimensions" in text
     only = "Of creep only that part, not what it does in all nor its constants (loop, times): "
     assert f"{only}dimensions could make the rest." in text and "Of friction_hysteresis" not in text
     assert "do not report its sizes" not in text and "of its sizes" not in text
-    made["evidence"].pop("beyond_dimensions_mm")
-    text = " ".join(full(copy.deepcopy(made)).split())
+    diagnosis["evidence"].pop("beyond_dimensions_mm")
+    text = " ".join(full(copy.deepcopy(diagnosis)).split())
     assert "TO REPORT: friction_hysteresis 0.082 mm (0.074 to 0.090 mm) (rms" in text, "an older file"
-    assert "Do not report how much creep does alone." in text and "no dimension" not in page(made)
+    assert "Do not report how much creep does alone." in text and "no dimension" not in page(diagnosis)
 
 
 def test_what_changes_from_stroke_to_stroke_is_said_with_its_strokes_and_what_it_follows():
     box = {"motor_turns": [0.0, 30.7], "strokes": [10, 12], "phase": "all", "share": 0.81}
     lasts = {"split": "last 30 % of strokes", "nominal_mm": 1.92, "calibrated_mm": 0.81, "explained_mm": 0.0418}
-    made = content(
+    diagnosis = content(
         **ALONE, fit__heldout=lasts | {"without_physics_mm": 0.036},
         evidence__left_of_unseen={"location": box, "driver": "direction"},
         evidence__pattern={"location": box | {"strokes": [4, 6]}, "driver": ["time"], "rms_mm": 0.021},
     )  # fmt: skip
-    text = " ".join(full(copy.deepcopy(made)).split())
+    text = " ".join(full(copy.deepcopy(diagnosis)).split())
     where = "most of it lies in strokes 10 to 12, and it follows the direction of motion."
     assert f"or too few strokes were seen. What a regression without physics foretells of it: {where}" in text
     assert "holds a pattern" not in text and text.count(where) == 1
     assert "0.042 mm (1.34 times the noise)" in text, "1.3 is the limit"
-    made["fit"]["heldout"]["without_physics_mm"] = 0.042
-    text = " ".join(full(copy.deepcopy(made)).split())
+    diagnosis["fit"]["heldout"]["without_physics_mm"] = 0.042
+    text = " ".join(full(copy.deepcopy(diagnosis)).split())
     assert "foretells of it" not in text, "it foretells no more of it"
     assert "pattern of 0.021 mm rms beside the noise. It lies mostly in strokes 4 to 6, and follows the time." in text
-    made["evidence"]["beyond_seen"] = {"load": [[8.0, 42.0], [34.0, 56.0]]}
-    assert "and follows the time, as the load did, so either may be it." in " ".join(full(copy.deepcopy(made)).split())
-    made["fit"]["heldout"]["explained_mm"] = 0.0468
-    assert "(1.5 times the noise)" in full(made)
+    diagnosis["evidence"]["beyond_seen"] = {"load": [[8.0, 42.0], [34.0, 56.0]]}
+    assert "and follows the time, as the load did, so either may be it." in " ".join(
+        full(copy.deepcopy(diagnosis)).split()
+    )
+    diagnosis["fit"]["heldout"]["explained_mm"] = 0.0468
+    assert "(1.5 times the noise)" in full(diagnosis)
 
 
 def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_that_they_alone_count():
-    made = confident(0.93, 0.38, evidence__moved_sigma=NEAR)
+    diagnosis = confident(0.93, 0.38, evidence__moved_sigma=NEAR)
     merged = "- TO REPORT, of what is open: creep 0.41 mm (0.37 to 0.45 mm), or 0 if it is not at work (rms"
-    assert merged in reported(made) and reported(made).count("creep 0.41 mm") == 1 and "so 0 is" not in reported(made)
+    assert (
+        merged in reported(diagnosis)
+        and reported(diagnosis).count("creep 0.41 mm") == 1
+        and "so 0 is" not in reported(diagnosis)
+    )
     assert "of what is open" not in reported(confident(0.93, 0.62, evidence__moved_sigma=NEAR)), "creep is probable"
     assert "of what is open" not in reported(confident(0.93, 0.38)), "a dimension moved far"
-    made["evidence"]["beyond_dimensions_mm"] = {"creep": 0.2, "friction_hysteresis": 0.04}
-    lines = under("To report it", full(copy.deepcopy(made)))
+    diagnosis["evidence"]["beyond_dimensions_mm"] = {"creep": 0.2, "friction_hysteresis": 0.04}
+    lines = under("To report it", full(copy.deepcopy(diagnosis)))
     assert "TO REPORT" in " ".join(lines) and not [line for line in lines if "  " in line.strip() or " ," in line]
-    text = reported(made)
+    text = reported(diagnosis)
     assert "0.22 mm), the part that no wrong dimension can make, or 0 if it is not at work" in text
     assert text.count("the part that no wrong dimension can make") == 2, "once for each"
     assert ", the part that no wrong dimension can make (rms, 90 % interval), if friction_hysteresis + creep" in text
@@ -1007,56 +1026,56 @@ def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_
 
 
 def test_what_the_whole_recording_shows_and_unseen_strokes_do_not_is_said_to_be_left_beside_the_share_of_names():
-    made = confident(0.93, 0.46)
-    assert "Something systematic is left" not in page(copy.deepcopy(made))
-    made["evidence"] |= {"floor_mm": 0.0074, "probability_of_none": 0.02}
-    made["evidence"]["explanations"][-1]["left_mm"] = 0.021
-    first = " ".join(under("What to know first", page(copy.deepcopy(made))))
-    said = "Something systematic is left: the explanation leaves 0.021 mm rms, 2.8 times the noise of the averages"
-    assert f"{said}; the 2 % for physics that the library lacks does not cover that." in " ".join(first.split())
-    made["fit"]["heldout"]["explained_mm"] = 0.05
-    text = page(made)
+    diagnosis = confident(0.93, 0.46)
+    assert "Something systematic is left" not in page(copy.deepcopy(diagnosis))
+    diagnosis["evidence"] |= {"floor_mm": 0.0074, "probability_of_none": 0.02}
+    diagnosis["evidence"]["explanations"][-1]["left_mm"] = 0.021
+    first = " ".join(under("What to know first", page(copy.deepcopy(diagnosis))))
+    sentence = "Something systematic is left: the explanation leaves 0.021 mm rms, 2.8 times the noise of the averages"
+    assert f"{sentence}; the 2 % for physics that the library lacks does not cover that." in " ".join(first.split())
+    diagnosis["fit"]["heldout"]["explained_mm"] = 0.05
+    text = page(diagnosis)
     assert "Something systematic is left" not in text and "Something systematic is still missing" in text, "once"
 
 
 @pytest.mark.parametrize(("loop", "says"), [(0.14, True), (0.5, False), (0.0, False)])
 def test_effects_whose_loops_are_far_wider_than_the_recorded_one_are_said_to_cancel_in_part(loop, says):
-    made = confident(0.93, 0.46)
+    diagnosis = confident(0.93, 0.46)
     widths = {"friction_hysteresis": 0.83, "creep": 0.79}
-    made["evidence"] |= {
+    diagnosis["evidence"] |= {
         "loops": {id_: {"width_mm": width, "motor_turns": 22.0} for id_, width in widths.items()},
         "expected": {"load": 20.0, "speed_per_s": 2.0, "explanations": [], "recorded": {"loop_mm": loop}},
     }
-    said = "Alone friction_hysteresis would open a loop of 0.83 mm and creep one of 0.79 mm; they partly cancel, so"
-    assert (said in " ".join(page(copy.deepcopy(made)).split())) == says
-    made["evidence"]["loops"]["creep"]["width_mm"] = 0.2
-    assert "partly cancel" not in page(made), "one wide loop is no two"
+    sentence = "Alone friction_hysteresis would open a loop of 0.83 mm and creep one of 0.79 mm; they partly cancel, so"
+    assert (sentence in " ".join(page(copy.deepcopy(diagnosis)).split())) == says
+    diagnosis["evidence"]["loops"]["creep"]["width_mm"] = 0.2
+    assert "partly cancel" not in page(diagnosis), "one wide loop is no two"
 
 
 @pytest.mark.parametrize("loaded", [False, True])
 def test_slow_effects_that_nearly_cancel_are_said_to_and_which_run_tells(loaded):
     """A large drift and a creep against it stood in a verdict on two runs without a word."""
-    made = confident(0.93, 0.46)
-    assert "nearly cancel" not in page(copy.deepcopy(made))
-    made["mechanisms"][0]["id"] = "sensor_drift"
-    assert [entry["id"] for entry in made["mechanisms"]][:2] == ["sensor_drift", "creep"]
+    content = confident(0.93, 0.46)
+    assert "nearly cancel" not in page(copy.deepcopy(content))
+    content["mechanisms"][0]["id"] = "sensor_drift"
+    assert [entry["id"] for entry in content["mechanisms"]][:2] == ["sensor_drift", "creep"]
     spans = {"spans_mm": {"sensor_drift": 1.2, "creep": 0.9}, "sums_mm": {"sensor_drift + creep": 0.3}}
-    made["evidence"] |= {"loaded": loaded, "floor_mm": 0.02, **spans}
+    content["evidence"] |= {"loaded": loaded, "floor_mm": 0.02, **spans}
     other = "" if loaded else "under another load or "
-    said = (
+    sentence = (
         "sensor_drift and creep nearly cancel: the recording shows their sum, which moves the reading by 0.30 mm in a "
         f"run, and cannot tell them apart. What can: a run {other}with a long rest."
     )
-    for text in (page(copy.deepcopy(made)), full(copy.deepcopy(made))):
-        assert said in " ".join(text.split())
-    made["evidence"]["floor_mm"] = 1.0
-    assert "nearly cancel" not in page(made), "what is within the noise is no effect to tell"
+    for text in (page(copy.deepcopy(content)), full(copy.deepcopy(content))):
+        assert sentence in " ".join(text.split())
+    content["evidence"]["floor_mm"] = 1.0
+    assert "nearly cancel" not in page(content), "what is within the noise is no effect to tell"
 
 
 def test_a_proposed_run_says_which_question_it_answers_and_for_which_probable_name_it_is_not():
     question, make = "If you need to know which is at work, creep or thermal", "make the run that can decide."
-    said = full_steps(confident(0.72, 0.46))
-    assert f"{question} (it is not there to make the probable friction_hysteresis surer), {make}" in said
+    to_do = full_steps(confident(0.72, 0.46))
+    assert f"{question} (it is not there to make the probable friction_hysteresis surer), {make}" in to_do
     assert "friction_hysteresis: two loads (" in details(confident(0.72, 0.46)).partition("open effects apart")[2]
     sure = full_steps(confident(0.93, 0.46))
     assert f"{question}, {make}" in sure
@@ -1073,14 +1092,14 @@ def test_standard_deviations_of_a_proposed_run_say_what_they_count_and_that_name
 
 def test_the_details_ask_for_the_run_that_the_first_step_asks_for():
     bad = {**ALONE, "fit__heldout__explained_mm": 4.3}
-    for made in (content(**bad), {**at_limit(), "fit": content(**bad)["fit"]}):
+    for diagnosis in (content(**bad), {**at_limit(), "fit": content(**bad)["fit"]}):
         again = "Record the rig once more, with at least 12 strokes, and diagnose all runs together."
-        assert again in steps(made) and again in details(made) and "None is needed" not in details(made)
+        assert again in steps(diagnosis) and again in details(diagnosis) and "None is needed" not in details(diagnosis)
     vain = {**ALONE, "fit__heldout__explained_mm": 0.80, "fit__heldout__nominal_mm": 0.9}
-    made = confident(0.93, 0.96, **vain, evidence__moved_sigma=NEAR)
-    assert "Make sure of the name before you adopt or report it" in steps(made)
-    assert "make sure of the name before you adopt or report it: by the run that" in details(made)
-    assert "None is needed" not in details(made)
+    diagnosis = confident(0.93, 0.96, **vain, evidence__moved_sigma=NEAR)
+    assert "Make sure of the name before you adopt or report it" in steps(diagnosis)
+    assert "make sure of the name before you adopt or report it: by the run that" in details(diagnosis)
+    assert "None is needed" not in details(diagnosis)
 
 
 def test_what_is_to_be_measured_again_below_stands_below():
@@ -1089,57 +1108,57 @@ def test_what_is_to_be_measured_again_below_stands_below():
         text = " ".join(page(content(**changes)).split())
         assert "measured again (below)" in text and "Measure again what calibration moved far" in text
     alone = content(**NOTHING, mismatch=None)
-    left = copy.deepcopy(alone)
-    left["fit"]["heldout"] |= {"calibrated_mm": 0.81, "explained_mm": 0.81}
-    in_vain = copy.deepcopy(left)
+    leftover = copy.deepcopy(alone)
+    leftover["fit"]["heldout"] |= {"calibrated_mm": 0.81, "explained_mm": 0.81}
+    in_vain = copy.deepcopy(leftover)
     in_vain["evidence"] |= {"nominal_mm": 0.1, "calibrated_mm": 0.1}
-    for made, below in ((alone, True), (left, True), (in_vain, False)):
-        text = " ".join(page(made).split())
+    for diagnosis, below in ((alone, True), (leftover, True), (in_vain, False)):
+        text = " ".join(page(diagnosis).split())
         assert ("measured again (below)" in text) == below == ("measure to" in text), text
         assert "measured again, this verdict is provisional" in text or below
 
 
 @pytest.mark.parametrize(("noise", "step", "sure"), [(0.004, 0.01, False), (0.02, 0.01, True), (0.004, 0.0, True)])
 def test_an_effect_that_is_far_smaller_than_the_steps_of_the_sensor_is_not_called_sure(noise, step, sure):
-    made = confident(0.97, 0.96, **ALONE, evidence__moved_sigma=NEAR)
-    entry = next(entry for entry in made["mechanisms"] if entry["id"] == "creep")
+    diagnosis = confident(0.97, 0.96, **ALONE, evidence__moved_sigma=NEAR)
+    entry = next(entry for entry in diagnosis["mechanisms"] if entry["id"] == "creep")
     entry["rms_mm"] = {"value": 0.0012, "low": 0.001, "high": 0.0014}
-    made["fit"] |= {"noise_floor_mm": noise, "heldout": None}
-    made["evidence"] |= {"resolution_mm": step} if step else {}
-    text, why = " ".join(page(made).split()), "0.0012 mm is too small for a sensor that reads in steps of 0.010 mm"
-    assert ("creep sure, 96 %" in text) == sure == (why not in details(copy.deepcopy(made))), text
+    diagnosis["fit"] |= {"noise_floor_mm": noise, "heldout": None}
+    diagnosis["evidence"] |= {"resolution_mm": step} if step else {}
+    text, why = " ".join(page(diagnosis).split()), "0.0012 mm is too small for a sensor that reads in steps of 0.010 mm"
+    assert ("creep sure, 96 %" in text) == sure == (why not in details(copy.deepcopy(diagnosis))), text
     assert "friction_hysteresis sure, 97 %" in text, "0.08 mm is no part of a step"
     assert sure or f"creep has 96 %, but is only probable: {why}." in text
-    assert sure or f"creep has 96 %, but is only probable: {why}." in details(made)
+    assert sure or f"creep has 96 %, but is only probable: {why}." in details(diagnosis)
 
 
 def test_a_page_calls_a_size_poorly_known_where_its_interval_is_wide_or_it_is_hidden_as_the_first_lines_do():
-    made = confident(0.93, 0.96)
-    made["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
+    diagnosis = confident(0.93, 0.96)
+    diagnosis["mechanisms"][1]["rms_mm"] = {"value": 1.5, "low": 1.4, "high": 1.6}
 
     def row():
-        return next(line for line in page(copy.deepcopy(made)).splitlines() if line.strip().startswith("creep "))
+        return next(line for line in page(copy.deepcopy(diagnosis)).splitlines() if line.strip().startswith("creep "))
 
     assert row().endswith("1.5 mm (1.4 to 1.6 mm), mostly hidden"), "three times what is missing, and narrow"
-    made["evidence"]["beyond_dimensions_mm"] = {"creep": 0.031}
+    diagnosis["evidence"]["beyond_dimensions_mm"] = {"creep": 0.031}
     assert "1.5 mm (1.4 to 1.6 mm) " in row() and row().endswith("0.031 mm"), "the part says that the rest is hidden"
-    assert row() in full(copy.deepcopy(made)) and "oorly known" not in full(copy.deepcopy(made))
-    made["mechanisms"][1]["rms_mm"]["low"] = 0.4
+    assert row() in full(copy.deepcopy(diagnosis)) and "oorly known" not in full(copy.deepcopy(diagnosis))
+    diagnosis["mechanisms"][1]["rms_mm"]["low"] = 0.4
     assert "1.5 mm (0.40 to 1.6 mm), poorly known" in row()
 
 
 def test_the_details_number_a_step_where_the_page_does():
     """The page said "1. Make the run", and the details the same step without a number."""
-    made = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
-    assert steps(made).startswith("1. If you need to") and full_steps(copy.deepcopy(made)).startswith(
+    diagnosis = confident(0.93, 0.46, evidence__moved_sigma=NEAR)
+    assert steps(diagnosis).startswith("1. If you need to") and full_steps(copy.deepcopy(diagnosis)).startswith(
         "1. If you need to"
     )
 
 
-@pytest.mark.parametrize(("confidence", "said"), [(0.53, 0.53), (0.60, 0.52)])
-def test_a_single_effect_has_one_number_in_the_head_and_in_the_table(confidence, said):
+@pytest.mark.parametrize(("confidence", "shown_share"), [(0.53, 0.53), (0.60, 0.52)])
+def test_a_single_effect_has_one_number_in_the_head_and_in_the_table(confidence, shown_share):
     """`explained by backlash (84 %)` above `backlash probable, 85 %`: two numbers for one thing."""
-    made = weighed(0.004, 0.06, 0.31, 0.02, 0.52, verdict="explained", alternatives=[])
-    made["mechanisms"] = [made["mechanisms"][0] | {"confidence": confidence}]
-    made["evidence"]["explanations"][-1]["ids"] = [made["mechanisms"][0]["id"]]
-    assert f"explained by {made['mechanisms'][0]['id']} ({100 * said:.0f} %" in page(made)
+    diagnosis = weighed(0.004, 0.06, 0.31, 0.02, 0.52, verdict="explained", alternatives=[])
+    diagnosis["mechanisms"] = [diagnosis["mechanisms"][0] | {"confidence": confidence}]
+    diagnosis["evidence"]["explanations"][-1]["ids"] = [diagnosis["mechanisms"][0]["id"]]
+    assert f"explained by {diagnosis['mechanisms'][0]['id']} ({100 * shown_share:.0f} %" in page(diagnosis)
