@@ -164,10 +164,7 @@ def test_an_explanation_without_physics_is_unknown_unless_the_mismatch_is_small(
 
 @pytest.mark.parametrize(("net_strength", "verdict"), [(1.1, "explained"), (0.9, "unknown")])
 def test_effects_far_larger_than_what_they_do_together_are_no_explanation(net_strength, verdict):
-    balance = (
-        act("creep", 8.0),
-        act("jam", net_strength - 8.0),
-    )  # together `left`, of which the larger is eight times 1
+    balance = (act("creep", 8.0), act("jam", net_strength - 8.0))  # together `net_strength`; the larger is 8 alone
     study = decided(3.0, 0.1, ("creep jam",), acts=balance)
     assert study.verdict == verdict
     problem = study.problem
