@@ -128,7 +128,7 @@ class Bench:
 
 
 def check(bench: Bench, true_frames: list[bytes], number: int = 1) -> dict[str, Any]:
-    """Assert that a committed run accounts for itself, and that no sample in it differs from `true_frames`, those of the rig."""
+    """Assert that a committed run accounts for itself, and that each sample is one of `true_frames`."""
     data, info = bench.recorded(number), bench.info(number)
     assert info["sha256"] == hashlib.sha256(data).hexdigest() and info["bytes"] == len(data)
     counts = info["frames"]
