@@ -11,7 +11,7 @@ from ..foreign.made_run import make_run
 from ..ground.errors import BadInput
 from ..ground.input.strict_yaml import read_yaml
 from ..run.copied_run import as_in, with_given
-from ..run.ended_words import PERSON
+from ..run.ended_words import PERSON, ending
 from ..run.folder import CAPTURED, RECORDINGS, capture_info, unfinished
 from ..run.run_yaml import RunYaml
 from .step import Step
@@ -101,5 +101,5 @@ def came(step: Step) -> tuple[Step, bool]:
     if status == "complete":
         return step.at("recorded"), False
     samples = int((info.get("samples") or {}).get("received", 0))
-    ending = info.get("fault") or (f"ended by {info['ended_by']}" if info.get("ended_by") else status)
-    return step.at("recorded", ended=str(ending), used=samples >= LEAST_SAMPLES), info.get("ended_by") == PERSON
+    ended = info.get("fault") or ending(info)
+    return step.at("recorded", ended=ended, used=samples >= LEAST_SAMPLES), info.get("ended_by") == PERSON

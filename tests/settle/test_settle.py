@@ -131,7 +131,7 @@ def test_ctrl_c_stops_the_motor_first(place):
     assert loop.returncode == 130, printed
     recording = read_recording((place / "raw" / "poor-1-s1" / "recording.frames").read_bytes())
     assert recording.account.end.reason == Reason.STOPPED and len(recording.time_s) < 200
-    assert state(place)["ended"] == "ended by person"
+    assert state(place)["ended"] == "ended by Ctrl-C or kill"
 
 
 @pytest.mark.long

@@ -129,7 +129,7 @@ def test_ctrl_c_in_the_first_recording_stops_the_motor(place):
     assert loop.returncode == 130, printed
     recording = read_recording((place / "raw" / "poor-1" / FRAMES).read_bytes())
     assert recording.account.end.reason == Reason.STOPPED and len(recording.time_s) < 400
-    assert state(place, 0)["ended"] == "ended by person"
+    assert state(place, 0)["ended"] == "ended by Ctrl-C or kill"
     again = ended(place, "settle", "raw/poor-1", "--out", "out")
     assert again.returncode == 2 and "poor-1" in again.stdout and "Mend:" in again.stdout
 
