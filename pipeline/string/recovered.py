@@ -34,19 +34,19 @@ def recovered_mm(before: Rests, after: Rests) -> float:
     return float(taken_mm) if taken_mm > LEAST_FLOORS * max(before.noise_mm, after.noise_mm) else 0.0
 
 
-def measured_as(run: str, rest_turns: float) -> str:
-    """Which readings tell what the string took back before a run, and what they do not tell; behind "so much"."""
+def measured_as(run: str, recovered: float, rest_turns: float) -> str:
+    """Which readings tell what the string took back before a run, in mm, and what they do not tell."""
     turns = round(rest_turns, 1) + 0.0
     return (
-        f"so much less {run} reads at rest, at {turns:g} turns, after its first stroke than before it, beyond what "
-        "a stroke around the break takes; the string took that back in the break, and perhaps more that later "
-        "strokes take"
+        f"At rest, at {turns:g} turns, {run} reads {recovered:.2g} mm less after its first stroke than before it, "
+        "beyond what a stroke around the break takes: the string took that back in the break, and later strokes may "
+        "take more"
     )
 
 
 def but_for(recovered: float, run: str, rest_turns: float) -> str:
     """The remark on the part that is not subtracted, of a run that rests at such a twist before its first stroke."""
-    return f", but for {recovered:.2g} mm: {measured_as(run, rest_turns)}" if recovered else ""
+    return f", but for {recovered:.2g} mm. {measured_as(run, recovered, rest_turns)}" if recovered else ""
 
 
 def _regular(before: Rests, after: Rests) -> bool:

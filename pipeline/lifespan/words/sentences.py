@@ -134,7 +134,8 @@ def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> l
 def zero(jump: Jump) -> str:
     """The remark on a jump of the zero: a mend if one is possible, and how the jump is treated here."""
     if jump.taken_off:
-        took_back = f" {jump.recovered_mm:.2f} mm stay in: {measured_as(jump.run, jump.rest_turns)}."
+        back = measured_as(jump.run, jump.recovered_mm, jump.rest_turns)
+        took_back = f" {jump.recovered_mm:.2g} mm stay in. {back}."
         moved = f"the {abs(jump.moved_mm):.2f} mm by which its zero was moved are taken off"
         return f"{jump.run} has `tare: run`: {moved}.{took_back if jump.recovered_mm else ''}"
     done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
