@@ -7,9 +7,9 @@ the string says `tare: run`, its sensor is likely set to zero at each start, and
 from itertools import pairwise
 
 from .history import in_order
-from .recovered import but_for, recovered_mm
+from .recovered import recovered
 from .rests import Rests
-from .zero import change_mm, jumps_among
+from .zero import change_mm, jumps_among, taken_off
 
 
 def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
@@ -27,12 +27,9 @@ def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
             more = "more" if change > 0 else "less"
             reads = f"at rest it reads {abs(change):.2g} mm {more} than {before.run.run} at its end"
         if name in own_zero:
-            off = (
-                "so it is set to the model's value"
-                if change is None
-                else f"and that is taken off{but_for(recovered_mm(before, after), name, after.turns[0])}"
-            )
-            notes.append((name, f"run.yaml of {name} says `tare: run`: {reads}, {off}."))
+            set_so = "So it is set to the model's value."
+            off = set_so if change is None else taken_off(change, recovered(before, after))
+            notes.append((name, f"run.yaml of {name} says `tare: run`: {reads}. {off}"))
         else:
             others = f"{own_zero[0]}, of the same string, says `tare: run`, and {name} does not"
             mend = f"If its sensor was set to zero again, write `tare: run` in run.yaml of {name} too"

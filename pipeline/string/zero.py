@@ -12,7 +12,7 @@ import numpy as np
 
 from ..ground.words.counts import counted
 from .history import Recorded, in_order, tare_mm
-from .recovered import alike, but_for, recovered_mm
+from .recovered import NOTHING, Recovered, alike, recovered
 from .rests import Rests
 
 FLOORS = 6.0  # noise floors that a jump is larger than
@@ -24,8 +24,8 @@ LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
 class Jump:
     """A run's rest that differs from the one before it: by `jump_mm`, with a noise floor of `floor_mm`.
 
-    `unrecorded` strokes were done in between by what run.yaml says: the change may be theirs. `recovered_mm` of it the
-    string took back in the break: the zero was moved by the rest. `rest_turns` is the twist of the run's first rest.
+    `unrecorded` strokes were done in between by what run.yaml says: the change may be theirs. What the string took back
+    in the break is `own`: the zero was moved by the rest.
     """
 
     before: str
@@ -34,8 +34,7 @@ class Jump:
     floor_mm: float
     unrecorded: int = 0
     taken_off: bool = False  # by `tare: run` in the run's run.yaml
-    recovered_mm: float = 0.0
-    rest_turns: float = 0.0
+    own: Recovered = NOTHING
 
     @property
     def entry(self) -> dict[str, str | float]:
@@ -50,7 +49,7 @@ class Jump:
     @property
     def moved_mm(self) -> float:
         """By how much the zero was moved."""
-        return self.jump_mm - self.recovered_mm
+        return self.jump_mm - self.own.mm
 
     @property
     def sentence(self) -> str:
@@ -68,15 +67,19 @@ class Jump:
     def advice(self) -> str:
         """The observed change, and what to do if the zero was moved, or that it was done."""
         if self.taken_off:
-            return (
-                f"{self.sentence} run.yaml of {self.run} says `tare: run`: so this jump is taken off the displacement "
-                f"before the tables and models are made"
-                f"{but_for(self.recovered_mm, self.run, self.rest_turns)}."
-            )
+            return f"{self.sentence} run.yaml of {self.run} says `tare: run`. {taken_off(self.jump_mm, self.own)}"
         return (
             f"{self.sentence} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
             f"{self.run}: it is then tared on its own rest, from where {self.before} ended."
         )
+
+
+def taken_off(change_mm: float, own: Recovered) -> str:
+    """What is taken off for the `tare: run` of a run: the change of its rest, less what the string did itself."""
+    where = "taken off the displacement before the tables and models are made."
+    if not own.mm:
+        return f"So this change is {where}"
+    return f"{own.sentence} So the zero was moved by {change_mm - own.mm:+.2g} mm, and that is {where}"
 
 
 def _two_digits(value: float) -> str:
@@ -110,7 +113,7 @@ def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> lis
         if after.run.tare == "run" or after.run.run in moved:
             rests = Rests.of(before), Rests.of(after)
             change = change_mm(*rests)
-            offset = tare_mm(after) if change is None else offset - change + recovered_mm(*rests)
+            offset = tare_mm(after) if change is None else offset - change + recovered(*rests).mm
         offsets.append(offset)
     return offsets
 
@@ -123,9 +126,8 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
     floor_mm = max(before.noise_mm, after.noise_mm, LEAST_FLOOR_MM)
     if abs(change) <= max(FLOORS * floor_mm, STROKES * _usual_mm(before, after)):
         return None
-    taken_off, recovered = after.run.tare == "run", recovered_mm(before, after)
     names = before.run.run, after.run.run
-    return Jump(*names, change, floor_mm, unrecorded, taken_off, recovered, after.turns[0])
+    return Jump(*names, change, floor_mm, unrecorded, after.run.tare == "run", recovered(before, after))
 
 
 def change_mm(before: Rests, after: Rests) -> float | None:

@@ -13,7 +13,8 @@ from pipeline.rig.kept_string import Standing
 from pipeline.rig.setup import described, read_setup
 from pipeline.run.strokes import segment
 from pipeline.string.history import Recorded
-from pipeline.string.recovered import measured_as, recovered_mm
+from pipeline.string.recovered import Recovered
+from pipeline.string.recovered import recovered as taken_back
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
 from pipeline.string.zero import change_mm, jumps_among, offsets_mm
@@ -52,8 +53,8 @@ def test_a_sensor_that_was_set_to_zero_is_tared_without_what_the_string_took_bac
 
 def test_too_few_strokes_tell_nothing() -> None:
     for strokes in ((1, 9), (9, 2)):
-        assert recovered_mm(*map(Rests.of, strings_runs(strokes)[0])) == 0.0
-    assert recovered_mm(*map(Rests.of, strings_runs((2, 3))[0])) > 0.03
+        assert taken_back(*map(Rests.of, strings_runs(strokes)[0])).mm == 0.0
+    assert taken_back(*map(Rests.of, strings_runs((2, 3))[0])).mm > 0.03
 
 
 def test_a_sensor_that_keeps_its_zero_shows_what_the_string_took_back() -> None:
@@ -76,49 +77,57 @@ def rests_of(parts: list[pd.DataFrame]) -> list[Rests]:
     ]
 
 
-def test_wear_alone_is_not_taken_back_and_a_slip_counts_no_more_than_was_lost() -> None:
+def test_wear_alone_is_not_taken_back_and_a_slip_counts_no_more_than_may_have_been_lost() -> None:
     first_half, two = halves()
-    assert recovered_mm(*rests_of([first_half, two])) == 0.0
+    assert taken_back(*rests_of([first_half, two])).mm == 0.0
     late = two["time_s"] > 130.0  # amid the first stroke of the second run
     slipped = two.assign(displacement_mm=two["displacement_mm"] - 3.0 * late)
-    assert recovered_mm(*rests_of([first_half, slipped])) == pytest.approx(0.4, abs=0.05), (
-        "four strokes of 0.1 mm were lost"
-    )
+    # four strokes of 0.1 mm were lost, and perhaps as much before that run
+    assert taken_back(*rests_of([first_half, slipped])).mm == pytest.approx(3 * 0.4, abs=0.1)
 
 
 def test_rests_under_another_load_tell_nothing() -> None:
     first_half, two = halves()
     lost = two["time_s"] > 130.0
     dropped = two.assign(displacement_mm=two["displacement_mm"] - 0.2 * lost)
-    assert recovered_mm(*rests_of([first_half, dropped])) > 0.15
-    assert recovered_mm(*rests_of([first_half, dropped.assign(load_n=20.0 + 5.0 * lost)])) == 0.0
+    assert taken_back(*rests_of([first_half, dropped])).mm > 0.15
+    assert taken_back(*rests_of([first_half, dropped.assign(load_n=20.0 + 5.0 * lost)])).mm == 0.0
+
+
+def test_what_comes_back_over_many_strokes_is_told_whole() -> None:
+    """Of what a string lost again over five strokes, 0.38 mm, the first one's 0.18 mm was told."""
+    first_half, two = halves()
+    slow, lost_mm = two.copy(), (0.2, 0.08, 0.05)
+    for number, lost in enumerate(lost_mm):
+        slow["displacement_mm"] -= lost * (slow["time_s"] > 130.0 + 30.0 * number)
+    own = taken_back(*rests_of([first_half, slow]))
+    assert own.mm == pytest.approx(sum(lost_mm), abs=0.02) and own.strokes == 3
 
 
 def test_what_is_left_in_is_said() -> None:
-    ((name, note),) = tare_notes([Rests.of(run) for run in strings_runs((9, 9), zeroed=False)[0]])
-    assert name == "a-2" and "and that is taken off, but for 0.0" in note
-    assert note.endswith("back in the break, and later strokes may take more.")
+    rests = [Rests.of(run) for run in strings_runs((9, 9), zeroed=False)[0]]
+    ((name, note),) = tare_notes(rests)
+    own = taken_back(*rests)
+    moved = f"{change_mm(*rests) - own.mm:+.2g} mm"
+    assert name == "a-2" and f"{own.sentence} So the zero was moved by {moved}, and that is taken off" in note
     runs, _ = strings_runs((9, 9))
     (jump,) = jumps_among([Rests.of(run) for run in runs])
-    assert "is taken off the displacement before the tables and models are made, but for 0.0" in jump.advice
-    assert jump.moved_mm == pytest.approx(jump.jump_mm - jump.recovered_mm) and jump.recovered_mm > 0.03
+    assert f"So the zero was moved by {jump.moved_mm:+.2g} mm, and that is taken off" in jump.advice
+    assert jump.moved_mm == pytest.approx(jump.jump_mm - jump.own.mm) and jump.own.mm > 0.03
 
 
 def test_the_words_say_between_which_readings_and_at_which_twist_it_was_measured() -> None:
     """It was called all that the string took back: a string that took back 0.48 mm was said to have taken 0.17."""
     first_half, two = halves()
-    fell = two["time_s"] > 130.0  # after the first stroke of the second run, and by half as much after its second
-    second = two["time_s"] > 160.0
-    slow = two.assign(displacement_mm=5.0 + two["displacement_mm"] - 0.2 * fell - 0.1 * second)
-    rests = rests_of([first_half, slow])
-    (jump,) = jumps_among(rests)
-    assert 0.05 < jump.recovered_mm < 0.3 and jump.rest_turns == pytest.approx(rests[1].turns[0])
-    less = f"{jump.recovered_mm:.2g} mm"
-    measured = f"At rest, at {rests[1].turns[0]:.1g} turns, a-2 reads {less} less after its first stroke than before it"
-    for words in (jump.advice, zero(jump)):
-        assert measured in words and "later strokes may take more." in words, words
-    assert f" {less} stay in. At rest" in zero(jump)
+    fell = two["time_s"] > 130.0  # after the first stroke of the second run
+    (jump,) = jumps_among(rests_of([first_half, two.assign(displacement_mm=two["displacement_mm"] + 5.0 - 0.2 * fell)]))
+    assert "took back 0.2 mm in the break: at rest, at " in jump.own.sentence
+    assert (
+        "turns, a-2 reads so much less after its first stroke than before, beyond what a stroke usually takes."
+        in jump.own.sentence
+    )
+    assert jump.own.sentence in jump.advice and f"{jump.own.sentence} That stays in." in zero(jump)
 
 
 def test_a_twist_a_little_below_0_is_called_0() -> None:
-    assert "at 0 turns," in measured_as("a-2", 0.2, -0.01)
+    assert "at 0 turns, a-2" in Recovered("a-2", 0.2, 1, -0.01).sentence

@@ -9,7 +9,6 @@ import numpy as np
 from ...ground.command import command, program_name
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from ...ground.words.counts import are
-from ...string.recovered import measured_as
 from ...string.zero import Jump
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
@@ -134,10 +133,9 @@ def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> l
 def zero(jump: Jump) -> str:
     """The remark on a jump of the zero: a mend if one is possible, and how the jump is treated here."""
     if jump.taken_off:
-        back = measured_as(jump.run, jump.recovered_mm, jump.rest_turns)
-        took_back = f" {jump.recovered_mm:.2g} mm stay in. {back}."
         moved = f"the {abs(jump.moved_mm):.2f} mm by which its zero was moved are taken off"
-        return f"{jump.run} has `tare: run`: {moved}.{took_back if jump.recovered_mm else ''}"
+        own = f" {jump.own.sentence} That stays in." if jump.own.mm else ""
+        return f"{jump.run} has `tare: run`: {moved}.{own}"
     done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
     return f"{jump.advice} {done}."
 
