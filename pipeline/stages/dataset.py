@@ -22,7 +22,7 @@ from ..run.lossy import all_lossy, moving_strokes, touched
 from ..string.history import Recorded, by_string, read_usable
 from ..string.not_compared import not_compared, to_confirm
 from ..string.rests import Rests
-from ..string.tare_notes import tare_notes
+from ..string.tare_notes import set_anew, tare_notes
 from ..string.zero import jumps_among, offsets_mm
 from .points import Piece, moving, points_of
 from .splits import HELD_OUT_POINTS, Mask, Split, blocks_from_top, held_out
@@ -141,7 +141,7 @@ def main() -> None:
         write_left_out(arguments.out_left_out, refused)
     if arguments.out_jumps:
         unconfirmed = [*(jump.advice for jump in jumped if not jump.taken_off), *to_confirm(every_rest)]
-        write_jumps(arguments.out_jumps, unconfirmed)
+        write_jumps(arguments.out_jumps, [*unconfirmed, *(note for runs in rests for note in set_anew(runs))])
     for name, split in (("within", dataset.within), ("later", dataset.later)):
         print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
 

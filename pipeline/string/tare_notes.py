@@ -6,10 +6,27 @@ the string says `tare: run`, its sensor is likely set to zero at each start, and
 
 from itertools import pairwise
 
+from ..ground.words.jump_notes import KNOWN_IN_PART, SET_ANEW
 from .history import in_order
 from .recovered import recovered
 from .rests import Rests
 from .zero import change_mm, jumps_among, taken_off
+
+FEW = 3  # runs of a string that are named
+
+
+def set_anew(runs: list[Rests]) -> list[str]:
+    """A sentence on the runs of one string whose run.yaml says `tare: run`: by how much each zero was moved."""
+    moved = []
+    for before, after in pairwise(in_order(runs)):
+        if after.run.tare == "run":
+            change = change_mm(before, after)
+            by = "set to the model's value" if change is None else f"{change - recovered(before, after).mm:+.2g} mm"
+            moved.append(f"{after.run.run} ({by})")
+    if not moved:
+        return []
+    more = f" and {len(moved) - FEW} more" if len(moved) > FEW else ""
+    return [f"{SET_ANEW} {', '.join(moved[:FEW])}{more}, as run.yaml says by `tare: run`. {KNOWN_IN_PART}"]
 
 
 def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:

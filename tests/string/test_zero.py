@@ -15,7 +15,7 @@ from stages.nine_strokes import recorded, string
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored import schemas
-from pipeline.ground.words.jump_notes import NOT_COMPARED, read_jumps
+from pipeline.ground.words.jump_notes import KNOWN_IN_PART, NOT_COMPARED, read_jumps
 from pipeline.lifespan.from_folders import strings
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
@@ -138,10 +138,14 @@ def program(module: str, *words: object) -> str:
 
 
 @pytest.mark.parametrize(
-    ("tare", "expected_words"),
-    [(None, "write `tare: run` in run.yaml of a-2"), ("run", "is taken off the displacement before the tables")],
+    ("tare", "expected_words", "noted"),
+    [
+        (None, "write `tare: run` in run.yaml of a-2", "The zero jumps between two runs of one string: at rest a-2"),
+        ("run", "is taken off the displacement before the tables", "zero set anew at a-2 (+0.5"),
+    ],
 )
-def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, expected_words: str) -> None:
+def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, expected_words: str, noted: str) -> None:
+    """A zero that was set anew stood on no page with its size, and `predict` answered without a word."""
     run_folders, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
     for folder in run_folders:
         samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
@@ -149,7 +153,8 @@ def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, expected_
     notes = tmp_path / "zero_jumps.json"
     words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
     text = program("stages.dataset", *run_folders, *words)
-    assert [expected_words in sentence for sentence in read_jumps([notes])] == ([True] if tare is None else [])
+    (note,) = read_jumps([notes])
+    assert note.startswith(noted) and (KNOWN_IN_PART in note) == (tare == "run")
     assert (
         text.count("The zero jumps between two runs of one string: at rest a-2 reads") == 1 and expected_words in text
     )

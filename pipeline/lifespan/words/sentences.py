@@ -9,6 +9,7 @@ import numpy as np
 from ...ground.command import command, program_name
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from ...ground.words.counts import are
+from ...ground.words.jump_notes import KNOWN_IN_PART
 from ...string.zero import Jump
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
@@ -33,10 +34,7 @@ SYNTHETIC = (
     "of its recordings is of a new string."
 )
 MADE = ("example", SYNTHETIC_MATERIAL)  # materials of the synthetic rig begin so
-ZERO_OFF = (
-    "Such a zero is known in part: on simulated strings it was off by 0.01 to 0.08 mm (median, by how a string "
-    "creeps), at worst by 0.5 mm. The model's error may be off by as much."
-)
+ZERO_OFF = f"{KNOWN_IN_PART} The model's error may be off by as much."
 WAYS_ON = f"A future is one of {FUTURES:,} ways in which this string may go on, as the laws of its strokes allow."
 
 

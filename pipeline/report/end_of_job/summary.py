@@ -4,12 +4,11 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from ...ground.words.jump_notes import NAME, read_jumps
+from ...ground.words.jump_notes import NAME, Kind, gravest, read_jumps
 from ..layout import paper
 from ..layout.plain_markdown import spoken
 from ..model_to_take.fitted import lines_at_end
 from ..parts.diagnoses import verdicts
-from ..parts.jumps import jumped
 
 ON_ONE_PAGE = "tables, figures, every model and how to ask it"
 PAGE = "index.html"
@@ -18,8 +17,13 @@ TABLE_FORMS = ("csv", "md", "tex")
 FIGURES = ("figure_4.png", "figure_5.png")
 MARK = re.compile(r" \([^()]*\)$")  # in a table's title: that its fits are small, and no results
 RUNS = 8  # whose verdicts are said, the newest of them; the first page has all
-JUMPED = "Beware: the zero jumps between runs, as said above: until that is mended, the model to take may be wrong."
-UNCOMPARED = "Beware: the zero was not compared there: if it was moved, the model to take may be wrong."
+DOUBTS = {
+    Kind.JUMP: (
+        "Beware: the zero jumps between runs, as said above: until that is mended, the model to take may be wrong."
+    ),
+    Kind.NOT_COMPARED: "Beware: the zero was not compared there: if it was moved, the model to take may be wrong.",
+    Kind.SET_ANEW: "All strokes from there on share the error of that zero.",
+}
 WHOLE = {
     "index.html": "the way to all of it", "campaign/campaign.html": "what a new string teaches a model",
     "proof/proof.html": "the concealed proof", "real/index.html": "public rigs",
@@ -43,8 +47,8 @@ def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]
     to_take = lines_at_end(folder.name, paths, folder / "models.csv", short=on_one_page)
     notes = [path for path in paths if path.name == NAME and path.parent.name == folder.name]
     on_zero = read_jumps(notes)
-    doubt = JUMPED if jumped(on_zero) else UNCOMPARED
-    return [*text, *on_zero, *([doubt] if to_take and on_zero else []), *to_take]
+    doubt = [DOUBTS[gravest(on_zero)]] if to_take and on_zero else []
+    return [*text, *on_zero, *doubt, *to_take]
 
 
 def _files(folder: Path, paths: set[Path], names: dict[str, str]) -> list[str]:
