@@ -199,8 +199,10 @@ def test_after_the_quick_command_of_a_material_no_link_of_its_pages_leads_to_a_p
 ):
     """Nothing but the material's folder is made by that command. The one link out of it says which command makes it."""
     shutil.copytree(reports / MATERIAL, tmp_path / MATERIAL)
-    words = "Not there before the main job has run (snakemake --cores 2), and perhaps older than this page: "
-    words += '<a href="../index.html">all reports</a></p>'
+    words = (
+        '<p><a href="../index.html">all reports</a> (made by the main job, snakemake --cores 2; it may be missing or '
+    )
+    words += "older than this page)</p>"
     for path, text in pages_of(tmp_path).items():
         addresses = [each for each in Seen(text).addresses if not each.startswith("#") and each != "../index.html"]
         assert addresses or path.name != "index.html"
@@ -214,8 +216,11 @@ def test_a_page_is_the_same_whatever_lies_beside_it_and_says_which_job_makes_the
     before = web_page("# a\n", None)
     (tmp_path / "index.html").write_text("")
     assert web_page("# a\n", None) == before
-    before_link, _, _ = before.partition('<a href="../index.html">all reports</a>')
-    assert before_link.endswith(": ") and "Not there before the main job has run" in before_link, "it was read after"
+    before_link, _, after_link = before.partition('<a href="../index.html">all reports</a>')
+    assert before_link.endswith("<p>"), "the page opened with what the index is not"
+    assert after_link.startswith(
+        " (made by the main job, snakemake --cores 2; it may be missing or older than this page)"
+    )
 
 
 def test_the_index_opens_with_the_answer_and_folds_the_rest(reports):

@@ -19,10 +19,11 @@ from pipeline.report.drawn.drawing import STYLE
 from pipeline.report.leak import GROUPS, figure_leak, floor
 from pipeline.report.leak import main as draw
 from pipeline.report.model_to_take.fitted import lines_at_end, lines_on_files, times_floor
+from pipeline.report.model_to_take.inverse_beside import better as better_at_the_inverse
 from pipeline.report.model_to_take.least_errors import sentences
 from pipeline.report.model_to_take.model_advice import advice_on
 from pipeline.report.model_to_take.to_take import Models, materials_table
-from pipeline.report.model_to_take.usual_model import RULE, RULES
+from pipeline.report.model_to_take.usual_model import RULE, RULES, weighed
 from pipeline.report.models import columns, main, numbers, on_simulator, page
 from pipeline.report.web.markdown import web_page
 from pipeline.report.web.page import together
@@ -434,6 +435,30 @@ def test_a_second_model_is_recommended_only_where_it_errs_less_by_a_fifth_and_by
     assert f"polynomial errs less: {polynomial_mm:.3f} mm against 0.035 mm." in reason
     assert ("If your strokes stay as recorded, take polynomial." in reason) is is_recommended
     assert ("Take the Polynomial if only strokes" in Models.read(models_csv).weighed()) is is_recommended
+
+
+@pytest.mark.parametrize(("polynomial_mm", "is_named"), [(0.0101, False), (0.0084, True)])
+def test_a_second_model_is_named_only_where_the_two_printed_numbers_differ(tmp_path, polynomial_mm, is_named):
+    """ "polynomial errs less: 0.010 mm against 0.010 mm." said nothing."""
+    rows = ["model,title,split,map,column,median,ratio", "spline,Spline,later,forward,all,0.03,2"]
+    rows += ["polynomial,Polynomial,later,forward,all,0.04,2", "spline,Spline,within,forward,all,0.0104,2"]
+    rows += [f"polynomial,Polynomial,within,forward,all,{polynomial_mm},2"]
+    (tmp_path / "models.csv").write_text("\n".join(rows) + "\n")
+    reason = advice_on(["spline", "polynomial"], tmp_path / "models.csv").reason
+    assert reason.startswith("model to take: spline. ")
+    assert ("polynomial errs less: 0.008 mm against 0.010 mm." in reason) is is_named
+    assert ("errs less" in reason) is is_named, reason
+
+
+def test_a_model_that_errs_less_by_no_printed_number_is_recommended_nowhere():
+    """Errors below a hundredth of a millimetre can be ten percent apart and read the same."""
+    titles = {"spline": "Spline", "polynomial": "Polynomial"}
+    for less, own, is_named in ((0.0008, 0.0012, False), (0.0008, 0.0024, True)):  # 0.001, 0.001 and 0.002
+        errors = {("spline", "within"): own, ("polynomial", "within"): less}
+        errors |= {("spline", "later"): 0.03, ("polynomial", "later"): 0.04}
+        assert bool(weighed(titles, errors, 0.0)) is is_named
+        within = {key: size for key, size in errors.items() if key[1] == "within"}
+        assert better_at_the_inverse("spline", list(titles), within) == ("polynomial" if is_named else "")
 
 
 def test_the_models_page_weighs_a_second_model_by_the_floor_too():

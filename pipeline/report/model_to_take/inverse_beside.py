@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from ...ground.model_errors import LESS, Errors
 from ...ground.model_names import WHOLE_MOTION
-from .usual_model import WHERE
+from .usual_model import WHERE, is_told_apart
 
 CALL = "A position controller asks the inverse (tsa_inverse of an export)"
 
@@ -34,7 +34,11 @@ def inverse_of(chosen: str, models: list[str], errors_turns: Errors) -> Inverse 
     own_turns = errors_turns[chosen, split]
     others = [model for model in models if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_turns]
     best = min(others, key=lambda model: errors_turns[model, split], default="")
-    if not best or errors_turns[best, split] * LESS > own_turns:
+    if (
+        not best
+        or errors_turns[best, split] * LESS > own_turns
+        or not is_told_apart(errors_turns[best, split], own_turns)
+    ):
         return Inverse(split, own_turns)
     return Inverse(split, own_turns, best, errors_turns[best, split])
 

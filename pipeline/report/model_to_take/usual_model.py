@@ -36,6 +36,11 @@ def is_worth(less_mm: float, own_mm: float, floor_mm: float) -> bool:
     return own_mm - less_mm >= max(WORTH_SHARE * own_mm, WORTH_NOISE * floor_mm)
 
 
+def is_told_apart(less: float, own: float) -> bool:
+    """Whether two errors of one unit are different numbers as they are printed, with three decimals."""
+    return f"{less:.3f}" != f"{own:.3f}"
+
+
 def weighed(titles: Mapping[str, str], errors_mm: Errors, floor_mm: float) -> str:
     """The excluded model that errs less than the chosen one on held-out points; empty if there is none.
 
@@ -45,6 +50,8 @@ def weighed(titles: Mapping[str, str], errors_mm: Errors, floor_mm: float) -> st
     others = [model for model in titles if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_mm]
     best = min(others, key=lambda model: errors_mm[model, split], default="")
     if not best or (chosen, split) not in errors_mm or errors_mm[best, split] * LESS > errors_mm[chosen, split]:
+        return ""
+    if not is_told_apart(errors_mm[best, split], errors_mm[chosen, split]):
         return ""
     errs = f"{errors_mm[best, split]:.3f} mm against {errors_mm[chosen, split]:.3f} mm"
     sentence = f"On strokes like the recorded ones the {titles[best]} errs less forward: {errs}."
@@ -75,6 +82,8 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors, floor_mm: float) 
     inside = [model for model in exportable if (model, "within") in errors_mm]
     best = min(inside, key=lambda model: errors_mm[model, "within"], default=chosen)
     if split == "within" or best == chosen or (chosen, "within") not in errors_mm:
+        return line
+    if not is_told_apart(errors_mm[best, "within"], errors_mm[chosen, "within"]):
         return line
     less = f"{errors_mm[best, 'within']:.3f} mm against {errors_mm[chosen, 'within']:.3f} mm"
     take = f"If your strokes stay as recorded, take {best}."

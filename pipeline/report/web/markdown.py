@@ -13,8 +13,8 @@ from ..layout.made_by import MadeBy
 from .page import anchor, document
 
 INDEX = Markup(
-    "Not there before the main job has run (snakemake --cores 2), and perhaps older than this page: "
-    '<a href="../index.html">all reports</a>'
+    '<a href="../index.html">all reports</a> (made by the main job, snakemake --cores 2; it may be missing or older '
+    "than this page)"
 )  # the same from whatever job, so that a page is the same bytes
 RANGE, UNBROKEN = re.compile(r"(?<=\d)–(?=\d)"), "\u2060–\u2060"  # no line ends between lowest and highest
 SPREAD = re.compile(rf"(\d(?:</strong>)?) (\([\d.]+{UNBROKEN}[\d.]+\))</td>")  # behind a number: on a line of its own
