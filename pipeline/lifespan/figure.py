@@ -17,7 +17,7 @@ from .forecast.life_questions import Answer
 from .forecast.strokes_left import LEAST_STROKES
 from .stroke_health.health import Health
 from .stroke_health.indicators import REFERENCE
-from .words.figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of
+from .words.figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of, which_run
 from .words.percent import percent, tail
 from .words.stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 
@@ -64,7 +64,7 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
         seen = f"{strokes(len(health.strokes))} seen{health.loads.under}"
         not_seen = left_out(len(health.left_out), health.loads.count_left_out)
         figure.suptitle(f"Life of the string {health.string}: {seen}{not_seen}", fontsize=11)
-        if note := footnote(answers, level):
+        if note := footnote(answers, level, which_run(health.strokes)):
             figure.supxlabel(note, fontsize=7.5, x=0.02, ha="left")
         write_figure(figure, path, dpi=130)
         plt.close(figure)

@@ -27,7 +27,7 @@ from pipeline.lifespan.stroke_health.at_rest import longer_at_rest
 from pipeline.lifespan.words import page_lines
 from pipeline.lifespan.words.calibration_advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.words.claims_held import HELD, measured
-from pipeline.lifespan.words.figure_words import WIDE, footnote
+from pipeline.lifespan.words.figure_words import WIDE, footnote, which_run
 from pipeline.lifespan.words.sentences import UNFORESEEN, sentence
 from pipeline.lifespan.words.so_far import beside_limit, so_far
 from pipeline.rig import __main__ as rig
@@ -266,6 +266,8 @@ def test_the_picture_marks_where_each_further_recording_begins(tmp_path, monkeyp
     loss, drift = drawn[:2]
     assert loss.get_xlim() == drift.get_xlim(), "one stroke stood at two places, one below the other"
     assert [text.get_text() for axes in drawn for text in axes.texts if "begins" in text.get_text()] == ["a-2 begins"]
+    words = "Dotted: a further recording begins. Strokes 1 to 8: a-1; 9 to 14: a-2."
+    assert words in plt.gcf().get_supxlabel(), "a panel showed two runs, and no word said which is which"
     monkeypatch.undo()
     plt.close("all")
 
@@ -439,6 +441,13 @@ def test_no_printed_line_is_wider_than_those_of_a_diagnosis_and_a_command_stays_
         assert fits or line.lstrip().startswith(wrapped_lines.COMMANDS), line
     command = f"      snakemake --cores 2 -- {'long/' * 40}"
     assert page_lines.page(f"a\n{command}") == f"a\n{command}"
+
+
+def test_the_foot_of_the_picture_names_few_recordings_and_none_where_there_is_one():
+    runs = pd.DataFrame({"stroke": np.arange(1.0, 6.0), "run": list("abcde")})
+    assert which_run(runs) == "Dotted: a further recording begins. The upper panel names it."
+    assert which_run(runs[:4]).endswith("Strokes 1: a; 2: b; 3: c; 4: d.")
+    assert which_run(runs[:1]) == ""
 
 
 def test_the_picture_says_why_its_shade_holds_fewer_futures_than_its_arrow_promises():

@@ -2,6 +2,8 @@
 
 from textwrap import fill
 
+import pandas as pd
+
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import FUTURES, LEAST_STROKES, Span
 from ..stroke_health.indicators import REFERENCE
@@ -13,6 +15,7 @@ HEADS = {
     "stroke_loss": f"How much of the stroke is lost since the first {REFERENCE} strokes (below 0: the stroke grew)",
     "model_error": f"How far a model is off that was calibrated on the first {REFERENCE} strokes (rms over a stroke)",
 }
+NAMED = 4  # recordings whose strokes are listed; of more the foot would grow long
 WIDE = 128  # characters of a line at the foot of the page
 NEGATIVE_LOOP = "below 0: at equal twist the string is\nshorter while it unwinds"
 POINTS = "Blue: each stroke as measured, ± 1 standard error. Loop: displacement winding minus unwinding at equal twist."
@@ -35,13 +38,34 @@ def tail_of(span: Span, level: float) -> float:
     return (1.0 - level) / (2.0 if span.state == "interval" else 1.0)
 
 
-def footnote(answers: list[Answer], level: float) -> str:
-    """The meaning of the points, and of each line, shade, bar and arrow where futures are drawn."""
+def which_run(strokes: pd.DataFrame) -> str:
+    """The strokes of each recording, between dotted lines; empty where one holds them all.
+
+    `strokes` has a row a stroke, with its `stroke` and its `run`.
+    """
+    spans = strokes.groupby("run", sort=False)["stroke"].agg(["min", "max"])
+    if len(spans) < 2:
+        return ""
+    dotted = "Dotted: a further recording begins."
+    if len(spans) > NAMED:
+        return f"{dotted} The upper panel names it."
+    parts = [
+        f"{low:g} to {high:g}: {run}" if low < high else f"{low:g}: {run}" for run, low, high in spans.itertuples()
+    ]
+    return f"{dotted} Strokes {'; '.join(parts)}."
+
+
+def footnote(answers: list[Answer], level: float, which: str = "") -> str:
+    """The meaning of the points, and of each line, shade, bar and arrow where futures are drawn.
+
+    `which` says which strokes are of which recording.
+    """
     drawn = [answer.left for answer in answers if answer.left.band is not None]
+    lines = [POINTS, *filter(None, [which])]
     if not drawn:
-        return fill(POINTS, WIDE)
+        return "\n".join(fill(line, WIDE) for line in lines)
     spans = [forecast.span(level) for forecast in drawn]
-    lines = [POINTS, FUTURE]
+    lines.append(FUTURE)
     if any(span.state == "interval" for span in spans):
         lines.append(BAR.format(tail((1.0 - level) / 2.0)))
     if any(span.state != "interval" for span in spans):
