@@ -10,9 +10,9 @@ from matplotlib.lines import Line2D
 
 from pipeline.ground.stored import schemas
 from pipeline.report import figures
-from pipeline.report.drawn.averaged import PARTS, averaged
+from pipeline.report.drawn.averaged import PARTS, averaged, parts_of
 from pipeline.report.drawn.drawing import STYLE, save
-from pipeline.report.drawn.figure_4 import MEANS, figure_4
+from pipeline.report.drawn.figure_4 import MEANS, SAMPLES, figure_4
 from pipeline.report.drawn.figure_5 import as_bars, by_range, figure_5, foot_of
 from pipeline.report.drawn.winding import with_median, with_nominal
 from pipeline.report.drawn.zero_of_x import zero_of_x
@@ -314,8 +314,67 @@ def test_errors_of_many_samples_are_averaged_along_a_stroke_but_on_the_papers_fi
     assert len(every.get_ydata()) == len(many) and len(means.get_ydata()) == PARTS and every.get_alpha() < 0.5
     middle = means.get_ydata()[np.isfinite(means.get_ydata())]
     assert np.abs(middle - 0.2).max() < 0.2 and middle.mean() == pytest.approx(0.2, abs=0.05)
-    assert MEANS in " ".join(beneath(own).split()) and MEANS not in beneath(papers)
+    means_words = MEANS.format(PARTS)
+    assert means_words in " ".join(beneath(own).split()) and means_words not in beneath(papers)
     assert len(papers.axes[1].get_lines()) == 2 and papers.axes[1].get_lines()[0].get_alpha() is None
+
+
+def recorded_from(winding, counts):
+    """Strokes like one winding, with as many samples of it each as `counts` says, and errors that are even."""
+    rows = [
+        winding.iloc[np.linspace(0, len(winding) - 1, count).astype(int)].assign(
+            stroke=stroke, time_s=np.arange(count) / 50.0, motor_turns=np.linspace(1.0, 20.0, count)
+        )
+        for stroke, count in counts.items()
+    ]
+    points = with_nominal(pd.concat(rows, ignore_index=True))
+    away = 0.01 * points["stroke"]
+    return points.assign(displacement_mm=points["forward_mm"] - away, inverse_turns=points["motor_turns"] - away - 0.1)
+
+
+@pytest.mark.parametrize(
+    ("counts", "parts"),
+    [
+        ({1: 900, 5: 390, 9: 612}, 78),
+        ({1: 900, 5: 700, 9: 612}, PARTS),
+        ({1: 900, 5: 30, 9: 612}, 20),
+        ({1: 99, 5: 60}, 0),
+        ({}, 0),
+    ],
+)
+def test_all_strokes_of_figure_4_are_drawn_in_one_way_whatever_their_samples(dataset, counts, parts):
+    """Strokes of fewer samples were thin raw lines over the faint ones, and the words were of the others."""
+    assert parts_of(counts.values()) == parts
+    if not counts:
+        return
+    winding = dataset[(dataset["stroke"] == 1) & (dataset["phase"] == "winding")]
+    points = recorded_from(winding, counts)
+    four = figure_4(points, "nylon")
+    words = " ".join(beneath(four).split())
+    assert (MEANS.format(parts) in words) is (parts > 0) and (SAMPLES in words) is (parts == 0)
+    for axes in (four.axes[1], four.axes[3]):
+        lines = [line for line in axes.get_lines() if len(line.get_xdata()) > 2]
+        every = [line for line in lines if line.get_marker() != "."]
+        means = [line for line in lines if line.get_marker() == "."]
+        assert [len(line.get_xdata()) for line in every] == list(counts.values())
+        assert len({(line.get_alpha(), line.get_linewidth()) for line in every}) == 1
+        assert [len(line.get_xdata()) for line in means] == [parts] * (len(counts) if parts else 0)
+
+
+def test_the_axis_of_the_inverse_error_is_that_of_the_means_and_says_what_lies_beyond(dataset):
+    """A few samples at the clipped root took half of it."""
+    winding = dataset[(dataset["stroke"] == 1) & (dataset["phase"] == "winding")]
+    points = recorded_from(winding, {1: 800, 5: 800})
+    usual = figure_4(points, "nylon")
+    assert "lie beyond it" not in beneath(usual)
+    middle = points.index[(points["stroke"] == 5)][400]
+    points.loc[middle, "inverse_turns"] = points.loc[middle, "motor_turns"] - 9.0
+    four = figure_4(points, "nylon")
+    low, high = four.axes[3].get_ylim()
+    means = np.concatenate([line.get_ydata() for line in four.axes[3].get_lines() if line.get_marker() == "."])
+    assert low < np.nanmin(means) and high >= max(0.0, np.nanmax(means)) and low > -4.0
+    words = "(d): the axis shows the means. Single samples lie beyond it, the farthest at −9 turns."
+    assert words in " ".join(beneath(four).split())
 
 
 def test_a_mean_is_of_a_hundredth_of_the_range_and_missing_where_no_point_lies():

@@ -1,11 +1,26 @@
 """Means along a stroke, so that a drift can be seen in the noise of a sensor."""
 
+from collections.abc import Iterable
+
 import numpy as np
 import pandas as pd
 
 from ...ground.kinematics import Array
 
-PARTS = 100  # of the range of a stroke, each with a mean
+PARTS = 100  # of the range of a stroke, each with a mean, at most
+LEAST_PARTS = 20  # fewer show no drift
+SAMPLES = 5  # of a part on average, for a mean to be calmer than a sample
+
+
+def parts_of(samples: Iterable[int]) -> int:
+    """How many parts all strokes of a figure are averaged over, by the number of samples of each.
+
+    Each part holds some samples of the stroke with the fewest; 0 where every stroke is too sparse for means.
+    """
+    counts = list(samples)
+    if max(counts, default=0) < SAMPLES * LEAST_PARTS:
+        return 0
+    return min(PARTS, max(LEAST_PARTS, min(counts) // SAMPLES))
 
 
 def averaged(x: pd.Series, values: pd.Series, parts: int = PARTS) -> tuple[Array, Array]:

@@ -11,19 +11,21 @@ from ..layout import paper
 from ..shown.shown_strokes import drawn, in_figure, tabled_and_last
 from ..shown.strings_drawn import LOOKS, names_drawn, side_by_side, strings_drawn, which_strings
 from ..shown.stroke_conditions import labels
-from .averaged import PARTS, averaged
+from .averaged import averaged, parts_of
+from .axis_of_means import axis_of_means
 from .clipped import clipped
 from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, lighter, name, wrapped
 from .winding import SHOWN, strokes_of, winding
 from .zero_of_x import zero_of_x
 
 STROKES = (1, 3, 5, 7)  # the paper's
-LEAST_POINTS = 5 * PARTS  # of a stroke, whose means are drawn
 MOST_STRINGS = 2  # strings that are drawn over each other
 NEUTRAL, NAME_LETTERS = "0.25", 20  # of the legend's entry of a string: its colour, and letters of the string's name
 LEGEND_COLUMNS = 5  # of the legend: four strokes and the model beside each other
 FAINT: dict[str, Any] = {"lw": 0.5, "alpha": 0.3}
-MEANS = f"(b), (d): faint every sample, thick the mean over each of {PARTS} equal parts of the stroke."
+THICK: dict[str, Any] = {"lw": 1.4, "marker": ".", "ms": 2.0, "mew": 0.0}  # a mean between two gaps is a dot
+MEANS = "(b), (d): faint every sample, thick the mean over each of {} equal parts of a stroke."
+SAMPLES = "(b), (d): every sample, joined by lines; the strokes have too few for means."
 
 
 def strokes_shown(recorded: list[int], material: str) -> list[int]:
@@ -48,7 +50,8 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     names, named = names_drawn(of_stroke), labels(points, of_stroke)
     looks = dict(zip(names, LOOKS, strict=False)) if side_by_side(of_stroke) else {}
     windings = {(n, string): winding(points, n, string) for n, strings in of_stroke.items() for string in strings}
-    noisy = {at for at, own in windings.items() if material != SYNTHETIC and len(own) >= LEAST_POINTS}
+    parts = 0 if material == SYNTHETIC else parts_of(own["motor_turns"].count() for own in windings.values())
+    inverse_means, inverse_errors = [], []
     for (stroke, string), stroke_points in windings.items():
         rank = list(looks).index(string) if looks else 0
         colour, zorder = lighter(COLOURS[shown.index(stroke)], rank), 2.0 - 0.1 * rank
@@ -57,12 +60,13 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
         forward.plot(turns, x, color=colour, lw=1.2, label=label, zorder=zorder)
         errors = stroke_points["forward_mm"] - x, stroke_points["inverse_turns"] - turns
         of_panels = ((forward_error, turns, errors[0]), (inverse_error, x, errors[1]))
-        is_noisy = (stroke, string) in noisy
         for axes, along, error in of_panels:
-            style = FAINT if is_noisy else {"lw": 0.8}
-            axes.plot(along, error, color=colour, label=label, zorder=zorder, **style)
-            if is_noisy:
-                axes.plot(*averaged(along, error), color=colour, zorder=zorder + 1.0, lw=1.4)
+            axes.plot(along, error, color=colour, label=label, zorder=zorder, **(FAINT if parts else {"lw": 0.8}))
+            if parts:
+                means = averaged(along, error, parts)
+                axes.plot(*means, color=colour, zorder=zorder + 1.0, **THICK)
+        inverse_errors.append(error.to_numpy())
+        inverse_means += [means[1]] if parts else []
         inverse.plot(x, turns, color=colour, lw=1.2, label=label, zorder=zorder)
     for place, string in enumerate(names):
         rank = place if looks else 0
@@ -81,13 +85,15 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
     name(forward_error, "(b) forward error of the traditional model", TURNS, "model − measured (mm)")
     name(inverse, "(c) inverse kinematics", MILLIMETRES, TURNS)
     name(inverse_error, "(d) inverse error of the traditional model", MILLIMETRES, "model − measured (turns)")
+    how_drawn = MEANS.format(parts) if parts else SAMPLES if windings and material != SYNTHETIC else ""
     reading = wrapped(
         figure,
         in_figure(recorded, shown, paper.STROKES),
         which_strings(of_stroke, points),
-        MEANS if noisy else "",
+        how_drawn,
         zero_of_x(points) if shown else "",
         clipped(windings.values(), "(c), (d)"),
+        axis_of_means(inverse_error, inverse_means, inverse_errors, "(d)") if parts else "",
     )
     if names:  # of all panels, beneath them: within one it lies over curves
         figure.legend(
