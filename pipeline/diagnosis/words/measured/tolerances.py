@@ -8,6 +8,7 @@ from ...document.content import Verdict
 from ..language.quantity import listing, number, quantity
 from ..language.vocabulary import Vocabulary
 
+STIFFNESS = "stiffness_n_per_mm"  # no tolerance of run.yaml: calibration moves it freely where it is assumed
 KEYS = {"radius_mm": "radius"}  # keys of `tolerance:` in run.yaml that are not the dimension's own name
 SHOWN_BY_A_CALIPER_MM = 0.01  # its last digit: nobody measures a radius by hand to less
 
@@ -66,13 +67,17 @@ def percent(part: float) -> str:
 
 
 def in_force(content: Verdict, words: Vocabulary) -> list[str]:
-    """All tolerances as a block of `run.yaml`, and which of them are shares; nothing where none is known."""
+    """All tolerances as a block of `run.yaml`, which of them are shares, and how an assumed stiffness is told.
+
+    Nothing where none is known.
+    """
     block: dict[str, float] = {}
     for name, sigma in content["evidence"].get("tolerance", {}).items():
-        part = share(content, name, words)
-        block.setdefault(key_of(name), sigma if part is None else part)
+        if key_of(name) in words.usual:
+            part = share(content, name, words)
+            block.setdefault(key_of(name), sigma if part is None else part)
     if not block:
-        return []
+        return _stiffness(content)
     written = ", ".join(f"{key}: {number(value, 4).replace(',', '')}" for key, value in block.items())
     shares = [key for key in block if key in words.shares]
     what = ""
@@ -89,7 +94,15 @@ def in_force(content: Verdict, words: Vocabulary) -> list[str]:
     which = "All" if len(defaults) == len(block) else listing(defaults)
     are = "are defaults" if len(defaults) > 1 else "is a default"
     whence = f" {which} {are}: run.yaml gives no other." if defaults else ""
-    return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}.{whence}"]
+    return [f"Now in force, as run.yaml writes it: `tolerance: {{{written}}}`{what}.{whence}", *_stiffness(content)]
+
+
+def _stiffness(content: Verdict) -> list[str]:
+    """How run.yaml tells a stiffness that nobody measured; nothing where none was assumed."""
+    if not any(stem(name) == STIFFNESS for name in content["evidence"].get("tolerance", {})):
+        return []
+    told_by = f"write `{STIFFNESS}: VALUE` under `string` in run.yaml"
+    return [f"The stiffness is assumed and has no tolerance there. Once you have measured it, {told_by}."]
 
 
 def doubts(content: Verdict, words: Vocabulary) -> list[str]:

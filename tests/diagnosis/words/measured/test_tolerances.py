@@ -1,14 +1,18 @@
 """Tolerances, as run.yaml writes them."""
 
 import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 import yaml
 from made_content import CONTENT, content, full, told
+from made_recording import content as described
 
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.measured import in_run_yaml, tolerances
+from pipeline.ground.input.strict_yaml import parse_yaml
+from pipeline.run.description import parse_run
 from pipeline.systems import systems
 
 
@@ -81,6 +85,27 @@ def test_tolerances_stand_in_the_keys_and_units_of_run_yaml_and_a_length_in_plac
     thin = {"radius_mm": {"nominal": 0.1, "value": 0.1}}
     near = content(parameters=thin, evidence__tolerance={"radius_mm": 0.003}, evidence__moved_sigma={})
     assert "by hand" not in told(near), "the default"
+
+
+def test_the_line_in_force_is_one_that_run_yaml_takes_and_an_assumed_stiffness_is_told_in_words():
+    """It had a stiffness, and pasted it was refused: `tolerance.stiffness_n_per_mm: is not a known key`."""
+    parameters = {"radius_mm": {"nominal": 0.4, "value": 0.41}, "stiffness_n_per_mm": {"nominal": 12.7, "value": 14.0}}
+    sigmas = {"radius_mm": 0.012, "stiffness_n_per_mm": 3.817}
+    path = Path("raw/run-1/run.yaml")
+
+    def run_with(printed: str):
+        return parse_run({**described("run-1"), **parse_yaml(printed, path)}, path)
+
+    text = " ".join(told(content(parameters=parameters, evidence__tolerance=sigmas)).split())
+    assert run_with(re.search(r"as run.yaml writes it: `(.*?)`", text)[1]).tolerance == {"radius": 0.03}
+    key, section = re.search(
+        r"The stiffness is assumed .* write `(.*?): VALUE` under `(\w+)` in run.yaml", text
+    ).groups()
+    string = described("run-1")[section] | {key: 12.0}
+    assert parse_run({**described("run-1"), section: string}, path).string.stiffness_n_per_mm == 12.0
+    alone = told(content(parameters=parameters, evidence__tolerance={"stiffness_n_per_mm": 3.817}))
+    assert "Now in force" not in alone and "The stiffness is assumed" in alone
+    assert "The stiffness is assumed" not in told(content(parameters=parameters, evidence__tolerance={"radius_mm": 1}))
 
 
 @pytest.mark.parametrize("name", sorted(systems()))
