@@ -13,6 +13,7 @@ from .ground.errors import program
 from .ground.input.outputs import folder_to_write
 from .ground.input.parser import Parser
 from .ground.input.strict_yaml import parse_yaml
+from .ground.names import checked, run_name
 from .run.copied_run import as_in, with_given
 from .run.description import STRING_ACTUATORS, parse_run
 from .run.doubts.tolerances_given import read_back
@@ -105,9 +106,11 @@ def main() -> None:
         help="where the run's folder is made; default: raw, or beside the run it is like",
     )
     arguments = parser.parse_args()
+    out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
+    checked(run_name, arguments.run, out / "run.yaml", "run")  # before a mend repeats it
     if wanting := lacking(arguments):
         parser.error(wanting)
-    out = folder_to_write(arguments.out or (arguments.like.parent if arguments.like else Path("raw")))
+    folder_to_write(out)
     content = with_string_id(arguments_to_content(arguments), out)
     try:
         folder = make_run(content, arguments.recording, out, arguments.sure, material_known=arguments.like is not None)

@@ -291,6 +291,19 @@ def test_a_run_like_one_that_adopted_effects_says_that_it_has_them_too(new, tmp_
     assert "had adopted (sensor_drift). To take that out: python -m pipeline.adopt --remove " in printed
 
 
+@pytest.mark.parametrize("more", [["--like", "a-01", "--string-id", "another"], ["--material", "nylon"]])
+def test_a_name_that_no_run_may_have_is_refused_before_a_mend_repeats_it(new, tmp_path, monkeypatch, capsys, more):
+    """The mend was a command with that name, which was then refused for the name."""
+    assert new("a-01", samples=GOOD)[0] == 0
+    monkeypatch.chdir(tmp_path / "raw")
+    monkeypatch.setattr(sys, "argv", ["new_run", "vectran-B-01", *more])
+    with pytest.raises(SystemExit) as end:
+        main()
+    message = capsys.readouterr().err
+    assert end.value.code == 2 and "run: is 'vectran-B-01'" in message and "use lower-case letters" in message, message
+    assert "pipeline.new_run vectran-B-01" not in message and "--radius-mm" not in message, message
+
+
 def test_a_run_like_another_of_which_another_string_is_given_is_refused(new, tmp_path, monkeypatch, capsys):
     channels = "{time_s: {column: t's, unit: s}, motor_turns: turns, displacement_mm: {column: mm, scale: -1}}"
     names = {"time_s": "t's", "motor_turns": "turns", "displacement_mm": "mm"}
