@@ -74,7 +74,7 @@ def main() -> int:
                 info = capture(arguments.port, folder, arguments.baud, arguments.longest, legs)
         except KeyboardInterrupt:  # before START: nothing was recorded
             return 130
-    usable = tell(info, folder)
+    usable = tell(info, folder, is_recovered=arguments.recover is not None)
     return 1 if info["exit_status"] == "fault" else 0 if usable else 2
 
 

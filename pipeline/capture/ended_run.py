@@ -21,10 +21,11 @@ if TYPE_CHECKING:
 GAPS_TOLD = 5  # of frames; all stand in capture.json
 
 
-def tell(info: CaptureJson, folder: Path) -> bool:
+def tell(info: CaptureJson, folder: Path, is_recovered: bool = False) -> bool:
     """Say what was recorded, and what is missing for the run to be used; whether what was recorded can be used.
 
-    That nobody has described the run yet is no fault of its recording.
+    That nobody has described the run yet is no fault of its recording. Of printed lines that are recovered, so that
+    they can be used now, that is said too.
     """
     reader, refused, all_named = None, None, False
     if "lines" in info:
@@ -56,6 +57,9 @@ def tell(info: CaptureJson, folder: Path) -> bool:
         print(f"{error} Until then nothing can use this run.")
         return not described
     if refused is None:
+        reader = reader or reader_of(folder)
+        if is_recovered and "lines" in info and info["exit_status"] != "fault" and not refusal(folder, reader):
+            print(f"{folder}: it can be used: run.yaml reads it by these columns")
         tell_of_its_string(folder, info, reader)
     return True
 

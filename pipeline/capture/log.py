@@ -35,7 +35,15 @@ def check_folder(folder: Path) -> None:
 def _check_empty(folder: Path, but: str = "") -> None:
     for name in (*RECORDINGS, LINES, "capture.json"):
         if name != but and os.path.lexists(folder / name):
-            raise BadInput(folder, name, "is there already and is never overwritten", "choose a new run name")
+            raise _is_there(folder, name)
+
+
+def _is_there(folder: Path, name: str) -> BadInput:
+    """The complaint on a recording that is in the folder, or that another capture is making there now."""
+    if name in (NAME, LINES) and (folder / name).is_file() and in_use(folder / name):
+        mend = "wait until that one has ended, or choose a new run name"
+        return BadInput(folder, name, "is being recorded now by another capture", mend)
+    return BadInput(folder, name, "is there already and is never overwritten", "choose a new run name")
 
 
 @contextmanager
@@ -76,7 +84,7 @@ class Log:
                 self._file = os.open(folder / name, flags, 0o644)
                 self._withdraw_beside_another(name)
         except FileExistsError:
-            raise BadInput(folder, name, "is there already", "choose a new run name") from None
+            raise _is_there(folder, name) from None
         except OSError as error:
             mend = "make room there, or choose a folder in which you may write"
             raise BadInput(folder, name, f"cannot be made ({error.strerror})", mend) from None

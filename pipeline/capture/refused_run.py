@@ -5,9 +5,9 @@ from contextlib import redirect_stderr
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..ground.command import recover_command
 from ..ground.errors import BadInput
 from ..run.capture_json import CaptureJson
-from ..run.next_command import following
 from .text.copied_mend import copied_mends, is_by_columns
 from .text.lines_to_csv import CSV
 from .text.live_faults import WHEN, LiveFaults
@@ -40,7 +40,7 @@ def tell_refused(error: BadInput, folder: Path, info: CaptureJson) -> bool:
     for command in commands[1:]:
         print(f"Then: mend it further: {command}")
     if not is_by_columns(commands[-1]):  # which says itself what comes next
-        print("\n".join(following(folder, recorded=True)).replace("Next:", "Then:", 1))
+        print(f"Then: see that it can be used, and what comes next: {recover_command(folder)}")
     return is_by_columns(commands[-1])
 
 

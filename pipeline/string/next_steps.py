@@ -14,8 +14,8 @@ DIAGNOSIS = 6  # strokes that a diagnosis needs at least, as docs/record.md says
 LIFE = 12  # strokes from which a forecast of a string's life is made; a test holds it to that program's own number
 
 
-def next_steps(folder: Path, strokes: int, anew: bool = False, but: Container[Path] = ()) -> list[str]:
-    """Lines, each with a command to paste, for a run that was recorded with so many strokes, 0 where nobody counted.
+def next_steps(folder: Path, strokes: int | None, anew: bool = False, but: Container[Path] = ()) -> list[str]:
+    """Lines, each with a command to paste, for a run that was recorded with so many strokes, None if nobody counted.
 
     Fewer than a diagnosis needs are said in place of its command. `anew`: the rig's next recording is of another
     string, as those of the synthetic rig are that keeps none. No run of `but`, whose paths are resolved, is named:
@@ -26,10 +26,10 @@ def next_steps(folder: Path, strokes: int, anew: bool = False, but: Container[Pa
     lines = following(folder, recorded=True, others=others)
     if run.string is None:
         return lines
-    if not others and 0 < strokes < DIAGNOSIS:
+    if not others and strokes is not None and strokes < DIAGNOSIS:
         needs = f"a diagnosis needs at least {DIAGNOSIS} to 8, with holds (docs/record.md)"
         lines = [f"Next: record more of this rig: {counted(strokes, 'stroke')} so far, and {needs}"]
-    if others or strokes >= LIFE:
+    if others or (strokes or 0) >= LIFE:
         runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
         lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")
     elif anew:

@@ -16,7 +16,7 @@ import pytest
 import ready
 
 from pipeline.capture import uncommitted_note
-from pipeline.capture.log import LINES, NAME, Log
+from pipeline.capture.log import LINES, NAME, Log, check_folder
 from pipeline.ground.errors import BadInput
 
 LONG_S = 120
@@ -77,9 +77,12 @@ def test_a_text_capture_into_the_folder_that_a_capture_of_frames_has_begun_is_re
     until((folder / NAME).exists, frames)
     text.send_signal(signal.SIGCONT)
     printed, _ = text.communicate(timeout=LONG_S)
-    assert text.returncode == 2 and "recording.frames: is there already and is never overwritten" in printed, printed
+    assert text.returncode == 2 and "recording.frames: is being recorded now by another capture" in printed, printed
+    assert "Mend: wait until that one has ended, or choose a new run name" in printed, printed
     printed, _ = frames.communicate(timeout=LONG_S)
     assert frames.returncode == 0 and ": complete, " in printed, printed
+    with pytest.raises(BadInput, match="is there already and is never overwritten"):
+        check_folder(folder)  # it has ended
     assert sorted(path.name for path in folder.iterdir()) == ["capture.json", NAME]
     info = json.loads((folder / "capture.json").read_text())
     assert info["sha256"] == hashlib.sha256((folder / NAME).read_bytes()).hexdigest()

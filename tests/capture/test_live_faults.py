@@ -99,7 +99,8 @@ def test_a_wrong_sign_is_said_while_it_records_and_mended_by_a_command(rig, tmp_
     assert f"When the recording has ended: {command}\n" in done.live
     assert done.status == 0 and "Until then nothing can use this run." in done.said
     assert done.next[0] == f"Next: mend it, and record nothing anew: {command}"
-    assert done.next[1].startswith("Then: ") and "pipeline.diagnose" in done.next[1]
+    then = "Then: see that it can be used, and what comes next: python -m pipeline.capture --recover"
+    assert done.next[1:] == [f"{then} {folder}"], "it says how many strokes there are, and which command fits them"
     end = done.said[len(done.live) :]
     assert end.index("Next: mend it") < end.index("run-1: ended,"), "the mend stands before all else"
     again = ready.run("pipeline.capture", "--recover", folder)

@@ -83,6 +83,8 @@ def test_exchanged_columns_and_lines_before_the_header_are_mended_by_one_command
     )
     right = ready.run("pipeline.capture", *commands(done.stdout)[0].split())
     assert right.returncode == 0 and "799 samples" in right.stdout and "Next:" in right.stdout, right.stdout
+    words = f"{folder}: it can be used: run.yaml reads it by these columns\nNext:"
+    assert words in right.stdout and "can be used: run.yaml" not in done.stdout, right.stdout
 
 
 @pytest.mark.parametrize(

@@ -43,11 +43,15 @@ def recovered(folder: Path, samples: pd.DataFrame) -> str:
     return done.stdout
 
 
-@pytest.mark.parametrize(("samples", "strokes"), [(-1, "3 strokes"), (-180, "2 strokes")], ids=["whole", "cut off"])
+@pytest.mark.parametrize(
+    ("samples", "strokes"),
+    [(-1, "3 strokes"), (-180, "2 strokes"), (1000, "1 stroke"), (150, "0 strokes")],
+    ids=["whole", "cut off", "in the second stroke", "in the first stroke"],
+)
 def test_too_few_strokes_are_said_however_the_recording_ended(tmp_path, samples, strokes):
-    """A complete recording of 5 strokes was said to be short, one of 2 that Ctrl-C ended was not."""
+    """Of one that was ended in its first stroke a diagnosis was advised, which refuses it."""
     words = recovered(tmp_path / "run-1", recording()[:samples])
-    assert f"Next: record more of this rig: {strokes} so far" in words
+    assert f"Next: record more of this rig: {strokes} so far" in words and "pipeline.diagnose" not in words, words
 
 
 def test_a_wrong_sign_of_printed_lines_is_warned_of_when_the_recording_ends(tmp_path):
