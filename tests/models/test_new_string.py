@@ -113,3 +113,9 @@ def test_a_misspelt_string_is_told_the_near_one(dataset: Path) -> None:
     whys = answered(dataset)["why"]
     assert whys[0].startswith("string a has no recording here (did you mean A?)")
     assert whys[1].startswith("string knotted has no recording here;")
+    done = ask(dataset, "string", "a", "knotted", "A")
+    whys = answered(dataset)["why"]
+    assert "string is a, which has no recording (did you mean A?), and its radius_mm is not told" in done.stderr
+    assert whys[1].startswith("no question: string is knotted, which has no recording, and its radius_mm is not told")
+    done = ask(dataset, "string,radius_mm", "a,0.4", "A,", words=("--model", "polynomial", "--each-string"))
+    assert "string: is a in row 1, which has no recording (did you mean A?)." in done.stderr, done.stderr

@@ -10,7 +10,7 @@ from ....ground.kinematics import Mask, usual_stiffness
 from ..box import SIZES
 from ..inside.assumed_stiffness import STIFFNESS, is_never_measured
 from .bad_rows import BadRow, of_mask
-from .question_table import recorded_values
+from .question_table import recorded_values, string_meant
 
 ALIKE = 1e-3  # relative: a size that is told so near to the recorded one is that one, rounded
 NEW = "of these sizes"  # the name of a string that a question tells by its sizes alone, where no recorded one has them
@@ -80,9 +80,9 @@ def _untold(questions: pd.DataFrame, strings: pd.Series, untold: pd.DataFrame, d
             mend = f"a new string needs {' and '.join(names)}"
             wrong.append(BadRow(int(row) + 1, " and ".join(empty), what, "", mend))
             continue
-        strange = (
-            f", which has no recording, and its {' and '.join(names)} {'are' if len(names) > 1 else 'is'} not told"
-        )
+        meant = string_meant(str(strings.iloc[row]), sorted(set(dataset["string"].astype(str))))
+        are = "are" if len(names) > 1 else "is"
+        strange = f", which has no recording{meant}, and its {' and '.join(names)} {are} not told"
         columns = f"column{'s' * (len(names) > 1)} {' and '.join(names)}"
         mend = f"{recorded_values(dataset['string'])}; of a new string add the {columns}"
         wrong.append(BadRow(int(row) + 1, "string", f"is {strings.iloc[row]}", strange, mend))

@@ -18,7 +18,7 @@ from ..settings import shown
 from .bad_rows import BadRow, first_of_each, of_mask, refusal
 from .even_rows import EvenRows
 from .own_sizes import NEW, own_sizes, told_by, with_own_sizes
-from .question_table import bad_cells, known_columns, missing_columns, question_table, recorded_values
+from .question_table import bad_cells, known_columns, missing_columns, question_table, recorded_values, string_meant
 
 ASKED = ("stroke", "direction")  # every question must tell
 WAYS = {1: "winding", -1: "unwinding"}
@@ -160,6 +160,13 @@ def _unrecorded(strings: pd.Series, dataset: pd.DataFrame) -> list[BadRow]:
     """The rows about a string without a recording, where no model answers for that string alone."""
     strange = (strings.notna() & ~strings.astype(str).isin(set(dataset["string"].astype(str)))).to_numpy()
     is_untold, mend = (strings == NEW).to_numpy(bool), recorded_values(dataset["string"])
-    each = [f"is {shown(str(string))}" for string in strings[strange & ~is_untold]]
-    bad = of_mask(strange & ~is_untold, "string", each, ", which has no recording", mend)
+    names = sorted(set(dataset["string"].astype(str)))
+    others = [str(string) for string in strings[strange & ~is_untold]]
+    each = [f"is {shown(string)}" for string in others]
+    bad = [
+        entry._replace(instead=f"{entry.instead}{string_meant(string, names)}")
+        for entry, string in zip(
+            of_mask(strange & ~is_untold, "string", each, ", which has no recording", mend), others, strict=True
+        )
+    ]
     return bad + of_mask(strange & is_untold, "string", "is not told", ", and no recorded one has these sizes", mend)

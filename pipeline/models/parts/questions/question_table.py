@@ -103,6 +103,17 @@ def missing_columns(path: Path, recorded: pd.DataFrame, told_by: pd.DataFrame) -
     return BadInput(path, ", ".join(each), problem, f"add the column{'s' * several}: {listed}")
 
 
+def string_meant(name: str, recorded: Collection[str]) -> str:
+    """The question after the recorded string that a misspelt name is near to, in brackets; empty where none is.
+
+    One of another number is another string, and not misspelt.
+    """
+    alike = {string.lower(): string for string in recorded if _digits(string) == _digits(name)}
+    near = difflib.get_close_matches(name.lower()[:60], list(alike), n=1)
+    meant = alike[near[0]] if near else ""
+    return f" (did you mean {meant}?)" if meant else ""
+
+
 def recorded_values(recorded: pd.Series) -> str:
     """The recorded values of a column, as a help for filling it in."""
     if recorded.dtype.kind in "iuf":
@@ -148,6 +159,11 @@ def _meant(name: str, columns: Collection[str]) -> str:
         return f"take it out; known are {', '.join(columns)}"
     unit = unit_of(nearest)
     return f"did you mean {nearest!r}?" + ("" if unit == "1" else f" It is in {unit}")
+
+
+def _digits(name: str) -> str:
+    """The digits of a name, in their order."""
+    return "".join(filter(str.isdecimal, name))
 
 
 def _is_bool(cell: object) -> bool:

@@ -6,8 +6,6 @@ or its answer lies beyond all recorded contractions. One that lies between what 
 that errs more than others, is answered with a wider interval, and that is said too.
 """
 
-import difflib
-
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
@@ -19,6 +17,7 @@ from ..inside.recorded_pairs import around
 from ..inside.why import Kind, Why
 from ..rolling_origin import too_far
 from .prediction_intervals import Intervals
+from .question_table import string_meant
 from .reached_contraction import reached_mm
 
 
@@ -93,9 +92,7 @@ def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: 
     """The fault of one number of a question."""
     measure = intervals.measure
     if name == "string":
-        near = difflib.get_close_matches(str(value).lower(), [*map(str.lower, intervals.strokes)], n=1)
-        meant = next((string for string in intervals.strokes if [string.lower()] == near), "")
-        return f"string {value} has no recording here{meant and f' (did you mean {meant}?)'}"
+        return f"string {value} has no recording here{string_meant(str(value), list(intervals.strokes))}"
     if name == "material":
         return f"material {value} was not recorded; recorded: {', '.join(measure.box.materials)}"
     number = float(value)  # type: ignore[arg-type]
