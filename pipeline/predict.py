@@ -18,30 +18,35 @@ from pathlib import Path
 
 from .export.asked_saved import keeps_strings_apart, model_of, saved_answers
 from .export.interface import names as exported
-from .ground.command import HOUSE, command, make_command
+from .ground.command import HOUSE, command, make_command, quoted
 from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
 from .ground.model_errors import chosen_of, errors_in
-from .ground.model_names import USUAL
+from .ground.model_names import EQUATIONS, USUAL
 from .ground.stored import schemas
 from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, in_one_line, read_jumps
+from .models.interface import about
+from .models.parts.inside.unrecorded_loads import at_unrecorded_loads
 from .models.parts.inside.why import Kind
-from .models.parts.questions.bad_rows import first_of, refusal
+from .models.parts.questions.bad_rows import first_of, numbered, refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
 from .stages.train import seed
 
-ALONE = "--each-string, or --model calibrated"  # the options that answer for one string alone
+ALONE = f"--each-string, or --model {EQUATIONS}"  # the options that answer for one string alone
 NOTED = {  # of answers with an interval, how many are said to be so
     Kind.BETWEEN: "between what was recorded",
     Kind.ERRS_MORE: "in a stroke that errs more than others",
 }
+FAR_OFF = (
+    "the string was not recorded under this load, and the numbers of {model} may be far off. The equations answer by:"
+)
 ZERO = (
     "Contractions have the model's zero, not the sensor's: the rest before a string's first stroke is set to what the "
     "paper's equation gives there."
@@ -129,6 +134,12 @@ def main() -> None:
     print(f". The column `why` says why{end}" if counts else "")
     for sentence in sentences:
         print(f"  {sentence}")
+    if not about(arguments.model).by_equations:
+        is_apart = at_unrecorded_loads(questions.points, dataset) & ~table["inside"].to_numpy()[questions.rows]
+        if far_off := (questions.rows[is_apart] + 1).tolist():
+            print(f"{numbered(far_off).capitalize()}: {FAR_OFF.format(model=arguments.model)}")
+            typed = parser.typed_without(("--model", "--saved", "--settings"))
+            print(f"  {' '.join([command('predict'), '--model', EQUATIONS, *map(quoted, typed)])}")
     print(ZERO)
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")

@@ -12,10 +12,12 @@ class About:
     Its `moves` hold them (`interface.StringsApart`).
     `least_strokes_alone`: how many strokes of one string suffice to fit it on them alone, 0 where it answers unfitted;
     None where one string is never enough.
+    `by_equations`: it answers by the paper's equations alone, which hold between and beyond the recorded loads too.
     `needs_torch`: its module imports torch, which takes seconds, and which an installed package may lack.
     """
 
     needs_motion: bool = False
     each_string_apart: bool = False
     least_strokes_alone: int | None = None
+    by_equations: bool = False
     needs_torch: bool = False

@@ -109,4 +109,4 @@ class Calibrated:
 
 
 MODEL = Calibrated
-ABOUT = About(each_string_apart=True, least_strokes_alone=0)
+ABOUT = About(each_string_apart=True, least_strokes_alone=0, by_equations=True)

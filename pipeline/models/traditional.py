@@ -36,4 +36,4 @@ class Traditional:
 
 
 MODEL = Traditional
-ABOUT = About(least_strokes_alone=0)
+ABOUT = About(least_strokes_alone=0, by_equations=True)

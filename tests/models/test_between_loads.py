@@ -1,5 +1,7 @@
 """Between recorded loads an interval of `predict` holds what it says: it was as narrow as under a recorded load."""
 
+import re
+import shlex
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +10,7 @@ import programs
 import pytest
 from made_dataset import TOP_TURNS, made_dataset
 
+from pipeline.ground.kinematics import point_contraction_mm
 from pipeline.ground.stored import schemas
 from pipeline.models.parts.questions.bad_rows import numbered
 
@@ -60,6 +63,30 @@ def test_a_load_that_was_held_out_lies_in_the_intervals(
     sentence = f"no load between 8 and {loads_n[2]:g} N was recorded, so no error was measured there; {why}"
     assert (table["why"][inside] == sentence).all()
     assert f"  {numbered((1 + np.flatnonzero(inside)).tolist())}: {sentence}" in out
+
+
+def test_an_unrecorded_load_is_said_to_be_so_with_the_command_that_asks_the_equations(tmp_path: Path) -> None:
+    """Each load had strokes of its own: 50 N was answered with 52 mm, and nothing said what to do."""
+    points = made_dataset(60, 12)
+    points["load_n"] = np.where(points["stroke"] <= 6, 8.0, 40.0)
+    points["displacement_mm"] = point_contraction_mm(points) + np.random.default_rng(0).normal(0.0, 0.03, len(points))
+    dataset, questions, answers = (tmp_path / name for name in ("dataset.parquet", "my questions.csv", "answers.csv"))
+    schemas.write(points, schemas.DATASET, dataset)
+    questions.write_text("stroke,direction,motor_turns,load_n\n4,3,12,20\n4,1,12,20\n2,1,12,20\n9,1,12,60\n")
+    words = [dataset, questions, "--out", answers, "--seed", "1"]
+    done = programs.run("pipeline.predict", *words, "--model", "polynomial")
+    note = "the string was not recorded under this load, and the numbers of polynomial may be far off."
+    line = re.search(rf"Rows 3, 4: {re.escape(note)} The equations answer by:\n  (.*)\n", done.stdout)[1]
+    typed = shlex.split(line)
+    assert typed == ["python", "-m", "pipeline.predict", "--model", "calibrated", *map(str, words)]
+    again = programs.run(*typed[2:])
+    assert "by a calibrated fitted" in again.stdout and "may be far off" not in again.stdout, again
+    questioned = points.iloc[[0, 0]].assign(motor_turns=12.0, load_n=[20.0, 60.0], direction=1)
+    assert pd.read_csv(answers)["displacement_mm"][2:].to_numpy() == pytest.approx(point_contraction_mm(questioned), abs=0.1)
+    recorded = tmp_path / "recorded.csv"
+    recorded.write_text("stroke,direction,motor_turns,load_n\n4,1,12,8\n9,1,12,40\n9,1,90,40\n")
+    done = programs.run("pipeline.predict", dataset, recorded, "--out", answers, "--model", "polynomial")
+    assert done.returncode == 0 and "1 of them without" in done.stdout and "may be far off" not in done.stdout
 
 
 def test_under_a_recorded_load_the_interval_stays_as_narrow(tmp_path: Path) -> None:

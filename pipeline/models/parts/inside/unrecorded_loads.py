@@ -1,0 +1,30 @@
+"""Questions under a load that their string was not recorded under: what was fitted to points may be far off there.
+
+Where each load has strokes of its own, a fit cannot tell what the load does from what the strokes do.
+"""
+
+import numpy as np
+import pandas as pd
+
+from ....ground.kinematics import Mask
+from ..box import room
+from .recorded_strokes import LOAD
+
+
+def at_unrecorded_loads(questions: pd.DataFrame, points: pd.DataFrame) -> Mask:
+    """Which questions are further from every load of their string than the loads' room; shape (questions,), no unit.
+
+    `points` are the recorded ones. A string that was not recorded has no such question.
+    """
+    apart = np.zeros(len(questions), bool)
+    room_n = room(LOAD, float(points[LOAD].min()), float(points[LOAD].max()))
+    strings = questions["string"].astype(str).to_numpy()
+    for string, own in points.groupby(points["string"].astype(str)):
+        loads_n = np.unique(own[LOAD].to_numpy(float))
+        rows = np.flatnonzero(strings == string)
+        asked_n = questions[LOAD].to_numpy(float)[rows]
+        place = np.searchsorted(loads_n, asked_n)
+        below = np.abs(asked_n - loads_n[np.maximum(place - 1, 0)])
+        above = np.abs(asked_n - loads_n[np.minimum(place, len(loads_n) - 1)])
+        apart[rows] = np.minimum(below, above) > room_n
+    return apart
