@@ -83,13 +83,13 @@ class Log:
             with _alone(folder):
                 self._file = os.open(folder / name, flags, 0o644)
                 self._withdraw_beside_another(name)
+                if fcntl is not None:  # before another one may look whether it is in use
+                    fcntl.flock(self._file, fcntl.LOCK_EX)
         except FileExistsError:
             raise _is_there(folder, name) from None
         except OSError as error:
             mend = "make room there, or choose a folder in which you may write"
             raise BadInput(folder, name, f"cannot be made ({error.strerror})", mend) from None
-        if fcntl is not None:
-            fcntl.flock(self._file, fcntl.LOCK_EX)
         sync_folder(folder)
         self._synced_s = time.monotonic()
         self._beside = ThreadPoolExecutor(max_workers=1)

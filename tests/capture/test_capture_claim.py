@@ -71,7 +71,7 @@ def test_a_text_capture_into_the_folder_that_a_capture_of_frames_has_begun_is_re
         time.sleep(0.1)
     text.send_signal(signal.SIGSTOP)  # it has seen an empty folder and waits for a header
     port = tmp_path / "port"
-    rig = start("pipeline.rig", "small", "--link", port, "--pace", 16)
+    rig = start("pipeline.rig", "small", "--link", port, "--pace", 8)
     until(port.is_symlink, rig)
     frames = start("pipeline.capture", port, folder)
     until((folder / NAME).exists, frames)
