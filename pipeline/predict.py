@@ -47,6 +47,10 @@ NOTED = {  # of answers with an interval, how many are said to be so
 FAR_OFF = (
     "the string was not recorded under this load, and the numbers of {model} may be far off. The equations answer by:"
 )
+NO_LOAD = (
+    "the string was not recorded under this load, and the numbers of {model} may be far off. The equation of a twisted "
+    "pair knows no load: record the string under it."
+)
 ZERO = (
     "Contractions have the model's zero, not the sensor's: the rest before a string's first stroke is set to what the "
     "paper's equation gives there."
@@ -134,12 +138,15 @@ def main() -> None:
     print(f". The column `why` says why{end}" if counts else "")
     for sentence in sentences:
         print(f"  {sentence}")
-    if not about(arguments.model).by_equations:
-        is_apart = at_unrecorded_loads(questions.points, dataset) & ~table["inside"].to_numpy()[questions.rows]
-        if far_off := (questions.rows[is_apart] + 1).tolist():
-            print(f"{numbered(far_off).capitalize()}: {FAR_OFF.format(model=arguments.model)}")
-            typed = parser.typed_without(("--model", "--saved", "--settings"))
-            print(f"  {' '.join([command('predict'), '--model', EQUATIONS, *map(quoted, typed)])}")
+    is_apart, by_equations = at_unrecorded_loads(questions.points, dataset), about(arguments.model).by_equations
+    is_pair = (questions.points["actuator"].astype(str) == "twisted_pair").to_numpy()
+    is_outside = ~table["inside"].to_numpy()[questions.rows]
+    if far_off := (questions.rows[is_apart & is_outside & ~is_pair & (not by_equations)] + 1).tolist():
+        print(f"{numbered(far_off).capitalize()}: {FAR_OFF.format(model=arguments.model)}")
+        typed = parser.typed_without(("--model", "--saved", "--settings"))
+        print(f"  {' '.join([command('predict'), '--model', EQUATIONS, *map(quoted, typed)])}")
+    if no_load := (questions.rows[is_apart & is_pair & (is_outside | by_equations)] + 1).tolist():
+        print(f"{numbered(no_load).capitalize()}: {NO_LOAD.format(model=arguments.model)}")
     print(ZERO)
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")

@@ -10,24 +10,39 @@ from pathlib import Path
 from .model_names import FLOORS, USUAL, WHOLE_MOTION
 
 LESS = 1.1  # times as large: from there on an error is told to be larger
+APART = "other_conditions"  # the column of errors on strokes under a load or a twist that few learnt strokes have
 Errors = Mapping[tuple[str, str], float]
 
 
 def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
-    """Errors of the models in a models.csv, forward in mm, inverse in turns; none where it is not there."""
-    if not path.is_file():
-        return {}
-    with open(path, encoding="utf-8", newline="") as file:
-        rows = [row for row in csv.DictReader(file) if row["column"] == "all" and row["map"] == way]
+    """Errors by which models of a models.csv are compared, forward in mm, inverse in turns; none without the file.
+
+    Errors on strokes under other conditions than most learnt ones are not among them: they are no errors of age alone.
+    """
+    rows = [row for row in _rows(path) if row["column"] == "all" and row["map"] == way and not is_apart(row)]
     return {(row["model"], row["split"]): float(row["median"]) for row in rows if row["model"] not in FLOORS}
+
+
+def is_apart(row: Mapping[str, str | float]) -> bool:
+    """Whether a row of a models.csv is on strokes under other conditions than most learnt ones."""
+    return str(row.get(APART)) == "True"
+
+
+def has_apart(path: Path) -> bool:
+    """Whether a models.csv has errors on strokes under other conditions than most learnt ones."""
+    return any(map(is_apart, _rows(path)))
+
+
+def _rows(path: Path) -> list[dict[str, str]]:
+    if not path.is_file():
+        return []
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
 
 
 def floor_in(path: Path) -> float:
     """The noise of held-out points in mm, the least floor in a models.csv; 0 where it is not known."""
-    if not path.is_file():
-        return 0.0
-    with open(path, encoding="utf-8", newline="") as file:
-        return floor_of(csv.DictReader(file))
+    return floor_of(_rows(path))
 
 
 def floor_of(rows: Iterable[Mapping[str, str | float]]) -> float:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.errors import program
-from ..ground.model_errors import chosen_of, floor_of
+from ..ground.model_errors import APART, chosen_of, floor_of
 from ..ground.model_names import FLOORS
 from ..ground.stored import schemas
 from ..ground.stored.files import write_text
@@ -35,6 +35,7 @@ COLUMNS: list[Column] = [
     ("median", "number", "RMSE, median over the seeds"), ("low", "number", "lowest of the seeds"),
     ("high", "number", "highest of the seeds"), ("floor", "number", "RMSE of the floor for what the model knows"),
     ("ratio", "number", "median over floor"),
+    (APART, "boolean", "whether these strokes were recorded under a load or to a twist that few learnt ones have"),
 ]  # fmt: skip
 NOTES = """\
 RMSE on held-out points, winding and unwinding together unless a column says otherwise: the median over the seeds, with
@@ -90,7 +91,7 @@ def numbers(metrics: pd.DataFrame, titles: dict[str, str], directed: Iterable[st
                 least = values[floor, *where].median() if (floor, *where) in values else float("nan")
                 is_directed, unit = model in directed_names, chosen["unit"].iloc[0]
                 rows.append([model, title, is_directed, split, way, unit, head, *spread, least, spread[0] / least])
-    return pd.DataFrame(rows, columns=[head for head, _, _ in COLUMNS])
+    return pd.DataFrame(rows, columns=[head for head, _, _ in COLUMNS if head != APART])
 
 
 def _cell(row: pd.Series, best: float) -> str:
@@ -119,6 +120,8 @@ def table(chosen: pd.DataFrame) -> list[str]:
 def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     """Lines that name the model to take, by which rule, and one that errs less on strokes like the recorded ones."""
     whole = table_of[(table_of["column"] == "all") & ~table_of["model"].isin(FLOORS)]
+    if APART in whole:
+        whole = whole[~whole[APART]]
     titles = {row["model"]: plain(row["title"]) for _, row in whole.iterrows()}
     errors_mm, errors_turns = (
         {(row["model"], row["split"]): float(row["median"]) for _, row in whole[whole["map"] == way].iterrows()}
@@ -173,7 +176,9 @@ def main() -> None:
     metrics = schemas.read(arguments.metrics, schemas.METRICS)
     table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
-    first = page(table_numbers, material, dataset_from(arguments.dataset), read_jumps(arguments.jumps))
+    dataset = dataset_from(arguments.dataset)
+    table_numbers[APART] = (table_numbers["split"] == "later") & bool(later_apart(dataset))
+    first = page(table_numbers, material, dataset, read_jumps(arguments.jumps))
     text = "\n".join([first, *lines_on_files(metrics, material)])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))

@@ -13,6 +13,7 @@ import pandas as pd
 import pytest
 from in_a_browser import clicked, needs_browser
 
+from pipeline.ground.model_errors import chosen_of, errors_in
 from pipeline.ground.stored import schemas
 from pipeline.ground.words.glossary import MEANING
 from pipeline.report.drawn.drawing import STYLE
@@ -21,7 +22,7 @@ from pipeline.report.leak import main as draw
 from pipeline.report.model_to_take.fitted import lines_at_end, lines_on_files, times_floor
 from pipeline.report.model_to_take.inverse_beside import better as better_at_the_inverse
 from pipeline.report.model_to_take.least_errors import sentences
-from pipeline.report.model_to_take.model_advice import advice_on
+from pipeline.report.model_to_take.model_advice import NOT_DECIDED, advice_on
 from pipeline.report.model_to_take.to_take import Models, materials_table
 from pipeline.report.model_to_take.usual_model import RULE, RULES, weighed
 from pipeline.report.models import columns, main, numbers, on_simulator, page
@@ -357,6 +358,23 @@ def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
     assert "processed/nylon/cinn/within-0.model" in export
     least = "Its forward error on later strokes is the least of those that can be exported: 1.000 mm."
     assert reason == f"model to take: cinn. {least}"
+
+
+def test_later_strokes_under_a_load_that_few_learnt_strokes_have_do_not_decide_which_model_to_take(tmp_path):
+    """Of 26 strokes the last seven were under 30 N, and a small MLP was taken, 2.5 times worse inside strokes."""
+    rows = ["spline,within,forward,all,0.073,False", "mlp,within,forward,all,0.185,False"]
+    rows += ["spline,later,forward,all,0.46,{0}", "mlp,later,forward,all,0.267,{0}"]
+    models, models_csv = ["spline", "mlp"], tmp_path / "models.csv"
+
+    def advised(is_apart):
+        text = "\n".join(["model,split,map,column,median,other_conditions", *rows]).format(is_apart)
+        models_csv.write_text(text + "\n")
+        return advice_on(models, models_csv)
+
+    assert advised(False).model == "mlp" and NOT_DECIDED not in advised(False).reason
+    assert advised(True).model == chosen_of(models, errors_in(models_csv)) == "spline"
+    assert "on held-out points inside strokes is the least" in advised(True).reason
+    assert advised(True).reason.endswith(NOT_DECIDED)
 
 
 def test_the_main_job_says_how_the_model_to_take_errs_at_the_inverse_and_which_is_better_there(tmp_path):

@@ -10,7 +10,7 @@ from pipeline.ground.stored import schemas
 from pipeline.report.drawn.figure_4 import figure_4
 from pipeline.report.drawn.figure_5 import figure_5
 from pipeline.report.drawn.winding import with_nominal
-from pipeline.report.model_to_take.to_take import materials_table
+from pipeline.report.model_to_take.to_take import Models, materials_table
 from pipeline.report.shown.stroke_conditions import APART, OTHERWISE, labels, later_apart, otherwise
 from pipeline.report.web.page import together
 
@@ -30,9 +30,28 @@ def test_later_strokes_of_another_load_or_twist_are_said_with_both():
     text = later_apart(with_last(1.5 * usual_n, 0.8))
     assert text.startswith(f"{APART}: n=9 was recorded at {1.5 * usual_n:.3g} N and to ")
     assert f"{0.8 * top_turns:.3g} turns, the others at {usual_n:.3g} N and to " in text
-    assert "are errors at another load and another twist too." in text
-    assert "are errors at another load too." in later_apart(with_last(1.5 * usual_n))
-    assert "are errors at another twist too." in later_apart(with_last(None, 1.2))
+    assert "are errors at another load and another twist too, and do not decide which model to take." in text
+    assert "are errors at another load too, and do not decide" in later_apart(with_last(1.5 * usual_n))
+    assert "are errors at another twist too, and do not decide" in later_apart(with_last(None, 1.2))
+
+
+@pytest.mark.parametrize("load_n", [None, 30.0])
+def test_later_errors_under_another_load_are_marked_and_choose_no_model(tmp_path, load_n):
+    metrics, dataset, table = (tmp_path / name for name in ("metrics.parquet", "dataset.parquet", "models.csv"))
+    errors = made_metrics()
+    is_later_mlp = (errors["split"] == "later") & (errors["model"] == "mlp")
+    errors.loc[is_later_mlp, "value"] *= 100.0  # inside strokes it errs least
+    schemas.write(errors, schemas.METRICS, metrics)
+    schemas.write(with_last(load_n), schemas.DATASET, dataset)
+    words = ("--titles", "mlp=MLP", "calibrated=Calibrated", "--out", tmp_path / "models.md", "--table", table)
+    done = programs.run("pipeline.report.models", metrics, *words, "--dataset", dataset)
+    assert done.returncode == 0, done.stderr
+    rows = pd.read_csv(table)
+    assert (rows["other_conditions"] == ((rows["split"] == "later") & (load_n is not None))).all()
+    title = "Calibrated" if load_n is None else "MLP"
+    assert f"Take the **{title}**." in (tmp_path / "models.md").read_text(encoding="utf-8")
+    models = Models.read(table)
+    assert models.titles[models.chosen()] == title and len(models.errors) == 8, "the index shows all of them"
 
 
 def test_later_strokes_like_the_others_need_no_word():
@@ -40,8 +59,10 @@ def test_later_strokes_like_the_others_need_no_word():
     assert later_apart(NINE) == later_apart(with_last(1.01 * usual_n, 0.99)) == later_apart(None) == ""
     assert later_apart(with_last(1.5 * usual_n).assign(later="")) == ""
     table = with_last(1.5 * usual_n)
-    table.loc[table["stroke"] == 1, "load_n"] = 1.5 * usual_n  # a stroke that the models saw had that load too
+    table.loc[table["stroke"].isin([1, 3, 5]), "load_n"] = 1.5 * usual_n  # strokes that the models saw had it too
     assert later_apart(table) == ""
+    table.loc[table["stroke"].isin([1, 3]), "load_n"] = usual_n  # of seven or eight one is few: it was told as none
+    assert "most others at" in later_apart(table)
 
 
 def test_strokes_that_were_recorded_otherwise_than_most_are_said_if_they_are_shown():

@@ -4,9 +4,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ...ground.model_errors import chosen_of, errors_in, floor_in
+from ...ground.model_errors import chosen_of, errors_in, floor_in, has_apart
 from . import inverse_beside
 from .usual_model import why
+
+NOT_DECIDED = (
+    "Most of its later strokes were recorded under a load or to a twist that few learnt strokes have, so they do not "
+    "decide."
+)
 
 
 class Advice(NamedTuple):
@@ -31,4 +36,7 @@ def advice_on(models: Sequence[str], models_csv: Path) -> Advice:
         "a position controller": inverse_beside.better(chosen, list(models), errors_turns),
     }
     controllers = {where: model for where, model in wanted.items() if model}
-    return Advice(chosen, why(chosen, models, errors_mm, floor_in(models_csv)), at_inverse, controllers)
+    reason = why(chosen, models, errors_mm, floor_in(models_csv))
+    if reason and has_apart(models_csv):
+        reason = f"{reason} {NOT_DECIDED}"
+    return Advice(chosen, reason, at_inverse, controllers)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from ...ground.model_errors import chosen_of, floor_in
+from ...ground.model_errors import chosen_of, floor_in, is_apart
 from ...ground.model_names import FLOORS, WHOLE_MOTION
 from ..shown.stroke_conditions import APART
 from ..web.page import Text, paragraph, together
@@ -37,11 +37,12 @@ class Models(NamedTuple):
     errors: Errors
     ratios: dict[tuple[str, str, str], float]  # by the same key → the error in floors
     floor_mm: float  # the noise of held-out points, 0 where it is not known
+    apart: set[tuple[str, str, str]]  # keys of errors on strokes under other conditions, by which none is chosen
 
     @classmethod
     def read(cls, path: Path) -> "Models":
         """Those of a models.csv; none where the file is not there."""
-        models = cls({}, {}, {}, floor_in(path))
+        models = cls({}, {}, {}, floor_in(path), set())
         if not path.is_file():
             return models
         with open(path, encoding="utf-8", newline="") as file:
@@ -52,18 +53,20 @@ class Models(NamedTuple):
                 rmse = float(line["median"])
                 times = f" ({times_floor(float(line['ratio']))} ×)" if line["ratio"] else ""
                 key = line["model"], line["split"], line["map"]
+                if is_apart(line):
+                    models.apart.add(key)
                 if line["ratio"]:
                     models.ratios[key] = float(line["ratio"])
                 models.errors[key] = rmse, f"{rmse:.3f}{times}"
         return models
 
     def inverse_turns(self) -> dict[tuple[str, str], float]:
-        """The inverse errors by model and split, in turns."""
-        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[1]}
+        """The inverse errors by which models are compared, by model and split, in turns."""
+        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[1] and key not in self.apart}
 
     def forward_mm(self) -> dict[tuple[str, str], float]:
-        """The forward errors by model and split, in mm."""
-        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[0]}
+        """The forward errors by which models are compared, by model and split, in mm."""
+        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[0] and key not in self.apart}
 
     def chosen(self) -> str:
         """The model to take."""

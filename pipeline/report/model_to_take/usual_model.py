@@ -16,8 +16,8 @@ WORTH_NOISE = 0.25  # of the noise of the points: a difference below is none tha
 RULE = "The model to take is found so:"
 RULES = (
     "Only models that can be exported are compared.",
-    "Of these the one of the least forward error on later strokes is taken. Where no later stroke is left out, it is "
-    "the one of the least forward error on held-out points.",
+    "Of these the one of the least forward error on later strokes is taken. Where no later stroke is left out, or few "
+    "learnt strokes have their load or twist, it is the one of the least forward error on held-out points.",
     f"If the error of the spline is at most {LESS:g} times that least error, the spline is taken instead: it rises "
     "with the twist and is its own inverse.",
 )
