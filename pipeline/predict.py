@@ -22,6 +22,7 @@ from .ground.command import HOUSE, command, make_command, quoted
 from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
+from .ground.kinematics import knows_load
 from .ground.model_errors import chosen_of, errors_in
 from .ground.model_names import EQUATIONS, USUAL
 from .ground.stored import schemas
@@ -139,13 +140,12 @@ def main() -> None:
     for sentence in sentences:
         print(f"  {sentence}")
     is_apart, by_equations = at_unrecorded_loads(questions.points, dataset), about(arguments.model).by_equations
-    is_pair = (questions.points["actuator"].astype(str) == "twisted_pair").to_numpy()
-    is_outside = ~table["inside"].to_numpy()[questions.rows]
-    if far_off := (questions.rows[is_apart & is_outside & ~is_pair & (not by_equations)] + 1).tolist():
+    has_load, is_outside = knows_load(questions.points), ~table["inside"].to_numpy()[questions.rows]
+    if far_off := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
         print(f"{numbered(far_off).capitalize()}: {FAR_OFF.format(model=arguments.model)}")
         typed = parser.typed_without(("--model", "--saved", "--settings"))
         print(f"  {' '.join([command('predict'), '--model', EQUATIONS, *map(quoted, typed)])}")
-    if no_load := (questions.rows[is_apart & is_pair & (is_outside | by_equations)] + 1).tolist():
+    if no_load := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
         print(f"{numbered(no_load).capitalize()}: {NO_LOAD.format(model=arguments.model)}")
     print(ZERO)
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):

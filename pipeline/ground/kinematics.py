@@ -120,6 +120,11 @@ class Geometry:
         return np.asarray(slope * RAD_PER_TURN)
 
 
+def knows_load(points: Any) -> Mask:
+    """Whether the equation of each point's string has the load in it, a pair's has not; shape (points,), no unit."""
+    return np.asarray(np.asarray(points["actuator"]).astype(str) != "twisted_pair")
+
+
 def point_contraction_mm(points: Any) -> Array:
     """Contraction for each point's `motor_turns`, in mm (eq. 4, or the pair); `points` as `schemas.DATASET`.
 
