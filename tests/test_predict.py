@@ -748,6 +748,7 @@ def of_two_sizes(dataset: Path) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_strings_that_sizes_set_apart_are_not_answered_together(of_two_sizes: Path) -> None:
     text = TWO.replace("string\n", "string,radius_mm\n").replace("-01\n", "-01,0.4\n").replace("-02\n", "-02,0.6\n")
     done = ask(of_two_sizes, text)

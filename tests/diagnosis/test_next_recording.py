@@ -144,6 +144,7 @@ def test_a_loop_that_was_recorded_is_evidence_and_no_row_of_what_is_to_come():
     assert "excludes" not in other, "the best one does not make it either"
 
 
+@pytest.mark.long
 def test_the_loop_of_a_recording_is_that_of_its_effect(conceal):
     run, samples = read_samples(conceal("backlash", kappa=3.0, rich=False)[0])
     expected = diagnosed([RecordedRun.cut(run, samples)])[0]["evidence"]["expected"]

@@ -75,6 +75,7 @@ def test_events_are_timed_from_the_start_that_is_given() -> None:
     assert drivers.time_s[0] == 0.0
 
 
+@pytest.mark.long
 def test_it_predicts_its_training_points_as_its_fit_did(case: tuple[Diagnosed, pd.DataFrame, pd.DataFrame]) -> None:
     """The fit sees motion with holes, and the forward map does not: what acts must not feel the difference."""
     model, train, _ = case

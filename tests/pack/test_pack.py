@@ -157,6 +157,7 @@ def other_disk():
         yield Path(name)
 
 
+@pytest.mark.long
 def test_raw_and_processed_may_lie_on_another_disk(archive, other_disk, tmp_path):
     lab, plain_lab = bare(tmp_path / "lab"), bare(tmp_path / "here")
     assert unpacked(archive, plain_lab).returncode == 0

@@ -10,6 +10,7 @@ import pytest
 PAGE = (Path(__file__).parents[2] / "docs/diagnose.md").read_text()
 
 
+@pytest.mark.long
 def test_the_plan_for_the_rig_of_the_paper_is_inside_what_it_records(tmp_path):
     *_, plan = re.findall(r"printf '(time_s,.*?)' > plan.csv", PAGE)
     (tmp_path / "plan.csv").write_text(plan.replace("\\n", "\n"))

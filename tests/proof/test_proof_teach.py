@@ -158,6 +158,7 @@ def test_the_curriculum_has_every_effect_of_every_author_and_repeats() -> None:
         assert {law for law in author.laws if not law.startswith("x_")} <= alone
 
 
+@pytest.mark.long
 def test_a_lesson_has_the_signs_that_the_judge_weighs_and_comes_back_from_its_line() -> None:
     lesson = learnt(Lesson("lattice", 4, ("axial_elasticity",), (6.0,), "rich"))
     assert any(lesson.right) and lesson.ids[lesson.right.index(True)] == ("axial_elasticity",)

@@ -57,6 +57,7 @@ def test_each_case_takes_the_cpu_seconds_of_its_own_process(recorded, tmp_path):
     assert 0.0 < report["seconds"]["short-1"] < 0.5 < report["seconds"]["faint-1"]
 
 
+@pytest.mark.long
 def test_a_proposed_run_that_is_refused_counts_for_its_case_alone(recorded, tmp_path):
     runs, more, out = (tmp_path / name for name in ("runs", "more", "out"))
     shutil.copytree(recorded("tied-1", lambda samples: samples), runs / "tied-1")

@@ -209,6 +209,7 @@ def test_a_run_that_continues_another_beside_it_is_told_of_the_jump(tmp_path: Pa
         assert [jump.run for jump in zero_jumps] == seen
 
 
+@pytest.mark.long
 def test_the_verdict_says_it(tmp_path: Path) -> None:
     run_folders = []
     for name, seed, jump_mm in (("a-1", 0, 0.0), ("a-2", 1, 1.0)):

@@ -245,6 +245,7 @@ def test_the_page_says_each_colour_of_the_figure_in_the_words_of_its_legend() ->
         assert f"{start}: {label}" in page, label
 
 
+@pytest.mark.long
 def test_a_dimension_that_runs_to_the_bound_of_its_tolerance_is_marked_in_the_json(conceal) -> None:
     run, samples = read_samples(conceal()[0])
     sure = {"radius": 0.001, "separator_mm": 0.01, "torsion_zone_mm": 0.01, "length_mm": 0.01}

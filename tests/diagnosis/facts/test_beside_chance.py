@@ -14,6 +14,7 @@ from pipeline.run.description import parse_run
 from pipeline.run.table.recorded_table import to_samples
 
 
+@pytest.mark.long
 def test_each_explanation_holds_the_jerks_and_the_best_is_as_likely_as_it_is_with_them_and_without(tmp_path):
     authored_case = authors()["lattice"].make(Asked(900017, ("stick_slip",), (2.62,), "poor", ()))
     path = tmp_path / "jerky" / "run.yaml"

@@ -20,6 +20,7 @@ def problem():
     return problem_of(STOPPED)
 
 
+@pytest.mark.long
 def test_beside_a_jam_a_stop_has_each_candidate_on_the_reading_without_the_jam_too(problem) -> None:
     calibrated = base(problem)
     top = float(np.percentile(problem.drivers.motion, 99.9))
@@ -59,6 +60,7 @@ def test_behind_a_stop_its_rivals_move_the_reading_and_what_it_holds_does_not(pr
     assert at_stop.sum() > 20 and np.abs(alone.table[radius][at_stop]).max() < 0.05 * np.abs(alone.table[radius]).max()
 
 
+@pytest.mark.long
 def test_a_stop_whose_best_rival_is_a_jam_is_held(problem) -> None:
     """Both leave about a hundredth; neither may be lost for what the simulator of the other one does."""
     studied = study(problem)

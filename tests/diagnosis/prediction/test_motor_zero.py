@@ -42,6 +42,7 @@ def simulated(folder: Path, diagnosis: Path, out: Path, *words: object) -> tuple
     return float(residual.std()), " ".join(done.stdout.split())
 
 
+@pytest.mark.long
 def test_a_plan_for_another_run_gets_the_commands_that_predict_it(runs, tmp_path):
     _, later, diagnosis = runs
     words = "--simulation", diagnosis, "--home", "--motion", "plan.csv", "--out", tmp_path / "a.csv"
@@ -51,6 +52,7 @@ def test_a_plan_for_another_run_gets_the_commands_that_predict_it(runs, tmp_path
     assert f"pipeline.simulate {later} --simulation DIR/later/diagnosis.json --motion plan.csv --out" in done.stderr
 
 
+@pytest.mark.long
 def test_of_the_same_string_both_runs_are_to_be_diagnosed_together_and_the_row_is_named(runs, tmp_path):
     first, later, diagnosis = runs
     for run in (first, later):
@@ -74,6 +76,7 @@ def test_of_the_same_string_both_runs_are_to_be_diagnosed_together_and_the_row_i
     assert whole[0].startswith("the error is 10 times what was to be expected (0.020 mm)")
 
 
+@pytest.mark.long
 def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tmp_path):
     first, later, diagnosis = runs
     best, _ = simulated(first, diagnosis, tmp_path / "own.csv")
@@ -92,6 +95,7 @@ def test_asked_about_another_run_the_motor_is_homed_on_its_first_stroke(runs, tm
     assert f"where the diagnosis has {before:.3g}" in printed and "as far as its tolerance" not in printed
 
 
+@pytest.mark.long
 def test_what_was_learnt_elsewhere_is_homed_before_it_is_judged_and_so_is_the_nominal_simulator(runs, tmp_path):
     first, later, diagnosis = runs
 
@@ -110,6 +114,7 @@ def test_what_was_learnt_elsewhere_is_homed_before_it_is_judged_and_so_is_the_no
     assert missed(later, bare) < 0.98 * missed(tmp_path / "named", bare)
 
 
+@pytest.mark.long
 def test_it_reads_no_more_of_the_recording_than_the_first_stroke(runs, tmp_path):
     _, later, diagnosis = runs
     cut = Path(shutil.copytree(later, tmp_path / "later"))
@@ -123,6 +128,7 @@ def test_it_reads_no_more_of_the_recording_than_the_first_stroke(runs, tmp_path)
     assert whole.to_numpy() == pytest.approx(half_only.to_numpy(), abs=1e-9)
 
 
+@pytest.mark.long
 def test_a_diagnosis_of_another_string_is_taken_with_a_warning_that_says_how_it_differs(runs, tmp_path):
     first, later, diagnosis = runs
     other = Path(shutil.copytree(later, tmp_path / "raw" / "later"))
@@ -145,6 +151,7 @@ def test_a_diagnosis_of_another_string_is_taken_with_a_warning_that_says_how_it_
     assert "another string" not in programs.run("pipeline.simulate", later, *words).stderr
 
 
+@pytest.mark.long
 def test_a_zero_that_lies_beyond_its_tolerance_is_said_to(runs, tmp_path):
     _, later, diagnosis = runs
     far = Path(shutil.copytree(later, tmp_path / "later"))
@@ -154,6 +161,7 @@ def test_a_zero_that_lies_beyond_its_tolerance_is_said_to(runs, tmp_path):
     assert "as far as its tolerance lets it: give angle_turns a wider one" in printed
 
 
+@pytest.mark.long
 def test_where_nothing_is_to_be_homed_it_is_refused_with_the_mend(runs, tmp_path):
     first, later, diagnosis = runs
     out = ("--out", tmp_path / "out.csv")

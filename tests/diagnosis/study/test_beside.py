@@ -62,6 +62,7 @@ def test_it_names_no_more_than_before(tmp_path):
     assert names(engine.study(problem)) == [{"axial_elasticity", "friction_hysteresis"}]
 
 
+@pytest.mark.long
 def test_it_foretells_strokes_that_no_fit_has_seen(tmp_path):
     run = recorded(tmp_path, "cable-friction", 602, SMALL_DEG)[1]
     problem, fine = engine.make_problem([run]), own_rate.to_score([run])

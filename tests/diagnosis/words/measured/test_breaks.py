@@ -71,6 +71,7 @@ def test_counts_that_are_lost_within_a_run_are_named_still_with_a_time_that_was_
     assert begins[1] <= at_s["low"] <= at_s["value"] <= at_s["high"] <= study.problem.drivers.elapsed_s[-1]
 
 
+@pytest.mark.long
 def test_no_slip_is_looked_for_in_a_break_and_no_jump_is_seen_there(changed) -> None:
     problem = make_problem([run_of("a-1", 1), run_of("a-2", 2)])
     drivers = problem.drivers
