@@ -16,6 +16,7 @@ from .drawn.figure_5 import figure_5
 from .drawn.winding import with_median, with_nominal
 from .layout.titles import titles_of
 from .model_to_take.usual_model import errors_of
+from .shown.stroke_conditions import later_apart
 from .web.marks import add_mark, mark_from
 
 
@@ -47,9 +48,8 @@ def main() -> None:
     by_model: dict[str, list[Path]] = {}
     for path in arguments.predictions:
         by_model.setdefault(path.parent.name, []).append(path)
-    best, taken = best_other(metrics, titles), chosen_of(set(by_model) - {PAPER, NOMINAL}, errors_of(metrics))
-    wanted = dict.fromkeys((PAPER, best, taken))
-    shown = [model for model in wanted if model and model in by_model]
+    best, taken = best_other(metrics, titles), chosen_of(by_model, errors_of(metrics, bool(later_apart(dataset))))
+    shown = [model for model in dict.fromkeys((PAPER, best, taken)) if model in by_model and model != NOMINAL]
     learned = {titles[model]: with_median(dataset, by_model[model]) for model in shown}
     with plt.rc_context(STYLE):
         save(figure_4(recorded, material), arguments.out_dir / "figure_4", mark)
@@ -59,7 +59,7 @@ def main() -> None:
                 learned,
                 material,
                 titles[best] if best in shown else "",
-                titles[taken] if taken in shown and taken != best else "",
+                titles[taken] if taken in shown and taken not in (PAPER, best) else "",
             ),
             arguments.out_dir / "figure_5",
             mark,

@@ -179,7 +179,7 @@ def main() -> None:
     dataset = dataset_from(arguments.dataset)
     table_numbers[APART] = (table_numbers["split"] == "later") & bool(later_apart(dataset))
     first = page(table_numbers, material, dataset, read_jumps(arguments.jumps))
-    text = "\n".join([first, *lines_on_files(metrics, material)])
+    text = "\n".join([first, *lines_on_files(metrics, material, bool(later_apart(dataset)))])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)

@@ -214,6 +214,10 @@ def test_the_model_to_take_is_drawn_beside_another_that_errs_less(material, tmp_
     with pytest.raises(SystemExit) as end:
         figures.main()
     assert end.value.code == 0 and list(drawn[0][1]) == ["INN model", "MLP model", "Spline model"]
+    monkeypatch.setattr(figures, "later_apart", lambda _: "later strokes of another load, which do not decide")
+    with pytest.raises(SystemExit):
+        figures.main()
+    assert list(drawn[1][1]) == ["INN model", "MLP model"], "the page takes that one, and no other is named"
     monkeypatch.undo()
     five = figure_5(*drawn[0])
     words = " ".join(five.legends[0].get_title().get_text().split())

@@ -50,6 +50,9 @@ def test_later_errors_under_another_load_are_marked_and_choose_no_model(tmp_path
     assert (rows["other_conditions"] == ((rows["split"] == "later") & (load_n is not None))).all()
     title = "Calibrated" if load_n is None else "MLP"
     assert f"Take the **{title}**." in (tmp_path / "models.md").read_text(encoding="utf-8")
+    model = "calibrated" if load_n is None else "mlp"
+    page = (tmp_path / "models.md").read_text(encoding="utf-8")
+    assert f"processed/made/{model}/within-0.model --format c" in page, "the commands are of that model too"
     models = Models.read(table)
     assert models.titles[models.chosen()] == title and len(models.errors) == 8, "the index shows all of them"
 

@@ -16,10 +16,10 @@ SPLITS = {"within": "within strokes", "later": "later strokes"}
 QUESTIONS = "questions.csv has a row for each question: docs/use_a_model.md shows one"
 
 
-def lines_on_files(metrics: pd.DataFrame, material: str) -> list[str]:
-    """Lines of Markdown: the commands, and the file of every fit that metrics are of."""
+def lines_on_files(metrics: pd.DataFrame, material: str, is_apart: bool = False) -> list[str]:
+    """Lines of Markdown: the commands, and the file of every fit that metrics are of; `is_apart` as in `errors_of`."""
     fits = metrics.loc[~metrics["model"].isin(FLOORS), ["model", "split", "seed"]].drop_duplicates()
-    chosen = chosen_of(fits["model"], errors_of(metrics))
+    chosen = chosen_of(fits["model"], errors_of(metrics, is_apart))
     if not chosen:
         return []
     heads = ["folder", *(f"files of the split `{split}`" for split in SPLITS)]

@@ -23,10 +23,14 @@ RULES = (
 )
 
 
-def errors_of(metrics: pd.DataFrame) -> dict[tuple[str, str], float]:
-    """Errors by model and split, medians over the seeds, in mm."""
+def errors_of(metrics: pd.DataFrame, is_apart: bool = False) -> dict[tuple[str, str], float]:
+    """Errors by which models are compared, by model and split, medians over the seeds, in mm.
+
+    `is_apart`: the later strokes were recorded under other conditions than most learnt ones, and do not count.
+    """
     whole = (metrics[["stroke", "phase", "angle_band"]] == "all").all(axis=1)
     mine = metrics[whole & (metrics["metric"] == "rmse") & (metrics["map"] == "forward")]
+    mine = mine[mine["split"] != "later"] if is_apart else mine
     middle = mine.groupby(["model", "split"])["value"].median()
     return {(str(model), str(split)): float(value) for (model, split), value in middle.items()}
 
