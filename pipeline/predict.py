@@ -45,13 +45,8 @@ NOTED = {  # of answers with an interval, how many are said to be so
     Kind.BETWEEN: "between what was recorded",
     Kind.ERRS_MORE: "in a stroke that errs more than others",
 }
-FAR_OFF = (
-    "the string was not recorded under this load, and the numbers of {model} may be far off. The equations answer by:"
-)
-NO_LOAD = (
-    "the string was not recorded under this load, and the numbers of {model} may be far off. The equation of a twisted "
-    "pair knows no load: record the string under it."
-)
+FAR_OFF = "the string was not recorded under this load, and the numbers of {model} may be far off."
+NO_LOAD = "The equation of a twisted pair knows no load: record the string under it."
 ZERO = (
     "Contractions have the model's zero, not the sensor's: the rest before a string's first stroke is set to what the "
     "paper's equation gives there."
@@ -142,11 +137,11 @@ def main() -> None:
     is_apart, by_equations = at_unrecorded_loads(questions.points, dataset), about(arguments.model).by_equations
     has_load, is_outside = knows_load(questions.points), ~table["inside"].to_numpy()[questions.rows]
     if far_off := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
-        print(f"{numbered(far_off).capitalize()}: {FAR_OFF.format(model=arguments.model)}")
+        print(f"{numbered(far_off).capitalize()}: {FAR_OFF.format(model=arguments.model)} The equations answer by:")
         typed = parser.typed_without(("--model", "--saved", "--settings"))
         print(f"  {' '.join([command('predict'), '--model', EQUATIONS, *map(quoted, typed)])}")
     if no_load := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
-        print(f"{numbered(no_load).capitalize()}: {NO_LOAD.format(model=arguments.model)}")
+        print(f"{numbered(no_load).capitalize()}: {FAR_OFF.format(model=arguments.model)} {NO_LOAD}")
     print(ZERO)
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")

@@ -177,9 +177,10 @@ def main() -> None:
     table_numbers = numbers(metrics, titles_of(arguments.titles), arguments.directed)
     material, mark = str(metrics["material"].iloc[0]), mark_from(arguments.made_by)
     dataset = dataset_from(arguments.dataset)
-    table_numbers[APART] = (table_numbers["split"] == "later") & bool(later_apart(dataset))
+    is_apart = bool(later_apart(dataset))
+    table_numbers[APART] = (table_numbers["split"] == "later") & is_apart
     first = page(table_numbers, material, dataset, read_jumps(arguments.jumps))
-    text = "\n".join([first, *lines_on_files(metrics, material, bool(later_apart(dataset)))])
+    text = "\n".join([first, *lines_on_files(metrics, material, is_apart)])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)

@@ -1,7 +1,7 @@
 """The length that a string recovers between two runs and loses with the next strokes: no wear, and no zero change.
 
 Under load a string creeps, at rest it takes some of it back. After the break its strokes work that out again: the rest
-after each reads less than the one before it, by more than a stroke took before the break. Of a sensor that kept its
+after each reads less than the one before it, by more than a stroke usually takes. Of a sensor that kept its
 zero nobody need know it; one that was set to zero in between is tared without it (`zero.offsets_mm`).
 Measured: docs/models.md, "Several runs of one string".
 """
