@@ -1,13 +1,16 @@
 """In C: whether a twist was recorded around a load, or another condition, and a stroke around a load.
 
-Half-planes of each hull.
+Half-planes of the hull of condition and twist, quadrants of the strokes around a load.
 """
 
+import math
+from collections.abc import Iterable
 from itertools import pairwise
 
 from ..ground.kinematics import Array
 from ..models.parts.inside.recorded_pairs import Paired
 from ..models.parts.inside.recorded_strokes import Under
+from ..models.parts.inside.strokes_around import StrokesAround
 from .c_text import function, real
 from .interface import Source
 
@@ -37,11 +40,11 @@ def checked_pairs(source: Source) -> str:
     lines += ["if (tsa_stroke_recorded(at) != TSA_OK) {", "    return TSA_UNRECORDED;", "}"]
     for paired in source.pairs:
         if paired.name in source.inputs.names:
-            lines += _refused_beyond(paired, paired.corners, "motor_turns")
+            lines += _refused_twists(paired)
     if source.under and source.under.name in source.inputs.names:
         last = real(source.under.last)
         stroke = f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"
-        under = [stroke, *_refused_beyond(source.under, source.under.hulls[0], "stroke")]
+        under = [stroke, *_refused_strokes(source.under.around[0], source.under.name)]
         lines = [stroke, *lines, *_refused_as_far(source.under)]
     else:
         under = []
@@ -60,39 +63,48 @@ def _refused_too_far(source: Source) -> list[str]:
 
 
 def _refused_as_far(under: Under) -> list[str]:
-    """Lines that refuse a stroke that was not wound that far under its load; a load beyond a hull counts as its end."""
+    """Lines that refuse a stroke that was not wound that far under its load."""
     lines = []
-    for level, hull in zip(under.levels[1:].tolist(), under.hulls[1:], strict=True):
-        low, high = real(hull[0][0, 0]), real(hull[0][-1, 0])
-        clamped = f"at->{under.name} < {low} ? {low} : at->{under.name} > {high} ? {high} : at->{under.name}"
-        beyond = _refused_beyond(under, hull, "stroke", "near")
-        lines += [f"if (motor_turns >= {real(level)}) {{", f"    const tsa_real near = {clamped};"]
-        lines += [*(f"    {line}".replace("\n", "\n    ") for line in beyond), "}"]
+    for level, around in zip(under.levels[1:].tolist(), under.around[1:], strict=True):
+        beyond = "\n".join(_refused_strokes(around, under.name)).replace("\n", "\n    ")
+        lines += [f"if (motor_turns >= {real(level)}) {{", f"    {beyond}", "}"]
     return lines
 
 
-def _refused_beyond(paired: Paired | Under, hull: tuple[Array, Array], what: str, at: str = "") -> list[str]:
-    """Lines that refuse a number, of this name in C, beyond an edge of a hull; `at` is the condition in C.
+def _refused_strokes(around: StrokesAround, load: str) -> list[str]:
+    """Lines that refuse a `stroke` that does not count under its load, which has this name in C."""
+    quadrants = []
+    for beyond in around.beyond():
+        quadrant = f"stroke {'>' if beyond.is_later else '<'} {real(beyond.stroke)}"
+        if math.isfinite(beyond.load_n):
+            quadrant = f"({quadrant} && at->{load} {'>' if beyond.is_higher else '<'} {real(beyond.load_n)})"
+        quadrants.append(quadrant)
+    return _refused_where_any(quadrants)
 
-    Where nothing else is said it is the state's.
-    """
-    planes = [
-        f"{what} {beyond} {_along(edge, at or f'at->{paired.name}')}"
-        for corners, beyond in zip(hull, "<>", strict=True)
+
+def _refused_twists(paired: Paired) -> list[str]:
+    """Lines that refuse a twist beyond an edge of the hull of a condition and the twist."""
+    return _refused_where_any(
+        f"motor_turns {beyond} {_along(edge, f'at->{paired.name}')}"
+        for corners, beyond in zip(paired.corners, "<>", strict=True)
         for edge in _edges(corners, paired)
-    ]
-    beyond_any = " ||".join(f"\n{' ' * 8}{plane}" for plane in planes).lstrip()
-    return [f"if ({beyond_any}) {{", "    return TSA_UNRECORDED;", "}"]
+    )
 
 
-def _edges(corners: Array, paired: Paired | Under) -> list[tuple[float, float, float]]:
-    """Of each edge of a hull's side the first corner and the rise: condition in its unit, twist in turns or stroke."""
+def _refused_where_any(conditions: Iterable[str]) -> list[str]:
+    """Lines that refuse where a condition in C holds."""
+    any_of_them = " ||".join(f"\n{' ' * 8}{condition}" for condition in conditions).lstrip()
+    return [f"if ({any_of_them}) {{", "    return TSA_UNRECORDED;", "}"]
+
+
+def _edges(corners: Array, paired: Paired) -> list[tuple[float, float, float]]:
+    """Of each edge of a hull's side the first corner and the rise: condition in its unit, twist in turns."""
     edges = [(float(x), float(y), float((y_next - y) / (x_next - x))) for (x, y), (x_next, y_next) in pairwise(corners)]
     return edges or [(float(paired.values[0]), float(corners[0][1]), 0.0)]
 
 
 def _along(edge: tuple[float, float, float], condition: str) -> str:
-    """The twist or the stroke of an edge at a condition."""
+    """The twist of an edge at a condition."""
     at, turns, rise = edge
     if rise == 0.0:
         return real(turns)

@@ -57,6 +57,13 @@ def switched() -> pd.DataFrame:
     return points.assign(load_n=load_n + np.random.default_rng(4).normal(0.0, 0.05, len(points)))
 
 
+def back() -> pd.DataFrame:
+    """One string of whose strokes 4 to 6 are under 35 N, those before and those after under 20 N."""
+    points = made_dataset(60, 8)
+    load_n = np.where(points["stroke"].between(4, 6), 35.0, 20.0)
+    return points.assign(load_n=load_n + np.random.default_rng(5).normal(0.0, 0.05, len(points)))
+
+
 def hung_on() -> pd.DataFrame:
     """The same where the 30 N were hung on in the last rest of stroke 4, of which one sample was under them."""
     points = switched()
@@ -68,6 +75,7 @@ def hung_on() -> pd.DataFrame:
 DATASETS = {
     "hung": hung_on,
     "switched": switched,
+    "back": back,
     "short": short_wound,
     "one": lambda: made_dataset(60, 6),
     "used": lambda: made_dataset(60, 6).assign(stroke=lambda points: points["stroke"] + np.int32(50)),

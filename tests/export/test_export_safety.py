@@ -23,7 +23,7 @@ from pipeline.export.source import Beside, opened
 EXACT = [("spline", "one"), ("spline", "campaign"), ("spline", "pair"), ("calibrated", "one"), ("cinn", "one")]
 CINN, INN = [("cinn", "campaign", "float"), ("cinn", "pair", "float")], ("inn", "one", "float")
 HELD, UNRECORDED = -1.0, -2.0
-FORESEEN = {"one": 2, "short": 2, "switched": 1}  # strokes ahead: those recorded - 4
+FORESEEN = {"one": 2, "short": 2, "switched": 1, "back": 3}  # strokes ahead: those recorded - 4, at most 3
 ROUND_TRIP_TURNS = 1e-3
 FLAT_MM_PER_TURN = 0.01  # below it the last digit of a contraction in single precision is 1e-4 turns
 
@@ -117,7 +117,7 @@ def test_twist_comes_back_through_contraction(source: Any, program: Any, name: s
 
 
 @pytest.mark.parametrize("real", ["float", "double"])
-@pytest.mark.parametrize("kind", ["short", "campaign", "one", "hung"])
+@pytest.mark.parametrize("kind", ["short", "campaign", "one", "hung", "back"])
 def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_does(
     source: Any, program: Any, kind: str, real: str
 ) -> None:
@@ -147,7 +147,7 @@ def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_
     assert program("spline", kind, real).recorded(wrong).tolist() == [1.0, 3.0]
 
 
-@pytest.mark.parametrize("kind", ["one", "short", "switched"])
+@pytest.mark.parametrize("kind", ["one", "short", "switched", "back"])
 def test_the_header_and_predict_say_the_same_of_every_stroke(tmp_path: Path, kind: str) -> None:
     """The header called strokes recorded up to twice those that were, where predict called them outside."""
     file = saved("spline", kind, tmp_path)
@@ -156,7 +156,7 @@ def test_the_header_and_predict_say_the_same_of_every_stroke(tmp_path: Path, kin
     strokes = [(stroke, turns) for stroke in range(1, 2 * last + 1) for turns in (4.0, 14.0, 19.0)]
     table = pd.DataFrame(strokes, columns=["stroke", "motor_turns"]).assign(direction=1)
     if "load_n" in names:
-        loads = pd.DataFrame({"load_n": [20.0, 30.0]})
+        loads = pd.DataFrame({"load_n": [20.0, 28.0, 35.0] if kind == "back" else [20.0, 30.0]})
         table = table.merge(loads, how="cross")
     table.to_csv(tmp_path / "questions.csv", index=False)
     words = "--saved", file, "--out", tmp_path / "answers.csv"
@@ -166,6 +166,16 @@ def test_the_header_and_predict_say_the_same_of_every_stroke(tmp_path: Path, kin
     codes = compiled(model_file, tmp_path / "c", "double").recorded(table[["motor_turns", *names]].to_numpy(float))
     assert ((codes == 0.0) == inside).all() and inside.any()
     assert not inside[table["stroke"] > last + FORESEEN[kind]].any() and (codes[-1], len(set(codes))) == (UNRECORDED, 2)
+
+
+def test_no_stroke_is_recorded_between_two_loads_that_only_one_of_them_came_near(source: Any, program: Any) -> None:
+    """Of strokes 1 to 8, 4 to 6 were under 35 N and the others under 20 N: at 28 N the header called 2 recorded."""
+    place = {name: 1 + at for at, name in enumerate(source("spline", "back").inputs.names)}
+    queries = np.zeros((9, 1 + len(place)))
+    queries[:, 0], queries[:, place["direction"]], queries[:, place["load_n"]] = 12.0, 1, 28.0
+    queries[:, place["stroke"]] = np.arange(1, 10)
+    codes = program("spline", "back", "double").recorded(queries)
+    assert codes.tolist() == [UNRECORDED] * 2 + [0.0] * 5 + [UNRECORDED] * 2  # those beside a recorded one are near
 
 
 def test_a_stroke_whose_last_rest_alone_was_under_a_load_is_not_recorded_under_it(source: Any, program: Any) -> None:

@@ -57,7 +57,7 @@ def test_a_twist_that_no_run_under_its_load_came_near_is_outside(dataset: Path, 
 def test_between_recorded_loads_is_inside_as_far_as_its_neighbours_and_said(
     dataset: Path, words: tuple[str, ...]
 ) -> None:
-    table, out = ask(dataset, ["3,1,15,25", "3,1,21,25", "3,1,23,25", "3,1,21,29.5", "3,1,15,20.2"], *words)
+    table, out = ask(dataset, ["5,1,15,25", "5,1,21,25", "5,1,23,25", "5,1,21,29.5", "3,1,15,20.2"], *words)
     assert table["inside"].tolist() == [True, True, False, False, True]
     assert re.fullmatch(r"no load between 20\.\d+ and 29\.\d+ N was recorded.*", table["why"][0])
     between = table["why"][0].removesuffix("; the interval reaches over the answers at both")
@@ -71,7 +71,7 @@ def test_answers_are_counted_by_the_kind_of_their_reason_whatever_its_words(
 ) -> None:
     """They were counted by the words at the ends of their reasons."""
     monkeypatch.setattr(Between, "said", lambda *_: "the interval is 2 times as wide")
-    table, out = ask(dataset, ["3,1,15,25", "3,1,15,20.2"], "--model", "polynomial")
+    table, out = ask(dataset, ["5,1,15,25", "3,1,15,20.2"], "--model", "polynomial")
     assert table["why"][0].endswith("there; the interval is 2 times as wide") and table["why"][1] == ""
     assert "; 1 between what was recorded. The column" in out and "errs more" not in out, out
 
