@@ -60,7 +60,8 @@ class Under:
         for share in (-np.inf, *LEVELS):
             level = share * float(twists.max())
             deep = table[twists >= np.minimum(level, share * most)]
-            strokes = StrokesAround.of(*(deep[name].to_numpy() for name in (LOAD, "stroke", "returns")), wide)
+            loads_n, numbered, returns = (deep[name].to_numpy() for name in (LOAD, "stroke", "returns"))
+            strokes = StrokesAround.of(loads_n, numbered, returns, wide)
             if not around or strokes.beyond() != around[-1].beyond():
                 levels.append(level)
                 around.append(strokes)
