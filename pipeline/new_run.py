@@ -4,7 +4,7 @@ import argparse
 import shlex
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from .foreign.as_options import OtherForm
 from .foreign.made_run import make_run
@@ -15,7 +15,7 @@ from .ground.input.parser import Parser
 from .ground.input.strict_yaml import parse_yaml
 from .ground.names import checked, run_name
 from .run.copied_run import as_in, with_given
-from .run.description import STRING_ACTUATORS, parse_run
+from .run.description import STRING_ACTUATORS, Tare, parse_run
 from .run.doubts.tolerances_given import read_back
 from .run.folder import has_recording
 from .run.needed_options import lacking, load_taken
@@ -96,8 +96,8 @@ def main() -> None:
         metavar="YAML",
         help="'{radius: 0.02, length_mm: 0.5}', radius as a share",
     )
-    tare = "run: the zero was moved since the string's run before; default: string"
-    parser.add_argument("--tare", choices=("string", "run"), help=tare)
+    tare = "run: the zero was moved since the run before; checked: it was not; default: string"
+    parser.add_argument("--tare", choices=get_args(Tare), metavar="HOW", help=tare)
     parser.add_argument("--sure", action="store_true", help="the recording is right, however odd it looks")
     parser.add_argument(
         "--out",
@@ -127,7 +127,7 @@ def main() -> None:
     if "tolerance" not in content:
         print("How well you measured its dimensions belongs into its run.yaml, as `tolerance` (docs/import.md).")
     for sentence in advice_on(folder) if recorded else []:
-        print(f"warning: {sentence}", file=sys.stderr)
+        print(f"{'note' if run.tare == 'checked' else 'warning'}: {sentence}", file=sys.stderr)
     effects = ", ".join(entry["id"] for entry in content.get("simulation", []))
     if effects:
         mend = f"{command('adopt')} --remove {shlex.quote(str(folder))}"

@@ -16,6 +16,9 @@ of `simulate --motion`.
 import sys
 from pathlib import Path
 
+import pandas as pd
+
+from .export.all_points import string_alone
 from .export.asked_saved import keeps_strings_apart, model_of, saved_answers
 from .export.interface import names as exported
 from .ground.command import HOUSE, command, make_command, quoted
@@ -29,7 +32,7 @@ from .ground.stored import schemas
 from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
-from .ground.words.jump_notes import NAME, in_one_line, read_jumps
+from .ground.words.jump_notes import NAME, beside_answers
 from .models.interface import about
 from .models.parts.inside.unrecorded_loads import at_unrecorded_loads
 from .models.parts.inside.why import Kind
@@ -99,11 +102,10 @@ def main() -> None:
     reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
     file_to_write(arguments.out, reads=reads)
     dataset = opened(arguments.dataset, schemas.DATASET, dataset_mend(arguments.dataset))
-    notes = arguments.dataset.with_name(NAME)
-    if on_zero := in_one_line(read_jumps([notes]), notes):
-        print(f"beware: {on_zero}", file=sys.stderr)
     if arguments.saved:
-        questions = read_questions(arguments.questions, dataset, keeps_strings_apart(arguments.saved))
+        apart = keeps_strings_apart(arguments.saved)
+        questions = read_questions(arguments.questions, dataset, apart)
+        _tell_of_zero(arguments.dataset, dataset, questions.points, apart, string_alone(arguments.saved))
         table = saved_answers(arguments.saved, dataset, questions, arguments.dataset)
         arguments.model = model_of(arguments.saved)
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
@@ -111,6 +113,7 @@ def main() -> None:
         options = arguments.model, arguments.settings, arguments.seed, arguments.level, arguments.each_string
         fitted = Fitted(dataset, *options, arguments.dataset)
         questions = read_questions(arguments.questions, dataset, fitted.apart)
+        _tell_of_zero(arguments.dataset, dataset, questions.points, fitted.apart)
         table = fitted.answered(questions)
         to = f"each string of {arguments.dataset}" if arguments.each_string else str(arguments.dataset)
         by, less = f"by a {arguments.model} fitted anew to {to}", "without an interval"
@@ -147,6 +150,17 @@ def main() -> None:
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")
     if questions.bad:
         raise refusal(arguments.questions, questions.bad, len(questions.points), arguments.out)
+
+
+def _tell_of_zero(path: Path, dataset: pd.DataFrame, asked_points: pd.DataFrame, apart: bool, alone: str = "") -> None:
+    """Print what is known of the zero of the strings that are asked about, and that others that the model learnt have.
+
+    `path` is that of the `dataset`. The model is fitted to each string `apart`, or to one `alone`, or to all.
+    """
+    strings = set(asked_points["string"].astype(str))
+    learnt = {alone} if alone else set() if apart else set(dataset["string"].astype(str))
+    for line in beside_answers(path.with_name(NAME), strings, learnt):
+        print(line, file=sys.stderr)
 
 
 def _taken_by_page(dataset: Path) -> str:

@@ -711,9 +711,26 @@ def test_what_is_said_of_the_zero_is_one_line_a_call(dataset: Path) -> None:
             (uncompared[:1], f"{NOT_COMPARED} a and b: why."),
             ([*uncompared, JUMP], f"{JUMP} 3 more notes on the zero of these runs: {notes}"),
         ):
-            write_jumps(notes, sentences)
+            write_jumps(notes, {str(pd.read_parquet(dataset)["string"].iloc[0]): sentences})
             done = ask(dataset, text, "--model", "polynomial")
             assert done.returncode == 0 and done.stderr == f"beware: {beware}\n" and done.stdout.count("zero") == 1
+    finally:
+        for path in notes.parent.glob(f"{notes.name}*"):
+            path.unlink()
+
+
+@pytest.mark.parametrize("options", [["--model", "polynomial"], ["--model", "polynomial", "--each-string"]])
+def test_the_zero_of_another_string_is_no_beware_of_the_questions(of_two: Path, options: list[str]) -> None:
+    """It stood above answers about a string whose zero was never moved."""
+    notes = of_two.with_name("zero_jumps.json")
+    write_jumps(notes, {"made-01": [JUMP]})
+    learnt = "note: the model that answers has learnt string made-01 too, whose zero jumps between runs"
+    try:
+        for string in ("made-01", "made-02"):
+            done = ask(of_two, f"stroke,direction,motor_turns,string\n2,1,9,{string}\n", *options)
+            assert done.returncode == 0 and (f"beware: {JUMP}" in done.stderr) == (string == "made-01"), done.stderr
+            is_learnt = string == "made-02" and "--each-string" not in options
+            assert (f"{learnt}: {notes}\n" in done.stderr) == is_learnt, done.stderr
     finally:
         for path in notes.parent.glob(f"{notes.name}*"):
             path.unlink()

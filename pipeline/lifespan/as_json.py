@@ -9,7 +9,7 @@ from .forecast.law_choice import Choice
 from .forecast.life_questions import Answer, first
 from .stroke_health.health import INDICATORS, Health
 from .words.calibration_advice import ask_again_after, recalibrate_after
-from .words.sentences import UNFORESEEN
+from .words.sentences import UNFORESEEN, zero
 
 STIFFNESS_ABSENT = "the load varies too little within a stroke, or the length does not follow it"
 SHOWN_WEIGHT = 0.005
@@ -139,8 +139,9 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> LifespanSai
         "zero_jumps": [
             {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.may_be_wear}
             for jump in health.jumps
+            if not jump.checked
         ],
-        "tares": health.tares,
+        "tares": [*health.tares, *(zero(jump) for jump in health.jumps if jump.checked)],
         "zeros_not_compared": health.uncompared,
         "starts_anew": health.anew,
         "level": level,

@@ -67,8 +67,8 @@ class Decided:
     def write(self, beside: Beside) -> str:
         """Write the verdict, with what the zero did between its runs and those beside them; return the words."""
         jumps = (optional(ZEROS, self.name, lambda: jumps_into(self.rests, beside)) if self.rests else None) or []
-        if jumps:
-            self.content["zero_jumps"] = [jump.entry for jump in jumps]
+        if entries := [jump.entry for jump in jumps if not jump.checked]:
+            self.content["zero_jumps"] = entries
         for note in optional(ZEROS, self.name, lambda: not_compared(self.rests)) or []:
             print(f"{self.name}: {note} {OWN_ZERO}", file=sys.stderr)
         doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]

@@ -96,6 +96,9 @@ class Channel(_Section):
     step_s: Positive | None = Field(None, description="of time_s: what lies between two rows of a file without a clock")
 
 
+Tare = Literal["string", "run", "checked"]  # what a run says of its zero: nothing, that it was moved, that it was not
+
+
 class Run(_Section):
     """`run.yaml`, checked: lengths in mm, forces in N, as their names say."""
 
@@ -108,8 +111,9 @@ class Run(_Section):
     adopted: list[Adopted] = Field(default_factory=list, description="where `simulation` came from, by verdict")
     file: TextFile = Field(default_factory=lambda: TextFile.model_validate({}))
     channels: Annotated[dict[str, Channel], BeforeValidator(all_written_out)] = Field(default_factory=dict)
-    tare: Literal["string", "run"] = Field(
-        "string", description='"run" where the zero was moved since the run before of the same string'
+    tare: Tare = Field(
+        "string",
+        description='"run" where the zero was moved since the run before of the string, "checked" if it was not',
     )
     mended: dict[str, Times] = Field(default_factory=dict)
 

@@ -2,7 +2,7 @@
 
 from typing import Literal, TypedDict
 
-from .description import Adopted, Included
+from .description import Adopted, Included, Tare
 
 
 class StringYaml(TypedDict, total=False):
@@ -53,5 +53,5 @@ class RunYaml(TypedDict, total=False):
     adopted: list[Adopted]
     file: FileYaml
     channels: dict[str, ChannelYaml | str | int]  # a name or an index alone is its column
-    tare: Literal["string", "run"]
+    tare: Tare
     mended: dict[str, int]

@@ -95,6 +95,12 @@ def make_dataset(
     return pd.concat(Dataset(recorded, left_out, without).pieces(), ignore_index=True)
 
 
+def _on_pages(of_string: list[Rests]) -> list[str]:
+    """The sentences of the pages on the zero of one string's runs."""
+    jumped = [jump.advice for jump in jumps_among(of_string) if jump.is_unconfirmed]
+    return [*jumped, *to_confirm(of_string), *set_anew(of_string)]
+
+
 @program
 def main() -> None:
     """Write `dataset.parquet` of one material."""
@@ -140,8 +146,7 @@ def main() -> None:
     if arguments.out_left_out:
         write_left_out(arguments.out_left_out, refused)
     if arguments.out_jumps:
-        unconfirmed = [*(jump.advice for jump in jumped if not jump.taken_off), *to_confirm(every_rest)]
-        write_jumps(arguments.out_jumps, [*unconfirmed, *(note for runs in rests for note in set_anew(runs))])
+        write_jumps(arguments.out_jumps, {of_string[0].run.string_id: _on_pages(of_string) for of_string in rests})
     for name, split in (("within", dataset.within), ("later", dataset.later)):
         print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
 

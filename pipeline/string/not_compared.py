@@ -44,8 +44,9 @@ def _strings(runs: list[Rests]) -> Iterator[list[Rests]]:
 
 
 def _pairs(of_one: list[Rests]) -> list[tuple[Rests, Rests]]:
-    """Of the runs of one string, those that follow each other and whose rests do not compare."""
-    return [(before, after) for before, after in pairwise(of_one) if change_mm(before, after) is None]
+    """Of the runs of one string, those that follow each other and whose rests do not compare, if nobody checked."""
+    unchecked = [(before, after) for before, after in pairwise(of_one) if after.run.tare != "checked"]
+    return [pair for pair in unchecked if change_mm(*pair) is None]
 
 
 def _sentence(before: Rests, after: Rests) -> str:
@@ -59,4 +60,5 @@ def _sentence(before: Rests, after: Rests) -> str:
     why = f"{before.run.run} {rests}, {after.run.run} begins at {first}"
     mend = f"write `tare: run` in run.yaml of {after.run.run}: its first rest is then set to the model's value"
     between = f"{NOT_COMPARED} {before.run.run} and {after.run.run}"
-    return f"{between}: {why}. If the sensor or a clamp was moved in between, {mend}."
+    checked = "If they were checked and did not move, write `tare: checked`"
+    return f"{between}: {why}. If the sensor or a clamp was moved in between, {mend}. {checked}."

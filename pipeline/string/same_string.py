@@ -49,6 +49,9 @@ def tares(run: Run, others: list[Path]) -> str:
     if run.tare == "run":
         own = f"{run.run} has `tare: run`: its sensor was set to zero since the run before"
         return f"The zero, by run.yaml: {each}; {own}."
+    if run.tare == "checked":
+        own = f"{run.run} has `tare: checked`: its sensor was checked and has the zero of the run before"
+        return f"The zero, by run.yaml: {each}; {own}."
     likely = f", as that of {anew[-1]} was" if anew else ""
     own = f"{run.run} has {_tare(run)}: its sensor still has the zero of the run before"
     return (

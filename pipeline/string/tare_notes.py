@@ -6,7 +6,7 @@ the string says `tare: run`, its sensor is likely set to zero at each start, and
 
 from itertools import pairwise
 
-from ..ground.words.jump_notes import KNOWN_IN_PART, SET_ANEW
+from ..ground.words.jump_notes import KNOWN_IN_PART, MODEL_VALUE, SET_ANEW
 from .history import in_order
 from .recovered import recovered
 from .rests import Rests
@@ -17,16 +17,18 @@ FEW = 3  # runs of a string that are named
 
 def set_anew(runs: list[Rests]) -> list[str]:
     """A sentence on the runs of one string whose run.yaml says `tare: run`: by how much each zero was moved."""
-    moved = []
+    moved, doubts = [], set[str]()
     for before, after in pairwise(in_order(runs)):
         if after.run.tare == "run":
             change = change_mm(before, after)
             by = "set to the model's value" if change is None else f"{change - recovered(before, after).mm:+.2g} mm"
             moved.append(f"{after.run.run} ({by})")
+            doubts.add(MODEL_VALUE if change is None else KNOWN_IN_PART)
     if not moved:
         return []
     more = f" and {len(moved) - FEW} more" if len(moved) > FEW else ""
-    return [f"{SET_ANEW} {', '.join(moved[:FEW])}{more}, as run.yaml says by `tare: run`. {KNOWN_IN_PART}"]
+    how_known = " ".join(sorted(doubts, reverse=True))
+    return [f"{SET_ANEW} {', '.join(moved[:FEW])}{more}, as run.yaml says by `tare: run`. {how_known}"]
 
 
 def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
@@ -37,18 +39,19 @@ def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
     notes = []
     for before, after in pairwise(ordered):
         name, change = after.run.run, change_mm(before, after)
-        if name in jumped or not own_zero:
+        if name in jumped or not own_zero or after.run.tare == "checked":
             continue
         reads = "its first rest is at another twist or load than the last one before"
         if change is not None:
             more = "more" if change > 0 else "less"
             reads = f"at rest it reads {abs(change):.2g} mm {more} than {before.run.run} at its end"
         if name in own_zero:
-            set_so = "So it is set to the model's value."
+            set_so = f"So it is set to the model's value. {MODEL_VALUE}"
             off = set_so if change is None else taken_off(change, recovered(before, after))
             notes.append((name, f"run.yaml of {name} says `tare: run`: {reads}. {off}"))
         else:
             others = f"{own_zero[0]}, of the same string, says `tare: run`, and {name} does not"
             mend = f"If its sensor was set to zero again, write `tare: run` in run.yaml of {name} too"
-            notes.append((name, f"{others}: {reads}. {mend}."))
+            checked = "if it was checked and did not move, `tare: checked`"
+            notes.append((name, f"{others}: {reads}. {mend}; {checked}."))
     return notes

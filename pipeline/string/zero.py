@@ -2,7 +2,8 @@
 
 A displacement's zero is arbitrary, and is thought to stay the same over all runs of a string. Between two runs nothing
 winds the string, so the rest before a run's first stroke should read what the last rest of the run before read, but for
-noise and for what a string does by itself. Where it does not, a clamp or the sensor was moved: a jump.
+noise and for what a string does by itself. Where it does not, a clamp or the sensor was moved: a jump. Only a person
+can say that neither was: by `tare: checked` the change is the string's own.
 """
 
 from dataclasses import dataclass
@@ -25,7 +26,8 @@ class Jump:
     """A run's rest that differs from the one before it: by `jump_mm`, with a noise floor of `floor_mm`.
 
     `unrecorded` strokes were done in between by what run.yaml says: the change may be theirs. What the string took back
-    in the break is `own`: the zero was moved by the rest.
+    in the break is `own`: the zero was moved by the rest. Of a zero that was `checked` it is no jump: all is the
+    string's.
     """
 
     before: str
@@ -35,6 +37,7 @@ class Jump:
     unrecorded: int = 0
     taken_off: bool = False  # by `tare: run` in the run's run.yaml
     own: Recovered = NOTHING
+    checked: bool = False  # by `tare: checked` in the run's run.yaml
 
     @property
     def entry(self) -> dict[str, str | float]:
@@ -43,8 +46,13 @@ class Jump:
 
     @property
     def may_be_wear(self) -> bool:
-        """Whether unrecorded strokes may have caused the change."""
-        return self.unrecorded > 0 and not self.taken_off
+        """Whether the string may have changed so: its zero was checked, or strokes were not recorded."""
+        return self.checked or (self.unrecorded > 0 and not self.taken_off)
+
+    @property
+    def is_unconfirmed(self) -> bool:
+        """Whether no run.yaml says what the zero did."""
+        return not (self.taken_off or self.checked)
 
     @property
     def moved_mm(self) -> float:
@@ -58,19 +66,24 @@ class Jump:
         floors = f"{_two_digits(abs(self.jump_mm) / self.floor_mm)} times the noise ({self.floor_mm:.2g} mm)"
         were = "was" if self.unrecorded == 1 else "were"
         between = f"{counted(self.unrecorded, 'stroke')} that {were} not recorded" if self.unrecorded else "no stroke"
-        return (
-            f"The zero jumps between two runs of one string: at rest {self.run} reads {more} than {self.before} at its "
-            f"end, {floors}, with {between} in between."
-        )
+        jumps = "At rest" if self.checked else "The zero jumps between two runs of one string: at rest"
+        return f"{jumps} {self.run} reads {more} than {self.before} at its end, {floors}, with {between} in between."
 
     @property
     def advice(self) -> str:
-        """The observed change, and what to do if the zero was moved, or that it was done."""
+        """The observed change, and what to do if the zero was moved, or was not, or that it was done."""
         if self.taken_off:
             return f"{self.sentence} run.yaml of {self.run} says `tare: run`. {taken_off(self.jump_mm, self.own)}"
+        if self.checked:
+            return f"{self.sentence} run.yaml of {self.run} says `tare: checked`: so the change is the string's own."
+        own, and_own = "", ""
+        if self.own.mm:
+            own = f" {self.own.sentence} So the zero was moved by {self.moved_mm:+.2g} mm, if at all."
+            and_own = " and what the string took back"
         return (
-            f"{self.sentence} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
-            f"{self.run}: it is then tared on its own rest, from where {self.before} ended."
+            f"{self.sentence}{own} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
+            f"{self.run}: it is then tared on its own rest, from where {self.before} ended{and_own}. If they were "
+            "checked and did not move, write `tare: checked`: the change is then the string's own."
         )
 
 
@@ -105,7 +118,8 @@ def offsets_mm(runs: list[Recorded], moved: frozenset[str] = frozenset()) -> lis
 
     The first run's own tare holds for the others. A run whose run.yaml says `tare: run`, and one of those `moved`, is
     set by its own rest to what the string read at the end of the run before and what it took back since, and those
-    after it go with it. Where that rest does not compare, it is set to the model's value.
+    after it go with it. Where that rest does not compare, it is set to the model's value. One that says
+    `tare: checked` keeps the zero of the run before.
     """
     offsets = [tare_mm(runs[0])]
     for before, after in pairwise(runs):
@@ -127,7 +141,8 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
     if abs(change) <= max(FLOORS * floor_mm, STROKES * _usual_mm(before, after)):
         return None
     names = before.run.run, after.run.run
-    return Jump(*names, change, floor_mm, unrecorded, after.run.tare == "run", recovered(before, after))
+    tare, own = after.run.tare, recovered(before, after)
+    return Jump(*names, change, floor_mm, unrecorded, tare == "run", own, tare == "checked")
 
 
 def change_mm(before: Rests, after: Rests) -> float | None:

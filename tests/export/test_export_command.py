@@ -383,7 +383,9 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
         assert (
             f"{zero_mm:.3f} mm at 0 turns" in text
             and "It was set so for string made-01 in run " in text
-            and "tare: run" in text
+            and "`tare: run` was set anew: to where the string had rested before it and what it took back, or, where "
+            "the two rest under other loads or at other twists, to what eq. 4 gives."
+            in text
         )
         assert (
             "Errors further than 2 strokes ahead were never measured (strokes recorded - 4, at most 3, and"

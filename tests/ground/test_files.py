@@ -132,7 +132,8 @@ def flipped(whole, path, read):
 NOTES = {
     "left_out.json": ([LeftOut(f"a-{at}", "nylon", "run.yaml", "run", "is ü", "mend it") for at in range(9)],
                       write_left_out, read_left_out),
-    NAME: (["The zero jumps by 0.2 mm.", "It jumps by −3 mm."], write_jumps, lambda path: read_jumps([path])),
+    NAME: ({"a": ["The zero jumps by 0.2 mm.", "It jumps by −3 mm."]},
+           write_jumps, lambda path: {"a": notes} if (notes := read_jumps([path])) else {}),
 }  # fmt: skip
 
 
@@ -140,7 +141,7 @@ NOTES = {
 @pytest.mark.parametrize("empty", [False, True])
 def test_no_flipped_bit_of_a_note_is_read_silently(tmp_path, name, empty):
     content, write, read = NOTES[name]
-    content, path = [] if empty else content, tmp_path / name
+    content, path = type(content)() if empty else content, tmp_path / name
     write(path, content)
     assert read(path) == content
     plain = json.loads(json.dumps(content, default=vars))

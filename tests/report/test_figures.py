@@ -395,5 +395,10 @@ def test_figure_4_says_where_an_untwisted_string_stands(dataset):
     pair = dataset.assign(actuator="twisted_pair", separator_mm=np.nan, torsion_zone_mm=np.nan)
     assert zero_of_x(pair).endswith("to the traditional model's value at that twist.") and zero_of_x(pair[:0]) == ""
     again = pd.concat([pair, pair.assign(run="second")])
-    last = "; a further run with `tare: run` in its run.yaml goes on where the run before ended."
-    assert zero_of_x(again).endswith(last)
+    last = (
+        " A further run with `tare: run` in its run.yaml goes on where the run before ended, with what the string took "
+        "back since, or is set to the model's value where the two rest under other loads or at other twists."
+    )
+    assert zero_of_x(again).endswith(f"at that twist.{last}")
+    apart = pd.concat([dataset, dataset.assign(run="second")])
+    assert zero_of_x(apart).endswith(f"since the separator spreads the string.{last}")

@@ -382,7 +382,7 @@ def test_the_end_of_a_run_names_what_it_was_asked_for_and_is_there(reports):
 def test_a_terminal_shows_the_tables_words_without_the_marks_of_markdown(tmp_path, reports):
     note = tmp_path / "processed" / MATERIAL / "zero_jumps.json"
     note.parent.mkdir(parents=True)
-    write_jumps(note, [r"write `tare: run` in a_1\b [c]"])
+    write_jumps(note, {"a": [r"write `tare: run` in a_1\b [c]"]})
     metrics, folder = str(reports.parent / "tables.parquet"), tmp_path / MATERIAL
     run("tables", metrics, "--titles", "inn=INN [c]", "--jumps", str(note), "--out-dir", str(folder))
     assert r"write \`tare: run\` in a_1\\b \[c\]" in (folder / "table_1.md").read_text()
@@ -400,7 +400,7 @@ def test_the_model_to_take_is_doubted_beside_its_name_where_the_zero_jumps(tmp_p
     model = tmp_path / "processed" / MATERIAL / "spline" / "within-0.model"
     model.parent.mkdir(parents=True)
     model.touch()
-    write_jumps(note, jumps)
+    write_jumps(note, {"a": jumps})
     end_text = summary([str(note), str(model)], tmp_path / "reports", [MATERIAL], [])
     assert "\nto a controller: " in end_text
     assert ("\nBeware: the zero jumps between runs, as said above: " in end_text) == bool(jumps)

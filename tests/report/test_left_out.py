@@ -87,7 +87,7 @@ def test_a_damaged_list_of_what_was_left_out_is_found_at_the_start_and_refused_b
 @pytest.mark.parametrize("content", [b"[", b"\xff[]", b"{}", b"[5]", b"[" * 9000, b"", b'["The zero jumps."]'])
 def test_a_damaged_note_of_jumps_is_found_at_the_start_and_refused(tmp_path, content):
     path = tmp_path / jump_notes.NAME
-    jump_notes.write_jumps(path, ["The zero jumps."])
+    jump_notes.write_jumps(path, {"a": ["The zero jumps."]})
     registry = KnownFiles(tmp_path / "known.json")
     assert "processed/nylon/zero_jumps.json" in set(stored({}, Plan(materials={"nylon": ["a-01"]})))
     assert registry.damaged([str(path)]) == {} and jump_notes.read_jumps([path]) == ["The zero jumps."]

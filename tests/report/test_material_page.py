@@ -33,7 +33,7 @@ def pages(tmp_path_factory):
     for kind, notes in (("jumps", [JUMP]), ("calm", [])):
         note, out = root / kind / "zero_jumps.json", root / kind / "nylon"
         out.mkdir(parents=True)
-        write_jumps(note, notes)
+        write_jumps(note, {"a": notes})
         of_jumps, metrics = ["--jumps", note], root / "metrics.parquet"
         run("comparison", metrics, *titles, *of_jumps, "--out", out / "comparison.md")
         run("models", metrics, *titles, *of_jumps, "--out", out / "models.md", "--table", out / "models.csv")

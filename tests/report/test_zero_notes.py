@@ -2,7 +2,7 @@
 
 import pytest
 
-from pipeline.ground.words.jump_notes import NOT_COMPARED, SET_ANEW, Kind, gravest, in_one_line
+from pipeline.ground.words.jump_notes import NOT_COMPARED, SET_ANEW, Kind, beside_answers, gravest, write_jumps
 from pipeline.report.end_of_job import summary as end
 from pipeline.report.index import page
 from pipeline.report.layout.made_by import MadeBy
@@ -34,8 +34,27 @@ def test_a_page_says_it_in_a_box_and_what_it_means(notes: list[str], kind: Kind)
 
 
 def test_predict_says_the_gravest_and_how_many_more_there_are(tmp_path) -> None:
-    assert in_one_line([ANEW, NOTE, JUMP], tmp_path).startswith(f"{JUMP} 2 more notes on the zero")
-    assert in_one_line([ANEW], tmp_path) == ANEW and in_one_line([], tmp_path) == ""
+    path = tmp_path / "zero_jumps.json"
+    assert beside_answers(path, {"a"}, {"a"}) == []
+    write_jumps(path, {"a": [ANEW, NOTE, JUMP], "b": [ANEW]})
+    (line,) = beside_answers(path, {"a"}, {"a"})
+    assert line == f"beware: {JUMP} 2 more notes on the zero of these runs: {path}"
+    assert beside_answers(path, {"b"}, set()) == [f"beware: {ANEW}"]
+
+
+def test_the_zero_of_a_string_that_nobody_asks_about_is_named_in_one_short_line(tmp_path) -> None:
+    """It stood as a Beware above answers about other strings, in full, whatever model answered."""
+    path = tmp_path / "zero_jumps.json"
+    write_jumps(path, {"a": [NOTE], "b": [], "c": [ANEW]})
+    learnt = "note: the model that answers has learnt"
+    expected = f"{learnt} strings a, c too, whose zero was not compared between runs: {path}"
+    assert beside_answers(path, {"b"}, {"a", "b", "c"}) == [expected]
+    expected = f"{learnt} string c too, whose zero was set anew between runs: {path}"
+    assert beside_answers(path, {"a"}, {"a", "c"}) == [f"beware: {NOTE}", expected]
+    assert beside_answers(path, {"b"}, set()) == [], "a model of each string alone has learnt no other"
+    write_jumps(path, {f"s{number}": [JUMP] for number in range(7)})
+    (line,) = beside_answers(path, {"new"}, {f"s{number}" for number in range(7)})
+    assert f"strings s0, s1, s2, s3 and 3 more too, whose zero jumps between runs: {path}" in line
 
 
 def test_the_page_of_all_reports_says_it_and_speaks_of_no_jump(tmp_path) -> None:

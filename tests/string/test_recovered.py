@@ -1,5 +1,6 @@
 """What a string takes back in a break is no move of the zero: a sensor set to zero again is tared without it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from pipeline.rig.kept_string import Standing
 from pipeline.rig.setup import described, read_setup
 from pipeline.run.strokes import segment
 from pipeline.string.history import Recorded
-from pipeline.string.recovered import Recovered
+from pipeline.string.recovered import NOTHING, Recovered
 from pipeline.string.recovered import recovered as taken_back
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
@@ -112,6 +113,11 @@ def test_what_is_left_in_is_said() -> None:
     assert name == "a-2" and f"{own.sentence} So the zero was moved by {moved}, and that is taken off" in note
     runs, _ = strings_runs((9, 9))
     (jump,) = jumps_among([Rests.of(run) for run in runs])
+    untold = replace(jump, taken_off=False)
+    moved = f"{jump.own.sentence} So the zero was moved by {jump.moved_mm:+.2g} mm, if at all. If the sensor"
+    assert moved in untold.advice and "from where a-1 ended and what the string took back. If they" in untold.advice
+    bare = replace(untold, own=NOTHING).advice
+    assert "took back" not in bare and "if at all" not in bare and "from where a-1 ended. If they were" in bare
     assert f"So the zero was moved by {jump.moved_mm:+.2g} mm, and that is taken off" in jump.advice
     assert jump.moved_mm == pytest.approx(jump.jump_mm - jump.own.mm) and jump.own.mm > 0.03
 

@@ -90,6 +90,9 @@ def test_what_the_runs_say_of_their_zero_is_told(runs: list[Path]) -> None:
     assert "`tare: string` (the default) in a-1; `tare: run` in a-10; a-2 has `tare: string` (the default): its" in text
     assert "If it was set to zero since, as that of a-10 was, add `tare: run` to its run.yaml." in text
     assert tares(read_run(two), [first_run]).endswith("If it was set to zero since, add `tare: run` to its run.yaml.")
+    checked = made(two.parent / "there", "a-3", "checked")
+    text = tares(read_run(checked), [first_run])
+    assert text.endswith("a-3 has `tare: checked`: its sensor was checked and has the zero of the run before.")
     assert "a-10 has `tare: run`: its sensor was set to zero since the run before." in tares(
         read_run(ten), [first_run, two]
     )

@@ -15,7 +15,7 @@ from stages.nine_strokes import recorded, string
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored import schemas
-from pipeline.ground.words.jump_notes import KNOWN_IN_PART, NOT_COMPARED, read_jumps
+from pipeline.ground.words.jump_notes import KNOWN_IN_PART, MODEL_VALUE, NOT_COMPARED, read_jumps
 from pipeline.lifespan.from_folders import strings
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
@@ -23,7 +23,7 @@ from pipeline.string.history import Recorded
 from pipeline.string.jumps_beside import Beside, _last, advice_on, jumps_into
 from pipeline.string.not_compared import not_compared, to_confirm
 from pipeline.string.rests import Rests
-from pipeline.string.tare_notes import tare_notes
+from pipeline.string.tare_notes import set_anew, tare_notes
 from pipeline.string.zero import Jump, jumps_among, offsets_mm
 
 ROOT = Path(__file__).parents[2]
@@ -140,12 +140,16 @@ def program(module: str, *words: object) -> str:
 @pytest.mark.parametrize(
     ("tare", "expected_words", "noted"),
     [
-        (None, "write `tare: run` in run.yaml of a-2", "The zero jumps between two runs of one string: at rest a-2"),
-        ("run", "is taken off the displacement before the tables", "zero set anew at a-2 (+0.5"),
+        (None, "write `tare: run` in run.yaml of a-2", ["The zero jumps between two runs of one string: at rest a-2"]),
+        ("run", "is taken off the displacement before the tables", ["zero set anew at a-2 (+0.5"]),
+        ("checked", "run.yaml of a-2 says `tare: checked`: so the change is the string's own.", []),
     ],
 )
-def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, expected_words: str, noted: str) -> None:
-    """A zero that was set anew stood on no page with its size, and `predict` answered without a word."""
+def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, expected_words: str, noted: list[str]) -> None:
+    """A zero that was set anew stood on no page with its size, and `predict` answered without a word.
+
+    Of one that was checked the jump came back on the pages and above the answers at every job.
+    """
     run_folders, processed = folders(tmp_path / "raw", JUMP_MM, tare), tmp_path / "processed"
     for folder in run_folders:
         samples, strokes = (processed / folder.name / f"{table}.parquet" for table in ("samples", "strokes"))
@@ -153,11 +157,13 @@ def test_the_dataset_program_says_it(tmp_path: Path, tare: str | None, expected_
     notes = tmp_path / "zero_jumps.json"
     words = ("--processed", processed, "--out", tmp_path / "dataset.parquet", "--out-jumps", notes)
     text = program("stages.dataset", *run_folders, *words)
-    (note,) = read_jumps([notes])
-    assert note.startswith(noted) and (KNOWN_IN_PART in note) == (tare == "run")
-    assert (
-        text.count("The zero jumps between two runs of one string: at rest a-2 reads") == 1 and expected_words in text
-    )
+    for note, begins in zip(read_jumps([notes]), noted, strict=True):
+        assert note.startswith(begins) and (KNOWN_IN_PART in note) == (tare == "run")
+    jumps_said = text.count("The zero jumps between two runs of one string: at rest a-2 reads")
+    assert jumps_said == (tare != "checked") and text.count(expected_words) == 1
+    assert ("write `tare: checked`" in text) == (tare is None) and "Beware" not in text
+    if tare == "checked":
+        assert re.search(r"^At rest a-2 reads 0\.5[6-9] mm more than a-1 at its end, \d+ times the noise", text, re.M)
     assert len(schemas.read(tmp_path / "dataset.parquet", schemas.DATASET))
 
 
@@ -182,7 +188,7 @@ def test_lifespan_takes_no_jump_for_wear(tmp_path: Path) -> None:
         assert np.abs(calm.strokes[name] - jumped.strokes[name]).max() < 0.03, name
     assert not calm.jumps and [jump.run for jump in jumped.jumps] == ["a-2"]
     text = " ".join(program("lifespan", *folders(tmp_path / "said", JUMP_MM), "--out", tmp_path / "life").split())
-    assert "write `tare: run` in run.yaml of a-2" in text and "Here it is taken off: it is no wear." in text
+    assert "write `tare: run` in run.yaml of a-2" in text and "Here the change is taken off: it is no wear." in text
     (zero_jump,) = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())["zero_jumps"]
     assert (
         zero_jump["run"] == "a-2"
@@ -196,6 +202,44 @@ def test_lifespan_asks_for_no_mend_that_was_made(tmp_path: Path) -> None:
     assert re.search(r"a-2 has `tare: run`: the 0\.5[6-9] mm by which its zero was moved are taken off\.", text)
     assert "Such a zero is known in part" in text
     assert "The zero jumps" not in text and "write `tare: run`" not in text
+
+
+def test_a_change_at_a_zero_that_was_checked_is_the_strings_own(whole: pd.DataFrame, tmp_path: Path) -> None:
+    """Nobody could say that the sensor had been checked: its jump was asked about, and lifespan took it off."""
+    first, second = offsets_mm(runs(JUMP_MM, tare="checked"))
+    assert first == second
+    (change,) = jumps(runs(JUMP_MM, tare="checked"))
+    assert change.may_be_wear and not change.is_unconfirmed and "zero jumps" not in change.advice
+    run_folders = folders(tmp_path / "raw", JUMP_MM, "checked")
+    (health,) = strings(run_folders)
+    rest_mm = health.strokes.groupby("run")["rest_mm"].mean()
+    calm_mm = strings(folders(tmp_path / "calm", 0.0))[0].strokes.groupby("run")["rest_mm"].mean()
+    assert rest_mm["a-2"] - calm_mm["a-2"] == pytest.approx(JUMP_MM, abs=0.01), "it is left in"
+    text = " ".join(program("lifespan", *run_folders, "--out", tmp_path / "life").split())
+    assert f"{change.advice} It is left in." in text and "known in part" not in text and "Beware" not in text
+    content_said = json.loads((tmp_path / "life" / "a" / "lifespan.json").read_text())
+    assert content_said["zero_jumps"] == [] and content_said["tares"] == [f"{change.advice} It is left in."]
+    assert advice_on(run_folders[1]) == [change.advice], "capture and new_run say it too"
+
+
+def test_of_a_zero_that_was_checked_nothing_more_is_asked() -> None:
+    two = runs(JUMP_MM, tare="checked")
+    pair = [Rests.of(two[0]), other_load(Rests.of(two[1]))]
+    assert not_compared(pair) == [] and to_confirm(pair) == []
+    open_pair = [pair[0], replace(pair[1], run=two[1].run.model_copy(update={"tare": "string"}))]
+    assert not_compared(open_pair)[0].endswith("If they were checked and did not move, write `tare: checked`.")
+
+
+def test_a_zero_at_the_models_value_is_not_said_to_be_known_as_one_that_was_compared() -> None:
+    """Its doubt was that of zeros that were compared, 0.02 to 0.05 mm; the wear before it is lost from it."""
+    two = runs(JUMP_MM, tare="run")
+    compared, apart = Rests.of(two[1]), other_load(Rests.of(two[1]))
+    (note,) = set_anew([Rests.of(two[0]), apart])
+    assert note.endswith(f"a-2 (set to the model's value), as run.yaml says by `tare: run`. {MODEL_VALUE}")
+    assert tare_notes([Rests.of(two[0]), apart])[0][1].endswith(f"it is set to the model's value. {MODEL_VALUE}")
+    later = replace(compared, run=two[1].run.model_copy(update={"run": "a-3"}))
+    (note,) = set_anew([Rests.of(two[0]), compared, replace(later, load_n=apart.load_n)])
+    assert KNOWN_IN_PART in note and MODEL_VALUE in note
 
 
 def test_a_run_that_continues_another_beside_it_is_told_of_the_jump(tmp_path: Path) -> None:
@@ -243,6 +287,7 @@ def test_the_verdict_says_it(tmp_path: Path) -> None:
         ((None, None, None), []),
         (("run", None, None), []),  # the first run of a string is its zero
         ((None, "run", "run"), ["b says `tare: run`: at rest it reads", "c says `tare: run`: at rest it reads"]),
+        ((None, "run", "checked"), ["b says `tare: run`: at rest it reads"]),
         (
             (None, "run", None),
             ["b says `tare: run`: at rest", "b, of the same string, says `tare: run`, and c does not"],
@@ -262,6 +307,7 @@ def test_a_small_jump_is_asked_about_where_another_run_was_zeroed(whole: pd.Data
     )
     if tares[2] is None and expected_notes:
         assert "mm" in notes[1][1] and notes[1][0] == "c" and "write `tare: run` in run.yaml of c too" in notes[1][1]
+        assert notes[1][1].endswith("; if it was checked and did not move, `tare: checked`.")
 
 
 def test_where_a_jump_is_said_the_tare_is_not_said_again() -> None:

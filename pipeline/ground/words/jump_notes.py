@@ -1,7 +1,7 @@
 """Notes of the dataset's stage on the zero of runs, for all who use its points: jumps, zeros that were set anew."""
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from enum import IntEnum
 from pathlib import Path
 
@@ -18,6 +18,8 @@ KNOWN_IN_PART = (
     "Such a zero is known in part: on simulated strings it was off by 0.02 to 0.05 mm (median, by how a string creeps)"
     ", in one break of ten by more than 0.1 to 0.3 mm, at worst by 0.8 mm."
 )
+MODEL_VALUE = "Set to the model's value, a zero is off by all that the string had changed before."
+NAMED = 4  # strings, where there are more: so many and the number of the others
 
 
 class Kind(IntEnum):
@@ -26,6 +28,13 @@ class Kind(IntEnum):
     JUMP = 0  # it jumps, and nobody said why
     NOT_COMPARED = 1  # a jump would not be seen
     SET_ANEW = 2  # a person set it to zero, and said so
+
+
+DID = {  # what the zero of a string did, for those who ask about others
+    Kind.JUMP: "jumps between runs",
+    Kind.NOT_COMPARED: "was not compared between runs",
+    Kind.SET_ANEW: "was set anew between runs",
+}
 
 
 def kind(sentence: str) -> Kind:
@@ -40,17 +49,35 @@ def gravest(sentences: Iterable[str]) -> Kind:
     return min(map(kind, sentences))
 
 
-def write_jumps(path: Path, sentences: Sequence[str]) -> None:
-    """Write a note of sentences, one a jump, with a check sum."""
-    write_note(path, list(sentences))
+def write_jumps(path: Path, by_string: Mapping[str, Sequence[str]]) -> None:
+    """Write a note of each string's sentences, one a jump, with a check sum."""
+    write_note(path, {string: list(sentences) for string, sentences in by_string.items() if sentences})
 
 
 def read_jumps(notes: Sequence[Path]) -> list[str]:
     """The sentences of some notes; a missing note has none. Raises BadInput."""
-    return [sentence for path in notes if os.path.lexists(path) for sentence in _sentences(path)]
+    return [sentence for path in notes for sentences in _by_string(path).values() for sentence in sentences]
 
 
-def in_one_line(sentences: Sequence[str], path: Path) -> str:
+def beside_answers(path: Path, strings: Collection[str], learnt: Collection[str]) -> list[str]:
+    """Lines beside answers about `strings`, from the note at a path; the model learnt from `learnt`.
+
+    A string that nobody asks about is named with what its zero did, for its points shape the answers too. Raises
+    BadInput.
+    """
+    notes = _by_string(path)
+    own = _in_one_line([sentence for string in notes if string in strings for sentence in notes[string]], path)
+    others = [string for string in notes if string in learnt and string not in strings]
+    lines = [f"beware: {own}"] if own else []
+    if others:
+        did = DID[gravest(sentence for string in others for sentence in notes[string])]
+        more = f" and {len(others) - NAMED} more" if len(others) > NAMED else ""
+        which = f"string{'s' * (len(others) > 1)} {', '.join(others[:NAMED])}{more}"
+        lines.append(f"note: the model that answers has learnt {which} too, whose zero {did}: {path}")
+    return lines
+
+
+def _in_one_line(sentences: Sequence[str], path: Path) -> str:
     """The gravest sentence, and how many more the note at a path has; empty for none."""
     if not sentences:
         return ""
@@ -59,8 +86,13 @@ def in_one_line(sentences: Sequence[str], path: Path) -> str:
     return f"{min(sentences, key=kind)}{others}"
 
 
-def _sentences(path: Path) -> list[str]:
-    sentences = read_note(path, LARGEST)
-    if isinstance(sentences, list) and all(isinstance(sentence, str) for sentence in sentences):
-        return sentences
+def _by_string(path: Path) -> dict[str, list[str]]:
+    """The sentences on each string of a note; none where it is missing."""
+    notes = read_note(path, LARGEST) if os.path.lexists(path) else {}
+    if isinstance(notes, dict) and all(map(_are_sentences, notes.values())):
+        return notes
     raise BadInput(path, "content", "is not what this version writes", schemas.MEND)
+
+
+def _are_sentences(value: object) -> bool:
+    return isinstance(value, list) and all(isinstance(sentence, str) for sentence in value)

@@ -31,10 +31,10 @@ class Health:
 
     `string` is its name, `left_out` the complete strokes that wind over another range than the first three in the
     median, `range_turns`,
-    `loads` under which load they are, and which strokes of other loads are left out. `jumps` is what the zero did from
-    run to run: one between which no stroke went unrecorded is taken off, as it is no wear. `anew` are the runs that
-    begin as the string began, and may be of another one. `tares` says what a person should know of `tare: run` where no
-    jump is seen, `uncompared` between which runs the zero was not compared.
+    `loads` under which load they are, and which strokes of other loads are left out. `jumps` is what the rest did from
+    run to run: one between which no stroke went unrecorded, and whose zero was not checked, is taken off, as it is no
+    wear. `anew` are the runs that begin as the string began, and may be of another one. `tares` says what a person
+    should know of `tare: run` where no jump is seen, `uncompared` between which runs the zero was not compared.
     """
 
     string: str

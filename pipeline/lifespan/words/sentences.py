@@ -134,7 +134,11 @@ def zero(jump: Jump) -> str:
         moved = f"the {abs(jump.moved_mm):.2f} mm by which its zero was moved are taken off"
         own = f" {jump.own.sentence} That stays in." if jump.own.mm else ""
         return f"{jump.run} has `tare: run`: {moved}.{own}"
-    done = "It may be theirs, and counts as wear" if jump.may_be_wear else "Here it is taken off: it is no wear"
+    if jump.checked:
+        return f"{jump.advice} It is left in."
+    done = "Here the change is taken off: it is no wear"
+    if jump.may_be_wear:
+        done = "Here the change may be of those strokes, and counts as wear"
     return f"{jump.advice} {done}."
 
 

@@ -6,7 +6,10 @@ from ...ground.kinematics import point_contraction_mm
 
 MODEL = "traditional model"
 LEAST_MM = 0.005  # less is 0 in two decimals
-ANEW = "; a further run with `tare: run` in its run.yaml goes on where the run before ended"
+ANEW = (
+    "A further run with `tare: run` in its run.yaml goes on where the run before ended, with what the string took back "
+    "since, or is set to the model's value where the two rest under other loads or at other twists."
+)
 
 
 def zero_of_x(points: pd.DataFrame) -> str:
@@ -20,11 +23,8 @@ def zero_of_x(points: pd.DataFrame) -> str:
     untwisted_mm = point_contraction_mm(of_strings)
     low, high = float(untwisted_mm.min()), float(untwisted_mm.max())
     several = (points.groupby("string", sort=False)["run"].nunique() > 1).any()
-    words = (
-        f"x is tared once a string, on the rest before its first stroke, to the {MODEL}'s value at that twist"
-        f"{ANEW if several else ''}."
-    )
-    if high < LEAST_MM:
-        return words
-    between = " to ".join(dict.fromkeys(f"{value:.2f}" for value in (low, high)))
-    return f"{words} Without twist that is {between} mm, not 0, since the separator spreads the string."
+    words = f"x is tared once a string, on the rest before its first stroke, to the {MODEL}'s value at that twist."
+    if high >= LEAST_MM:
+        between = " to ".join(dict.fromkeys(f"{value:.2f}" for value in (low, high)))
+        words += f" Without twist that is {between} mm, not 0, since the separator spreads the string."
+    return f"{words} {ANEW}" if several else words
