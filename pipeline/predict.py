@@ -153,7 +153,7 @@ def main() -> None:
 
 
 def _tell_of_zero(path: Path, dataset: pd.DataFrame, asked_points: pd.DataFrame, apart: bool, alone: str = "") -> None:
-    """Print what is known of the zero of the strings that are asked about, and that others that the model learnt have.
+    """Print what the zero did of the strings that are asked about, and of which others that the model learnt.
 
     `path` is that of the `dataset`. The model is fitted to each string `apart`, or to one `alone`, or to all.
     """

@@ -281,6 +281,19 @@ def test_a_run_like_another_is_of_the_same_string_on_the_same_rig_but_for_what_i
     assert status == 0 and run_yaml["string"]["material"] == "synthetic", printed
 
 
+@pytest.mark.parametrize(
+    ("options", "begins"), [([], "warning: The zero jumps"), (["checked"], "note: At rest a-02 reads")]
+)
+def test_a_zero_that_was_checked_is_noted_and_not_warned_of(new, tmp_path, monkeypatch, capsys, options, begins):
+    assert new("a-01", samples=GOOD)[0] == 0
+    offset = GOOD.assign(displacement_mm=GOOD["displacement_mm"] + 3.0)
+    offset.to_csv(tmp_path / "log.csv", index=False)
+    words = ["--recording", str(tmp_path / "log.csv"), *(word for how in options for word in ("--tare", how))]
+    status, printed, run_yaml = made_like(tmp_path, monkeypatch, capsys, *words)
+    assert status == 0 and run_yaml.get("tare") == (options[0] if options else None), printed
+    assert f"\n{begins}" in printed and ("warning: " in printed) == (not options)
+
+
 def test_a_run_like_one_that_adopted_effects_says_that_it_has_them_too(new, tmp_path, monkeypatch, capsys):
     assert new("a-01", samples=GOOD)[0] == 0
     path = tmp_path / "raw" / "a-01" / "run.yaml"

@@ -222,6 +222,24 @@ def test_a_change_at_a_zero_that_was_checked_is_the_strings_own(whole: pd.DataFr
     assert advice_on(run_folders[1]) == [change.advice], "capture and new_run say it too"
 
 
+@pytest.mark.parametrize("tare", [None, "checked"])
+def test_a_verdict_says_a_checked_zero_without_a_jump(tmp_path: Path, monkeypatch, tare: str | None) -> None:
+    from pipeline.notebook import of_folders
+    from pipeline.string.from_raw import read
+
+    recorded_runs = [read(folder) for folder in folders(tmp_path, JUMP_MM, tare)]
+    rests = [Rests.of(recorded_run) for recorded_run in recorded_runs]
+    written, doubts = {}, []
+    monkeypatch.setattr(of_folders, "write_words", lambda *arguments: doubts.extend(arguments[4]) or "")
+    names = [recorded_run.folder for recorded_run in recorded_runs]
+    of_folders.Decided(written, [recorded_run.run for recorded_run in recorded_runs], rests, names, tmp_path).write(
+        Beside(rests)
+    )
+    (doubt,) = doubts
+    assert doubt.endswith(of_folders.OWN_ZERO) and ("zero_jumps" in written) == (tare is None)
+    assert doubt.startswith("At rest a-2 reads" if tare else "The zero jumps") and "`tare: checked`" in doubt
+
+
 def test_of_a_zero_that_was_checked_nothing_more_is_asked() -> None:
     two = runs(JUMP_MM, tare="checked")
     pair = [Rests.of(two[0]), other_load(Rests.of(two[1]))]
