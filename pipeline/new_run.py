@@ -107,7 +107,7 @@ def main() -> None:
     )
     arguments = parser.parse_args()
     out = arguments.out or (arguments.like.parent if arguments.like else Path("raw"))
-    checked(run_name, arguments.run, out / "run.yaml", "run")  # before a mend repeats it
+    checked(run_name, arguments.run, "the command line", "run")  # before a mend repeats it
     if wanting := lacking(arguments):
         parser.error(wanting)
     folder_to_write(out)

@@ -313,7 +313,8 @@ def test_a_name_that_no_run_may_have_is_refused_before_a_mend_repeats_it(new, tm
     with pytest.raises(SystemExit) as end:
         main()
     message = capsys.readouterr().err
-    assert end.value.code == 2 and "run: is 'vectran-B-01'" in message and "use lower-case letters" in message, message
+    assert end.value.code == 2 and "error: the command line: run: is 'vectran-B-01'. Mend: use lower-case" in message
+    assert "run.yaml" not in message and "begin with a letter or a digit" in message, message
     assert "pipeline.new_run vectran-B-01" not in message and "--radius-mm" not in message, message
 
 

@@ -53,7 +53,8 @@ def _free(name: str) -> None:
 
 def run_name(name: str) -> str:
     """A run's name, which is its folder's."""
-    return _folder_name(name, RUN_NAME, "use lower-case letters, digits and -, as in uhmwpe-20261121-01")
+    mend = "use lower-case letters, digits and -, as in uhmwpe-20261121-01, and begin with a letter or a digit"
+    return _folder_name(name, RUN_NAME, mend)
 
 
 def slug(text: str) -> str:

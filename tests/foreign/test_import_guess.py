@@ -12,6 +12,7 @@ import scipy.io
 from formats.foreign_files import workbook
 from made_recording import recording
 
+from pipeline.ground.input.header_units import header_unit
 from pipeline.run.samples import read_samples
 
 ROOT = Path(__file__).parents[2]
@@ -136,6 +137,32 @@ def test_a_load_in_kg_is_drafted_as_kilograms_of_force_to_be_checked(tmp_path, n
     done = program("--guess", "a.csv", cwd=tmp_path)
     assert re.search(r"load_n: \{column: .+, unit: kgf\} +# check: kg is taken as kilograms of force", done.stdout)
     assert "  load_n:  # fill in" not in done.stdout and "not read" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "draft"),
+    [
+        ("Kraft kgf", "{column: Kraft kgf, unit: kgf}"),
+        ("Kraft kp", "{column: Kraft kp, unit: kgf}"),
+        ("Zug gf", "{column: Zug gf, unit: gf}"),
+        ("F kgf", "{column: F kgf, unit: kgf}"),
+        ("Kraft N", "{column: Kraft N, unit: N}"),
+    ],
+)
+def test_a_unit_after_a_space_is_the_columns_unit(tmp_path, name, draft):
+    """Kraft kgf was asked for its unit, and F kgf was no load."""
+    table(**{"Zeit ms": T * 1e3, "Winkel deg": M * 360, "Weg mm": X, name: 2.0 + 0.1 * np.sin(T)}).to_csv(
+        tmp_path / "a.csv", index=False
+    )
+    text = program("--guess", "a.csv", cwd=tmp_path).stdout
+    assert f"  load_n: {draft}\n" in text and "time_s: {column: Zeit ms, unit: ms}\n" in text
+    assert "motor_turns: {column: Winkel deg, unit: deg}\n" in text
+    assert "displacement_mm: {column: Weg mm, unit: mm}\n" in text
+
+
+def test_a_letter_or_in_after_a_space_may_be_an_axis_or_an_input_and_is_no_unit():
+    for name in ("angle A", "angle K", "slide in", "load m", "load C", "Kraft roh"):
+        assert header_unit(name) is None, name
 
 
 def test_a_mass_in_kg_that_no_name_calls_a_load_is_none(tmp_path):

@@ -62,7 +62,15 @@ def test_a_force_in_the_unit_of_a_row_below_the_names_is_no_newton_without_a_wor
 
 
 @pytest.mark.parametrize(
-    ("column", "unit"), [("load_lbf", "lbf"), ("load (lb)", "lb"), ("load in kgf", "kgf"), ("load / kgf", "kgf")]
+    ("column", "unit"),
+    [
+        ("load_lbf", "lbf"),
+        ("load (lb)", "lb"),
+        ("load in kgf", "kgf"),
+        ("load / kgf", "kgf"),
+        ("Kraft kgf", "kgf"),
+        ("F gf", "gf"),
+    ],
 )
 def test_a_force_in_the_unit_of_its_name_is_read_in_it_where_the_name_alone_is_given(tmp_path, column, unit):
     log(tmp_path / "log.csv", column, unit, row=False)
@@ -71,7 +79,8 @@ def test_a_force_in_the_unit_of_its_name_is_read_in_it_where_the_name_alone_is_g
 
 
 @pytest.mark.parametrize(
-    ("column", "unit"), [("load_kgf", "kgf"), ("load [kg]", "kg"), ("load (lbf)", "lbf"), ("load_ozf", "ozf")]
+    ("column", "unit"),
+    [("load_kgf", "kgf"), ("load [kg]", "kg"), ("load (lbf)", "lbf"), ("load_ozf", "ozf"), ("load kgf", "kgf")],
 )
 def test_a_column_with_other_keys_and_no_unit_is_asked_about_the_one_of_its_name(tmp_path, column, unit):
     """`{column: load_kgf, scale: -1}` was read in newtons; it is refused before a recording is there too."""

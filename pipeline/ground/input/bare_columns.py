@@ -4,9 +4,9 @@ import re
 from typing import Any
 
 from ..units import conversion, ending_of, is_load_in_kg, unit_of
-from .header_units import header_unit, unit_word
+from .header_units import SPACE, header_unit, unit_word
 
-APART = re.compile(r"[\])]\s*$|\bin\s+\S+\s*$|/\s*[^/\s]+\s*$")  # a unit that stands apart from the name
+APART = re.compile(rf"[\])]\s*$|\bin\s+\S+\s*$|/\s*[^/\s]+\s*$|{SPACE}")  # a unit that stands apart from the name
 UNSURE = ("V", "count")  # of these a channel says how many make its unit
 OTHER_THINGS = ("in", "u", "rot")  # names of an input, a voltage and an angle as likely as of a unit
 
@@ -14,8 +14,8 @@ OTHER_THINGS = ("in", "u", "rot")  # names of an input, a voltage and an angle a
 def written_out(channel: str, as_written: Any) -> Any:
     """The keys of a channel that was given as a name, or an index from 0; any other value unchanged.
 
-    A name that is another unit that the channel converts from, or ends in it, is in that unit: `ms` and `Zeit [ms]` or
-    `Zeit (ms)` are read in ms, `slide_cm` in cm.
+    A name that is another unit that the channel converts from, or ends in it, is in that unit: `ms` and `Zeit [ms]`,
+    `Zeit (ms)` or `Zeit ms` are read in ms, `slide_cm` in cm.
     """
     if not isinstance(as_written, str | int) or isinstance(as_written, bool):
         return as_written
@@ -24,7 +24,7 @@ def written_out(channel: str, as_written: Any) -> Any:
 
 
 def _unit(channel: str, name: str) -> str:
-    """The unit of a channel from its column's name: in brackets, after `in`, `/` or `_`, or all of it; else its own."""
+    """The unit of a channel, by its column's name: in brackets, after `in`, `/`, `_`, a space, or all; else its own."""
     unit = header_unit(name) if APART.search(name) else _whole(name)
     if unit is None or unit in UNSURE:
         return ending_of(name, channel) if "_" in name else unit_of(channel)

@@ -1,4 +1,4 @@
-"""The unit in a column's name: `angle [deg]`, `t (ms)`, `weg_mm`, `Zeit in ms`."""
+"""The unit in a column's name: `angle [deg]`, `t (ms)`, `weg_mm`, `Zeit in ms`, `Kraft kgf`."""
 
 import re
 
@@ -8,12 +8,15 @@ SIGNS = {"°": "deg", "grad": "deg", "u": "turns", "umdrehungen": "turns", "turn
 SIGNS |= {"°c": "degC", "c": "degC", "amp": "A", "sekunden": "s", "counts": "count", "ticks": "count"}
 SIGNS |= {"\u03bcs": "us", "usec": "us", "micros": "us", "millis": "ms", "n*m": "Nm", "meter": "m", "metre": "m"}
 KNOWN = {**SIGNS, **SAID, **{unit.lower(): unit for unit in UNITS}}
+SPACE = r"\s((?!in\s*$)[^\W\d_]{2,}|N)\s*$"  # another single letter after a space is a number's or an axis' as likely
+ENDING = r"_([^_\W]+)$"
 PLACES = (
     r"\[\s*([^\]]+?)\s*\]\s*$",
     r"\(\s*([^)]+?)\s*\)\s*$",
     r"\bin\s+(\S+)\s*$",
     r"/\s*([^/\s]+)\s*$",
-    r"_([^_\W]+)$",
+    ENDING,
+    SPACE,
 )
 WHOLE = {"millis": "ms", "micros": "us"}
 
@@ -31,6 +34,6 @@ def header_unit(name: str) -> str | None:
         return WHOLE[last]
     for place in PLACES:
         match = re.search(place, name)
-        if match and (unit := unit_word(match[1])) and (match[1], place) != ("in", PLACES[-1]):  # x_in may be an input
+        if match and (unit := unit_word(match[1])) and (match[1], place) != ("in", ENDING):  # x_in may be an input
             return unit
     return None
