@@ -20,11 +20,12 @@ from . import closing_words
 from .all_points import fitted_to_all
 from .asked_saved import model_of
 from .c_header import header
-from .interface import names
+from .interface import Source, names
 from .source import Beside, opened, strings_apart
 
+FORMATS = {"c": "the header's first comment", "onnx": "the graphs' metadata"}  # where an export has its remarks
 TWO = "If one program uses two exports, give the second one its own --name."
-REST = "Its zero, its runs, and what was recorded stand in the {}."
+REST = "Its zero, its runs, and what was recorded stand in {}."
 MOST_STRINGS = 20  # that are exported where none is named
 LONGEST = 31  # characters of a name's beginning, which C compilers must tell apart
 
@@ -34,7 +35,8 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser = Parser(prog=command("export"), description=__doc__)
     parser.ending = listed(names())
     parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
-    parser.add_argument("--format", required=True, choices=("c", "onnx"))
+    both = "may be given twice: both are made then"
+    parser.add_argument("--format", required=True, choices=FORMATS, action="append", help=both)
     parser.add_argument(
         "--out",
         metavar="PATH",
@@ -57,7 +59,9 @@ def arguments(words: list[str]) -> argparse.Namespace:
         "none is named; another model is fitted anew to that string, with --all-points"
     )
     parser.add_argument("--string", help=of_string)
-    return parser.parse_args(words)
+    options = parser.parse_args(words)
+    options.format = [form for form in FORMATS if form in options.format]
+    return options
 
 
 def usual_folder(file: Path) -> Path:
@@ -120,9 +124,9 @@ def main() -> None:
         print("\n".join([f"{string}:", *lines] if places else lines))
     if places:
         print(f"Each of the {len(places)} strings has an export of its own; --string makes one alone.")
-    if options.format == "c":
+    if "c" in options.format:
         print(f"All of its names begin with {options.name}_. {TWO}")
-    print(REST.format("header's first comment" if options.format == "c" else "graphs' metadata"))
+    print(REST.format(" and in ".join(FORMATS[form] for form in options.format)))
 
 
 def _is_of_all(file: Path, name: str | None) -> bool:
@@ -132,34 +136,49 @@ def _is_of_all(file: Path, name: str | None) -> bool:
 
 
 def _exported(options: argparse.Namespace, out: Path, is_folder: bool, string: str | None) -> list[str]:
-    """Write the export of one string, or of all, into a folder or as a header; returns lines that tell its content."""
+    """Write the exports of one string, or of all, into a folder or as a header; returns lines that tell their content.
+
+    All is computed before anything is written: a model that has no graphs leaves no header.
+    """
     beside = Beside(options.dataset, options.split, string)
-    if options.format == "c":
-        if is_folder:
-            out = folder_to_write(out) / f"{options.name}.h"
-        _header_to_write(out, [options.file, *([options.dataset] if options.dataset else [])])
-    else:
-        out = folder_to_write(out)
+    if "onnx" in options.format:
+        if "c" in options.format and not is_folder:
+            raise BadInput(
+                "--out", str(out), "is a file, and graphs lie in a folder", "name a folder, which may be new"
+            )
+        folder_to_write(out)
+    if "c" in options.format:
+        header_file = folder_to_write(out) / f"{options.name}.h" if is_folder else out
+        _header_to_write(header_file, [options.file, *([options.dataset] if options.dataset else [])])
     file = fitted_to_all(options.file, options.model, beside) if options.all_points else options.file
     source = opened(file, options.model, beside)
     same = closing_words.in_python(source, file)
-    if options.format == "c":
+    graph_by_way = _graphs(source, options.name, file) if "onnx" in options.format else {}
+    lines, tried = [], []
+    if "c" in options.format:
         with writable(file):
             text = header(source, options.name)
-        write_text(out, text)
-        tried = closing_words.compiled(out, options.name)
-        return [f"{out}: {out.stat().st_size} bytes of text", *closing_words.lines(source), *tried, same]
+        write_text(header_file, text)
+        tried = closing_words.compiled(header_file, options.name)
+        lines.append(f"{header_file}: {header_file.stat().st_size} bytes of text")
+    for way, (graph, columns) in graph_by_way.items():
+        path = out / f"{options.name}.{way}.onnx"
+        with whole(path) as temporary:
+            temporary.write_bytes(graph)
+        lines.append(f"{path}: {path.stat().st_size} bytes. {columns}")
+    return [*lines, *closing_words.lines(source), *tried, same]
+
+
+def _graphs(source: Source, name: str, file: Path) -> dict[str, tuple[bytes, str]]:
+    """The graph of each way, and its columns in words."""
     from .onnx_model import GIVEN, graphs  # a header needs no onnx
 
     with writable(file):
-        graph_by_way = graphs(source, options.name)
-    lines = []
-    for way, graph in graph_by_way.items():
-        path = out / f"{options.name}.{way}.onnx"
-        with whole(path) as temporary:
-            temporary.write_bytes(graph.SerializeToString())
-        lines.append(f"{path}: {path.stat().st_size} bytes. {closing_words.columns(source, GIVEN[way])}")
-    return [*lines, *closing_words.lines(source), same]
+        graph_by_way = graphs(source, name)
+    return {
+        way: (graph.SerializeToString(), closing_words.columns(source, GIVEN[way]))
+        for way, graph in graph_by_way.items()
+    }
 
 
 if __name__ == "__main__":

@@ -142,6 +142,22 @@ def test_it_writes_two_graphs(folder: Path, tmp_path: Path) -> None:
         onnx.checker.check_model(onnx.load(tmp_path / f"tsa.{way}.onnx"))
 
 
+def test_both_formats_are_made_by_one_command(folder: Path, tmp_path: Path) -> None:
+    """Of `--format c --format onnx` only the last was made, without a word."""
+    model, names = folder / "spline" / "within-0.model", ["tsa.forward.onnx", "tsa.h", "tsa.inverse.onnx"]
+    done = export(model, "--format", "onnx", "--format", "c", "--out", tmp_path / "both")
+    assert done.returncode == 0, done.stderr
+    assert sorted(path.name for path in (tmp_path / "both").iterdir()) == names
+    assert all(f"{tmp_path / 'both' / name}: " in done.stdout for name in names)
+    assert done.stdout.endswith("stand in the header's first comment and in the graphs' metadata.\n")
+    for form in ("c", "onnx"):
+        assert export(model, "--format", form, "--out", tmp_path / form).returncode == 0
+        for file in (tmp_path / form).iterdir():
+            assert file.read_bytes() == (tmp_path / "both" / file.name).read_bytes()
+    done = export(model, "--format", "c", "--format", "onnx", "--out", tmp_path / "one.h")
+    assert done.returncode == 2 and "Mend: name a folder" in done.stderr and not (tmp_path / "one.h").exists()
+
+
 def test_the_documented_query_runs_on_a_model_of_either_type(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (snippet,) = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "export.md").read_text(), re.S)
     monkeypatch.chdir(tmp_path)
