@@ -57,11 +57,20 @@ def tell(info: CaptureJson, folder: Path, is_recovered: bool = False) -> bool:
         print(f"{error} Until then nothing can use this run.")
         return not described
     if refused is None:
+        tell_beginning(folder, reader)  # None of frames: their rig begins its motion when the recording does
         reader = reader or reader_of(folder)
         if is_recovered and "lines" in info and info["exit_status"] != "fault" and not refusal(folder, reader):
             print(f"{folder}: it can be used: run.yaml reads it by these columns")
         tell_of_its_string(folder, info, reader)
     return True
+
+
+def tell_beginning(folder: Path, reader: "Reader | None") -> None:
+    """Say of printed lines that can be used whether the rig was amid a stroke when the first of them came."""
+    from .amid_stroke import began_amid  # it needs pandas, for which no rig should wait
+
+    if reader and (sentence := began_amid(reader(folder))):
+        print(f"{folder}: warning: {sentence}")
 
 
 def tell_of_its_string(folder: Path, info: CaptureJson, reader: "Reader | None" = None) -> None:

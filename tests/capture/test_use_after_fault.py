@@ -54,6 +54,23 @@ def test_too_few_strokes_are_said_however_the_recording_ended(tmp_path, samples,
     assert f"Next: record more of this rig: {strokes} so far" in words and "pipeline.diagnose" not in words, words
 
 
+@pytest.mark.parametrize(
+    ("first", "words"),
+    [
+        (0, ""),
+        (55, ""),
+        (150, "a winding, at 8 of 27 turns: stroke 1 holds it from there on, and nothing is left out"),
+        (395, "a stroke, at 27 of 27 turns: its first 16.1 s, up to the first winding, belong to no stroke"),
+        (500, "a stroke, at 20 of 27 turns: its first 11.9 s, up to the first winding, belong to no stroke"),
+    ],
+    ids=["at rest", "just begun", "while it winds", "while it holds", "while it unwinds"],
+)
+def test_a_recording_that_joined_a_rig_amid_a_stroke_says_so(tmp_path, first, words):
+    """Nothing told of it, nor which part of the recording no table has."""
+    printed = recovered(tmp_path / "run-1", recording()[first:])
+    assert (f"warning: the recording began amid {words}" in printed) if words else ("amid" not in printed), printed
+
+
 def test_a_wrong_sign_of_printed_lines_is_warned_of_when_the_recording_ends(tmp_path):
     """26 s and the end went by without a word; only the diagnosis refused the run."""
     table = recording()
