@@ -62,7 +62,9 @@ def test_a_second_run_of_the_same_size_is_said_to_be_of_another_string_until_its
     note = "note: this counts as another string than a-01, of the same material and size. If it is the same one, write "
     mend = f"`id: a-01` under `string` in {foreign[2]}/a-02/run.yaml; the next import of it: --string-id a-01\n"
     assert done.returncode == 0 and note + mend in done.stderr, done.stderr
+    assert "byte by byte" in done.stderr and "that of a-01; if it is no second recording, remove" in done.stderr
     done = imported("a-03", "--string-id", "a-01")
+    assert "of the same string: its strokes count twice there" in done.stderr
     assert done.returncode == 0 and "note:" not in done.stderr
     assert f"{foreign[2]}/a-01 {foreign[2]}/a-03 --together" in done.stdout
     own = foreign[2] / "a-02" / "run.yaml"

@@ -619,3 +619,16 @@ def test_what_is_done_to_a_columns_numbers_is_said(new, scale, offset, words):
         "a-01", "--channels", channels, samples=samples.rename(columns={"displacement_mm": "slide_mm"})
     )
     assert status == 0 and f"(from slide_mm{words and ' '}{words})" in printed, printed + wrong
+
+
+def test_a_recording_that_another_run_has_is_said_to_be_that(new, tmp_path):
+    """The same file as a second run of a string was taken without a word: its strokes counted twice."""
+    named = ["--string-id", "spool-3"]
+    assert "byte by byte" not in new("a-01", *named, samples=GOOD)[2]
+    status, _, warned = new("a-02", *named, samples=GOOD)
+    assert status == 0 and f"warning: {tmp_path / 'raw' / 'a-02'}: the recording is byte by byte that of a-01" in warned
+    assert "of the same string: its strokes count twice there; if it is no second recording, remove" in warned
+    warned = new("a-03", "--string-id", "spool-4", samples=GOOD)[2]
+    assert "byte by byte that of a-01 and a-02; if it is no second recording" in warned
+    assert "byte by byte" not in new("a-04", *named, samples=GOOD.assign(load_n=20.5))[2]
+    assert "byte by byte" not in new("a-05", *named, "--file", "{rows: [0, 1500]}", samples=GOOD)[2], "other rows of it"

@@ -27,6 +27,7 @@ from .axes import each_axis
 from .empty_fields import refuse_empty
 from .mended_clock import check_mended, mend_time
 from .origin import origin
+from .same_recording import warn_of_copies
 from .told_units import check_told_units
 
 TAKEN = "choose another --run, or remove that folder yourself if nobody needs it: runs are never overwritten"
@@ -112,4 +113,5 @@ def imported(file: Path, mapping: Path, name: str, out: Path, string_id: str | N
             raise BadInput(run.folder, "run", "is there already", TAKEN)
     for run in runs:
         write_run(run.content, run.samples, run.folder, origin(file, mapping))
+        warn_of_copies(run.folder)
     return runs

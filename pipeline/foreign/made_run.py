@@ -23,6 +23,7 @@ from ..run.table.file_lines import FileLines, Where
 from ..run.table.read_log import copy_log, read_log, recording_name, rows_left
 from ..run.table.recorded_table import read_recording
 from .as_options import by_look
+from .same_recording import warn_of_copies
 from .told_units import check_told_units
 
 
@@ -89,4 +90,5 @@ def make_run(
         (temporary / "run.yaml").write_text(text, encoding="utf-8")
     if recording is not None:
         print(reads)  # now that the folder is there, whoever reads it may leave
+        warn_of_copies(folder)
     return folder

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shlex
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, cast
@@ -25,11 +26,23 @@ def read_run(folder: Path | str) -> Run:
     """Read and check `run.yaml` of a run folder; raises BadInput."""
     path = Path(folder) / "run.yaml"
     if not os.path.lexists(path):
-        raise BadInput(path.parent, "run.yaml", "is missing", f"write it with {command('new_run')}")
+        raise BadInput(path.parent, "run.yaml", "is missing", _mend_of_undescribed(path.parent))
     run = parse_run(read_yaml(path), path)
     if run.string and run.string.material == SYNTHETIC and _of_another_rig(path.parent):
         checked(own_material, run.string.material, path, "string.material")
     return run
+
+
+def _mend_of_undescribed(folder: Path) -> str:
+    """The mend of a folder without a `run.yaml`; of a recording that nobody described with its name."""
+    if not any((folder / name).is_file() for name in (*CAPTURED, *RECORDINGS)):
+        return f"write it with {command('new_run')}"
+    name, out = shlex.quote(folder.name), shlex.quote(str(folder.parent))
+    place = "" if out == "raw" else f" --out {out}"
+    return (
+        f"write it with {command('new_run')} {name}{place} and the string's sizes, or move the folder to another place "
+        "if it is no run"
+    )
 
 
 def _of_another_rig(folder: Path) -> bool:

@@ -94,6 +94,17 @@ def test_a_bad_run_yaml_costs_its_own_run(make_run, tmp_path, kind):
     assert left_out.material == ("nylon" if kind == "unknown" else kind if "radius_mm" in BAD[kind] else "")
 
 
+def test_a_recording_that_nobody_described_is_named_with_the_command_that_describes_it(tmp_path):
+    """The mend was `new_run` without the run's name, and did not say what to do with what is no run."""
+    raw = tmp_path / "raw"
+    for name in ("old-log", "photographs"):
+        (raw / name).mkdir(parents=True)
+    (raw / "old-log" / "recording.csv").write_text("time_s\n")
+    (left_out,) = make_plan(raw, []).left_out
+    mend = f"write it with python -m pipeline.new_run old-log --out {raw} and the string's sizes, or move the folder"
+    assert mend in left_out.why and "if it is no run" in left_out.why
+
+
 @pytest.mark.parametrize("named", [r"a\0b", r"a\u202Eb", "<b>", "x" * 5000, r"a\nb"])
 def test_no_word_that_names_no_material_reaches_the_pages(make_run, tmp_path, named):
     text = BAD["unknown"].replace("nylon", f'"{named}"')
