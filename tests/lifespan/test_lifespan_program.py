@@ -578,6 +578,17 @@ def test_a_model_that_is_off_already_is_to_be_calibrated_again_now():
     assert recalibrate_after(answers) == 0
 
 
+def test_a_stroke_that_the_string_has_passed_is_not_advised_as_one_to_come():
+    """ "Ask again after 15 strokes, at stroke 39" of a string that had done 44, under another load."""
+    answers = [claim("stroke_loss", *[30.0] * 50, *[np.inf] * 50), claim("model_error", *[22.4] * 100)]
+    text = advice(answers, done=39)
+    assert "after about 22 strokes, at stroke 46. Ask" in text, "this stroke is still to come"
+    assert "Ask again after 11 strokes, at stroke 35 (passed already: the string has done 39 strokes)." in text
+    text = advice(answers, done=24, beside=True)
+    assert "Ask again after 11 strokes from stroke 24 on, those of the runs not given among them." in text
+    assert "at stroke 35" not in text and "(passed" not in text
+
+
 def test_the_advice_gives_the_command_and_says_why_it_stays_after_a_calibration(tmp_path):
     """ "Calibrate the model again" stood there without a command, and stayed there once it was done."""
     printed = []

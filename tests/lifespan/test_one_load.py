@@ -95,3 +95,9 @@ def test_strokes_of_one_load_are_all_compared(tmp_path: Path, swing_n: float) ->
     (health,) = strings([folder(tmp_path, "a-1", table)])
     assert isinstance(health, Health) and len(health.strokes) == 14
     assert not health.loads.others and not health.loads.sentences and not health.uncompared
+
+
+def test_a_stroke_that_was_done_under_another_load_is_no_stroke_to_ask_again_at(tmp_path: Path) -> None:
+    """It said "at stroke 26" of a string that had done 33: 13 under the one load and 20 more since."""
+    text = " ".join(asked(tmp_path, (13, 20.0), (10, 40.0), (10, 60.0))[0].split())
+    assert "Ask again after 13 strokes, at stroke 26 (passed already: the string has done 33 strokes)." in text

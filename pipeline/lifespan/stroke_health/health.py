@@ -49,6 +49,12 @@ class Health:
     uncompared: list[str] = field(default_factory=list)
     range_turns: tuple[float, float] = (0.0, 0.0)
 
+    @property
+    def done(self) -> int:
+        """The last complete stroke of the string in the given runs, under whatever load and over whatever range."""
+        of_other_loads = [number for _, numbers in self.loads.others for number in numbers]
+        return max([int(self.strokes["stroke"].max()), *self.left_out, *of_other_loads])
+
 
 def numbered(runs: list[Recorded], seen: list[Jump]) -> list[Found]:
     """Complete strokes of one string's runs, in order and numbered on, with the known jumps subtracted."""

@@ -39,12 +39,19 @@ def lows(answers: list[Answer]) -> list[float]:
     return [span.low for span in spans if span.state not in ("no claim", "passed")]
 
 
-def advice(answers: list[Answer]) -> str:
-    """When to calibrate the model again and when to ask again, each with the stroke at which that is."""
+def advice(answers: list[Answer], done: int = 0, beside: bool = False) -> str:
+    """When to calibrate the model again and when to ask again, each with the stroke at which that is.
+
+    A stroke that the string passed is said to be that: it has `done` so many in the given runs, under another load or
+    over another range of twist. `beside`: other runs of it were not given, so that nobody counted how many it has done.
+    """
     last = max((int(answer.n[-1]) for answer in answers if len(answer.n)), default=0)
 
     def after(count: int) -> str:
-        return f"{strokes(count)}, at stroke {last + count}"
+        at = f"{strokes(count)}, at stroke {last + count}"
+        if done >= last + count:
+            return f"{at} (passed already: the string has done {strokes(done)})"
+        return f"{strokes(count)} from stroke {last} on, those of the runs not given among them" if beside else at
 
     again = f"Ask again after {after(ask_again_after(answers))}."
     when = recalibrate_after(answers)

@@ -169,7 +169,7 @@ def sentences(
     is_foretold = any(len(answer.left.when) for answer in answers)
     lines += [f"  {WAYS_ON}"] if is_foretold else []
     if enough:
-        lines.append(f"  {advice(answers)}")
+        lines.append(f"  {advice(answers, health.done, beside)}")
         then = [*calibrate_by, AFTERWARDS] if due(answers) else []
         lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
     if health.left_out and (enough or beside):  # else it is said first
