@@ -81,7 +81,10 @@ MECHANISM = Mechanism(
     confused_with="plastic_elongation, thermal, sensor_drift",
     told_apart_by="a hold under load, then a rest under less: creep goes on in the hold and comes back in the rest",
     meaning="under load the string lengthens with time and takes some of it back.",
-    sentence="Under load the {string} lengthens by up to {span} ({size}), {times}, and shortens again without it.",
+    sentence=(
+        "Under load the {string} lengthens by up to {span} ({size}), {times}, with a steady load {half}, and shortens "
+        "again without it."
+    ),
     names={
         "load": "the load",
         "steep_load": "the load squared",

@@ -58,11 +58,11 @@ class Mechanism:
 
     `meaning` is a line of the glossary, in the words of a string: what a person would see; left out, what it follows.
     `sentence` is what a person reads. It holds {size}, and where that helps {span} (from the lowest to the highest
-    value of the effect), {loop} (by how much both ways differ at one place), {times} (its time constants),
-    {temperature}, {lowers} and {grows} (whether it lowers or raises the reading, and so the radius falls or grows, in
-    the course of the recording), and the rig's words: {string} {motion} {rate} {reading} {up} {down}. `details` are
-    clauses with names of parameters in braces. The first clause whose parameters all have values is put after the
-    sentence, each name replaced by its value. `names` says what a word in its
+    value of the effect), {loop} (by how much both ways differ at one place), {times} (its time constants), {half} (when
+    half of what a step brings is done), {temperature}, {lowers} and {grows} (whether it lowers or raises the reading,
+    and so the radius falls or grows, in the course of the recording), and the rig's words: {string} {motion} {rate}
+    {reading} {up} {down}. `details` are clauses with names of parameters in braces. The first clause whose parameters
+    all have values is put after the sentence, each name replaced by its value. `names` says what a word in its
     coefficients' names multiplies, for who reads them in run.yaml. `letters` says what a letter is: in words, with its
     value after ` | ` where that is always the same, or as the name of a nonlinear parameter.
     `meanings` says what each nonlinear parameter is; `shared_meanings.MEANINGS` has those that several mechanisms have.

@@ -6,7 +6,7 @@ from string import Formatter
 from ...document.content import Verdict
 from ...document.effects_named import Loop, MechanismEntry, Quantity, WithParameters
 from ...document.made_keys import amount, extent, interval
-from ...document.time_constants import BRANCH_S, time_constants_s
+from ...document.time_constants import BRANCH_S, half_done_s, time_constants_s
 from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units
 from ..language.quantity import at, duration, listing, place_near, quantity, size
@@ -51,6 +51,7 @@ def sentence(
     fields["grows"] = "changes" if not trend else "grows" if trend > 0.0 else "falls"
     fields["loop"] = loop(fields["span"], words, opened, whole)
     fields["times"] = time_constants(entry["parameters"])
+    fields["half"] = half_done(entry)
     fields["temperature"] = CALCULATED if calculated(mechanism, entry) else "the measured temperature"
     phrase = filled(mechanism.sentence, fields).rstrip(".")
     detail = details(mechanism, entry["parameters"] | _late(entry["parameters"], units, mass_kg), words, units)
@@ -168,6 +169,14 @@ def time_constants(parameters: dict[str, Quantity]) -> str:
     ends = " to ".join(duration(seconds) for seconds in dict.fromkeys((kept[0], kept[-1])))
     best = f"best with {'a time constant' if len(kept) == 1 else 'time constants'} of {ends}"
     return f"{best}{LONGER}" if kept[-1] == longest else f"{best} of those that were tried"
+
+
+def half_done(entry: WithParameters) -> str:
+    """The time after which half of an effect is done, by its fitted strengths; empty where they tell none."""
+    halves = half_done_s(entry)
+    if halves is None:
+        return ""
+    return f"half of it done after {' to '.join(dict.fromkeys(duration(seconds) for seconds in halves))}"
 
 
 def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str:
