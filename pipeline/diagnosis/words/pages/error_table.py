@@ -11,7 +11,7 @@ from ..held_out.without_name import kept_times
 from ..language.quantity import size
 from ..language.text_table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
-from ..measured import moved_words
+from ..measured import below_noise, moved_words
 from ..measured.dimensions import far_moved, has_table
 
 HEADING = "How far the simulator is off, rms"
@@ -39,31 +39,29 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     zero = any(name.startswith("zero") for name in content["parameters"])
     remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if unseen_errors else [TOO_FEW]
     remarks = [*remarks[:-1], f"{remarks[-1]} {_moved_most(content, words)}".strip()]
-    remarks += [_single(seen[2], content, words), unseen.ZERO if zero else ""]
+    below = below_noise.REMARK if below_noise.is_below(_columns(content, words)) else ""
+    remarks += [_single(seen[2], content, words), below, unseen.ZERO if zero else ""]
     rows = [row for row in _rows(content, words) if row[0] != "nominal" or not kept_times(content, words)]
     return [*aligned(rows), *(line for line in remarks if line)]
 
 
 def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first."""
-    seen, unseen_errors = _seen(content, words), unseen.errors(content, words)
-    columns = [(WHOLE, seen, amount(content["evidence"], f"floor_{words.ending}"))]
-    if unseen_errors:
-        columns.append((held_out(content), list(unseen_errors), amount(content["fit"], f"noise_floor_{words.ending}")))
-    rows = [["simulator", *(head for head, _, _ in columns)]]
+    unseen_errors, columns = unseen.errors(content, words), _columns(content, words)
+    rows = [["simulator", WHOLE, *([held_out(content)] if unseen_errors else [])]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
-        rows.append([name, *(_cell(errors[place], noise, words) for _, errors, noise in columns)])
+        rows.append([name, *(_cell(errors[place], noise, words) for errors, noise in columns)])
     if not content["mechanisms"]:  # nothing is named
         closest = holdout.closest(content) if unseen_errors else ""
         name = f"closest, no name: {closest}"
         if closest:
-            of_whole = _cell(_left_with(closest, content, words), columns[0][2], words)
+            of_whole = _cell(_left_with(closest, content, words), columns[0][1], words)
             rows[-1] = [name if len(name) <= NARROW else CLOSEST, of_whole, rows[-1][-1]]
         elif rows[-1][1:] == rows[-2][1:]:
             rows.pop()
     adopted = amount_or_none(content["evidence"], f"adopted_{words.ending}")
     if adopted is not None:
-        rows.insert(2, ["as adopted", _cell(adopted, columns[0][2], words), *(UNKNOWN for _ in columns[1:])])
+        rows.insert(2, ["as adopted", _cell(adopted, columns[0][1], words), *(UNKNOWN for _ in columns[1:])])
     if unseen_errors and content["mechanisms"] and (other := holdout.other_name(content)):
         of_other, rows[-1][-1] = rows[-1][-1], UNKNOWN
         other = holdout.closest(content) or other
@@ -73,11 +71,19 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
             "noise",
             *(
                 size(noise, words.unit) + kind
-                for (_, _, noise), kind in zip(columns, _kinds(content, words), strict=False)
+                for (_, noise), kind in zip(columns, _kinds(content, words), strict=False)
             ),
         ]
     )
     return rows
+
+
+def _columns(content: Verdict, words: Vocabulary) -> list[tuple[list[float | None], float]]:
+    """The nominal, calibrated and diagnosed errors of each column of the table, and the column's noise."""
+    columns = [(_seen(content, words), amount(content["evidence"], f"floor_{words.ending}"))]
+    if unseen_errors := unseen.errors(content, words):
+        columns.append((list(unseen_errors), amount(content["fit"], f"noise_floor_{words.ending}")))
+    return columns
 
 
 def _left_with(closest: str, content: Verdict, words: Vocabulary) -> float | None:
@@ -106,7 +112,7 @@ def short(content: Verdict, words: Vocabulary) -> list[str]:
     in_words |= {
         "as adopted": "as adopted: effects and dimensions",
         "as diagnosed": named,
-        "noise": "noise: about the least possible",
+        "noise": below_noise.ESTIMATED if below_noise.is_below(_columns(content, words)) else below_noise.LEAST,
     }
     cells = aligned([[in_words.get(first, first), *rest] for first, *rest in rows])
     single = amount_or_none(content["evidence"], f"single_floor_{words.ending}")

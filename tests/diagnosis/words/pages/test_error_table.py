@@ -51,3 +51,15 @@ def test_a_rig_that_is_scored_in_averages_says_so_in_both_columns_with_the_noise
     short = " ".join(page(diagnosis).split())
     assert "The noise of single samples, which pipeline.simulate and pipeline.adopt count, is 0.095 mm." in short
     assert f"noise: about the least possible {noise} {noise}" in short
+
+
+def test_noise_above_an_error_is_no_least_possible_one_but_an_estimate_that_is_too_large():
+    """0.014 mm on unseen strokes, 0.64 times the noise, stood above "noise: about the least possible 0.022 mm"."""
+    diagnosis = content(fit__noise_floor_mm=0.022)
+    diagnosis["fit"]["heldout"]["explained_mm"] = 0.014
+    short, details = " ".join(page(diagnosis).split()), told(diagnosis)
+    assert "noise: an estimate, too large here 0.030 mm" in short and "least possible" not in short
+    remark = "An error below the noise: the noise was estimated too large, or these samples have less of it."
+    assert remark in details
+    diagnosis["fit"]["heldout"]["explained_mm"] = 0.0205
+    assert "noise: about the least possible" in page(diagnosis) and remark not in told(diagnosis), "chance"
