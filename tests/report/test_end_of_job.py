@@ -3,8 +3,10 @@
 import os
 import re
 
+import pandas as pd
 import pytest
 
+from pipeline.ground.stored import schemas
 from pipeline.ground.words.left_out import LeftOut
 from pipeline.report.end_of_job.failures import ALL_ELSE, concerned, told_at_start, without
 from pipeline.report.end_of_job.summary import RUNS, summary
@@ -62,6 +64,32 @@ def test_where_no_page_of_a_material_was_asked_for_each_file_and_command_is_name
     assert f"Table I: {tmp_path / 'reports' / 'silk' / 'table_1.md'}\n" in end_text and "to ask it: " in end_text
     assert f"beside the floor: {tmp_path / 'reports' / 'silk' / 'models.html'}\n" in end_text
     assert end_text.count("| model 23 |") == 4, "who asks for the tables reads them"
+
+
+def test_a_job_that_made_the_tables_alone_says_why_its_model_is_the_one_to_take(tmp_path):
+    """It named the spline without a word, whatever the errors were: only the page of models had them."""
+    paths, *rest = made(tmp_path, ("nylon",), page=False)
+    page, processed = tmp_path / "reports" / "nylon" / "models.csv", tmp_path / "processed" / "nylon"
+    (processed / "mlp").mkdir()
+    for name in ("mlp/within-0.model", "diagnosed/within-0.model"):
+        (processed / name).parent.mkdir(exist_ok=True)
+        (processed / name).touch()
+        paths.append(str(processed / name))
+    errors_mm = {"spline": (0.05, 0.4), "mlp": (0.07, 0.2), "diagnosed": (0.01, 0.1), "floor": (0.04, 0.04)}
+    rows = [
+        ["nylon", model, split, "forward", "all", "all", "all", 0, "rmse", "mm", error_mm]
+        for model, both in errors_mm.items()
+        for split, error_mm in zip(("within", "later"), both, strict=True)
+    ]
+    heads = ["material", "model", "split", "map", "stroke", "phase", "angle_band", "seed", "metric", "unit", "value"]
+    schemas.write(pd.DataFrame(rows, columns=heads), schemas.METRICS, processed / "metrics.parquet")
+    paths.append(str(processed / "metrics.parquet"))
+    end_text = summary(paths, *rest)
+    why = "Its forward error on later strokes is the least of those that can be exported: 0.200 mm."
+    assert f"model to take: mlp. {why}" in end_text and "nylon/mlp/within-0.model --format c" in end_text
+    assert "Inside strokes, which the tables show, spline errs less: 0.050 mm against 0.070 mm." in end_text
+    end_text = summary([*paths, str(page)], *rest)
+    assert "model to take: spline. " in end_text, "a page that the job made wins"
 
 
 def test_of_many_runs_the_newest_verdicts_are_said_and_the_older_ones_counted(tmp_path):

@@ -7,6 +7,7 @@ from pathlib import Path
 from ...ground.words.jump_notes import NAME, Kind, gravest, read_jumps
 from ..layout import paper
 from ..layout.plain_markdown import spoken
+from ..model_to_take.errors_compared import models_csv
 from ..model_to_take.fitted import lines_at_end
 from ..parts.diagnoses import verdicts
 
@@ -44,7 +45,8 @@ def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]
         text.append(f"{ON_ONE_PAGE}: {folder / PAGE}")
     else:
         text += _files(folder, paths, names)
-    to_take = lines_at_end(folder.name, paths, folder / "models.csv", short=on_one_page)
+    with models_csv(folder, paths) as errors:
+        to_take = lines_at_end(folder.name, paths, errors, short=on_one_page)
     notes = [path for path in paths if path.name == NAME and path.parent.name == folder.name]
     on_zero = read_jumps(notes)
     doubt = [DOUBTS[gravest(on_zero)]] if to_take and on_zero else []
