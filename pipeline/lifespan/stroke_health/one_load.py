@@ -45,8 +45,10 @@ class Loads:
             return []
         count, other_strokes = len(self.kept), [number for _, numbers in self.others for number in numbers]
         these = f"Loads differ: only the {counted(count, 'stroke')} under {newtons(self.load_n)} {are(count)} compared"
+        most = max(len(numbers) for _, numbers in self.others)
+        why = "no other load has as many" if count > most else "of loads with as many it is the last"
         lines = [
-            f"{these} ({_spans(self.kept)}). A change of load is no ageing.",
+            f"{these} ({_spans(self.kept)}): {why}. A change of load is no ageing.",
             f"Left out: {self._left_out(other_strokes)}. In what follows the first {REFERENCE} strokes are the first "
             f"{REFERENCE}{self.under}.",
         ]

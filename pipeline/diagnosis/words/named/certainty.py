@@ -18,7 +18,7 @@ from .missing_signs import missing
 
 SURE, PROBABLE = 0.8, 0.5
 ALSO_ELSEWHERE = "{} the sum over all explanations with {}; the best explanation alone has {}."
-NO_PROMISE = "Sure is that {} acts, not that the simulator predicts: something is still missing."
+NO_PROMISE = "Sure is that {} {}, not that the simulator predicts: something is still missing."
 COMPARES = "The percentages compare explanations of the library in which a dimension may move by three tolerances"
 TEMPERATURE = "temperature"  # the driver of what follows it
 SURER = 0.03  # by which an effect is surer than its explanation: less needs no word
@@ -140,7 +140,8 @@ def than_the_explanation(content: Verdict) -> list[str]:
 def no_promise(content: Verdict, words: Vocabulary) -> list[str]:
     """The remark that a sure name is no good prediction, where unseen strokes are poorly predicted."""
     sure = [id_ for id_ in known(content) if is_likely(content, id_) and not held_back(content, words, id_)]
-    return [NO_PROMISE.format(listing(sure))] if sure and unseen.partly(content, words) else []
+    act = "acts" if len(sure) == 1 else "act"
+    return [NO_PROMISE.format(listing(sure), act)] if sure and unseen.partly(content, words) else []
 
 
 def poorly_known(content: Verdict, words: Vocabulary) -> dict[str, tuple[float, float]]:
