@@ -10,6 +10,7 @@ from ..mechanisms.interface import physics
 from ..numerics.judge import Weighed
 from . import compare, cross_validation
 from .search import Explanation, Search
+from .three_instead import three_instead
 from .weigh import weighed
 
 HELD = 0.8  # of the probability of all explanations: the sets of a verdict hold at least this together
@@ -54,6 +55,15 @@ def held(named: Array) -> list[int]:
     return [int(place) for place in likeliest[: int(np.argmax(reached >= HELD)) + 1]]
 
 
+def as_likely(
+    likely: dict[tuple[str, ...], float], sets: set[tuple[str, ...]], as_ids: tuple[str, ...]
+) -> dict[tuple[str, ...], float]:
+    """Probabilities in which some explanations are as likely as another one, and whose sum is as before."""
+    raised = likely | dict.fromkeys(sorted(sets), likely[as_ids])
+    scale = sum(likely.values()) / max(sum(raised.values()), 1e-300)
+    return {ids: share * scale for ids, share in raised.items()}
+
+
 def helpers_share(candidates: list[Weighed], named: Array) -> float:
     """Probability of explanations without physics of the library; it is added to that of "none of them".
 
@@ -80,4 +90,12 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)
     none += helpers_share(candidates, named)
     likely = {candidate.ids: float(share) for candidate, share in zip(candidates, named, strict=True)}
-    return Judged([search.explain(candidates[place].ids) for place in held(named)], likely, none, tuple(candidates))
+    named_sets = [candidates[place].ids for place in held(named)]
+    first = named_sets[0]
+    if instead := {three.ids for three in three_instead(search, search.explain(first), floor)}:
+        anew = weighed(search, base, floor) if instead - set(likely) else []
+        candidates += [candidate for candidate in anew if candidate.ids in instead - set(likely)]
+        instead &= {candidate.ids for candidate in candidates}  # the others lack a mark in the recording
+        likely = as_likely(likely, instead, first)
+        named_sets = sorted({*named_sets, *instead}, key=lambda ids: (-likely[ids], ids != first, ids))
+    return Judged([search.explain(ids) for ids in named_sets], likely, none, tuple(candidates))

@@ -13,7 +13,7 @@ from pipeline.diagnosis.numerics.noise import white
 
 def explanation(*ids):
     """An explanation that names these, with one column each."""
-    return SimpleNamespace(ids=ids, fit=SimpleNamespace(columns=np.arange(len(ids))))
+    return SimpleNamespace(ids=ids, fit=SimpleNamespace(columns=np.arange(len(ids))), energy=0.0)
 
 
 @pytest.mark.parametrize(("jerks", "weighed"), [(1.9, ["creep"]), (2.1, ["stick_slip", "creep"])])
