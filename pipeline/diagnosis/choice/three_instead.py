@@ -21,15 +21,15 @@ def three_instead(search: Search, likeliest: Explanation, floor: float) -> list[
 
     `floor` is the noise's, in the reading's unit.
     """
-    left = amplitude(likeliest.energy, floor)
-    if len(likeliest.ids) >= COUNT or left < SEEN * floor:
+    excess = amplitude(likeliest.energy, floor)
+    if len(likeliest.ids) >= COUNT or excess < SEEN * floor:
         return []
     _exchange(search)
     far_better = [
         three
         for three in search.known
         if len(three.ids) == COUNT
-        and amplitude(three.energy, floor) <= LESS * left
+        and amplitude(three.energy, floor) <= LESS * excess
         and three.cost <= likeliest.cost - CHEAPER
         and not set(likeliest.ids) <= set(three.ids)
     ]

@@ -77,13 +77,13 @@ def rising() -> RecordedRun:
             turns += [wind, np.full(hold_s * rate_hz, float(top)), wind[::-1], np.zeros(rest_s * rate_hz)]
         loads_n.append(np.full(sum(map(len, turns)) - sum(map(len, loads_n)), load_n))
     motor, load = np.concatenate(turns), np.concatenate(loads_n)
-    followed, given = np.zeros(len(motor)), np.zeros((2, len(motor)))
+    followed, crept_mm = np.zeros(len(motor)), np.zeros((2, len(motor)))
     for at in range(1, len(motor)):
         followed[at] = min(max(followed[at - 1], motor[at] - 0.15), motor[at] + 0.15)
         for place, (mm_per_n, within_s) in enumerate(((0.015, 20.0), (0.025, 300.0))):
-            step = (mm_per_n * load[at] - given[place, at - 1]) / (within_s * rate_hz)
-            given[place, at] = given[place, at - 1] + step
-    drawn_mm = 300.0 - np.sqrt(300.0**2 - (2.0 * np.pi * 0.45 * followed) ** 2) - load / 25.0 - given.sum(axis=0)
+            step = (mm_per_n * load[at] - crept_mm[place, at - 1]) / (within_s * rate_hz)
+            crept_mm[place, at] = crept_mm[place, at - 1] + step
+    drawn_mm = 300.0 - np.sqrt(300.0**2 - (2.0 * np.pi * 0.45 * followed) ** 2) - load / 25.0 - crept_mm.sum(axis=0)
     noise = np.random.default_rng(1).normal(0.0, 0.02, len(motor))
     time_s = np.arange(len(motor)) / rate_hz
     samples = pd.DataFrame(
