@@ -22,6 +22,7 @@ from ..fit.problem import Problem
 from ..mechanisms.library import mechanisms
 from ..recording.recorded_run import RecordedRun
 from ..study.own_rate import at_own_rate
+from .fallen_load import with_fallen_load
 from .harder_acceleration import with_harder
 from .later_run import places_beside
 from .planned_zero import beginning, own_zero, set_by, set_where_it_begins
@@ -64,7 +65,10 @@ class Plan:
         tables, strokes = [each.samples for each in all_recorded], [each.strokes for each in all_recorded]
         recorded = Recorded(tables, strokes, self.run.system.driver)
         beyond = outside(self.run, self.samples, recorded, remembers, paced)
-        return with_harder(beyond, self.run.system, self.samples, tables)
+        beyond = with_harder(beyond, self.run.system, self.samples, tables)
+        in_order = [*self.before, self.recorded, *(each for each in self.beside if each not in self.before)]
+        tables = [each.samples for each in in_order]
+        return with_fallen_load(beyond, self.run.system, self.samples, tables, self.after)
 
     @cached_property
     def problem(self) -> Problem:

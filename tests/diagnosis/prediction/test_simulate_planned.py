@@ -501,6 +501,30 @@ def test_the_loop_of_a_plan_is_printed_and_why_its_first_stroke_begins_otherwise
     assert "winding less unwinding" in after and "stroke 1 begins at " not in after
 
 
+@pytest.mark.parametrize("falls", [False, True])
+def test_a_load_that_falls_is_outside_where_the_recorded_ones_only_rose(make_run, tmp_path, falls):
+    """Every row was inside, and the error 1.7 times the expected one: the string stretched and did not stay longer."""
+    table, plan = recording(4), tmp_path / "plan.csv"
+    first = table["time_s"] < table["time_s"].median()
+    folder = make_run("loads", table.assign(load_n=np.where(first ^ falls, 20.0, 30.0)))
+    top, lasts_s = float(table["motor_turns"].max()), float(table["time_s"].max()) / 4.0
+    path = tmp_path / "diagnosis.json"
+    path.write_text(json.dumps({"run": folder.name, "parameters": {}, "simulation": []}))
+
+    def asks(first_n: float, second_n: float, *words: str) -> tuple[str, set[int]]:
+        loads_n = [first_n, first_n, second_n, second_n]
+        at_s = [0.0, lasts_s, lasts_s + 0.1, 2.0 * lasts_s]
+        pd.DataFrame({"time_s": at_s, "motor_turns": [0.0, top, top, 0.0], "load_n": loads_n}).to_csv(plan, index=False)
+        warning = simulated(folder, path, tmp_path / "a.csv", "--motion", plan, *words).stderr
+        return warning, set(pd.read_csv(tmp_path / "a.csv")["outside"].iloc[-5:])
+
+    assert "load_n that falls" not in asks(20.0, 30.0)[0] and "load_n that falls" not in asks(20.0, 20.0)[0]
+    fallen, rows = asks(30.0, 20.0)
+    assert ("load_n that falls from 30 to 20 (what was recorded only rose)" in fallen) is not falls
+    assert ("record a low load after a high one" in fallen) is not falls and (falls or rows == {1})
+    assert ("load_n that falls" in asks(20.0, 20.0, "--after-recording")[0]) is not falls
+
+
 def test_what_another_recording_of_the_same_diagnosis_holds_is_inside(make_run, tmp_path):
     """What the warning says to do, recording such a stroke and diagnosing both together, takes the warning away."""
     fast, path, plan = four_strokes(make_run)[0], acting(tmp_path, SLOWED), tmp_path / "plan.csv"
