@@ -23,6 +23,7 @@ ANEW = (
     f"{program_name('predict')} without --saved fits the model anew, to all points: its answers may differ from these "
     "by about as much as these errors, which can be more than its interval."
 )
+MOST_SPANS = 4  # spans of strokes that are told, each with its strings
 UNKNOWN = (
     "How large the errors are was not measured: no dataset with points that the fit left out lies beside the model."
 )
@@ -58,10 +59,22 @@ def _sentence(model: Model, points: pd.DataFrame, of: str, own: str) -> str:
             raise ValueError("an answer is not a number")
         unit = "mm" if wanted == "displacement_mm" else "turns"
         parts.append(f"{map_} {np.sqrt(np.mean(error**2)):.2g} {unit} rms, at most {np.abs(error).max():.2g} {unit}")
-    first, last = (int(end) for end in (points["stroke"].min(), points["stroke"].max()))
-    strokes = f"stroke {first}" if first == last else f"strokes {first} to {last}"
     fitted = "" if of == own else ", by a fit of this model without them"
-    return f"Errors on {LEFT_OUT[of]} ({strokes}){fitted}: {'; '.join(parts)}."
+    return f"Errors on {LEFT_OUT[of]} ({_strokes(points)}){fitted}: {'; '.join(parts)}."
+
+
+def _strokes(points: pd.DataFrame) -> str:
+    """The strokes of held-out points; where strings differ in them those of each: strokes 14 to 18 of string a."""
+    spans = points.groupby(points["string"].astype(str))["stroke"].agg(["min", "max"]).astype(int)
+    strings_by_span = spans.groupby(["min", "max"]).groups
+    if len(strings_by_span) > MOST_SPANS:
+        return f"of {len(spans)} strings, of which each has its own"
+    words = []
+    for (first, last), strings in strings_by_span.items():
+        span = f"stroke {first}" if first == last else f"strokes {first} to {last}"
+        whose = f" of string{'s' * (len(strings) > 1)} {' and '.join(strings)}" if len(strings_by_span) > 1 else ""
+        words.append(span + whose)
+    return ", ".join(words)
 
 
 def _held_out(dataset: Path, split: str, string: str | None) -> pd.DataFrame:

@@ -53,6 +53,7 @@ class Inputs:
     materials: tuple[str, ...]
     last_stroke: int  # of the training points
     unread: dict[str, tuple[float, float]] = field(default_factory=dict)  # ranges of what varied and is not read
+    never_measured: bool = False  # the stiffness of any string, by a dataset; unknown without one
 
     @classmethod
     def of(cls, box: Box, reads: tuple[str, ...], conditions: tuple[str, ...], materials: tuple[str, ...]) -> "Inputs":
@@ -92,9 +93,14 @@ class Inputs:
 
     @property
     def assumed(self) -> dict[str, str]:
-        """Numbers that nobody measured, and their origin, such as a usual stiffness: of one length, of each radius."""
+        """Numbers that nobody measured, and their origin, such as a usual stiffness: of one length, of each radius.
+
+        Of several lengths a dataset alone says whether it was measured.
+        """
         ranges = {name: (value, value) for name, value in self.baked.items()}
         ranges |= {field.name: (field.low, field.high) for field in self.fields}
+        if self.never_measured and "length_mm" not in self.baked and "stiffness_n_per_mm" in ranges:
+            return {"stiffness_n_per_mm": "assumed, not measured: the usual one of each radius_mm and length_mm"}
         if "length_mm" not in self.baked or not {"radius_mm", "stiffness_n_per_mm"} <= set(ranges):
             return {}
         usual = [usual_stiffness(radius_mm, self.baked["length_mm"]) for radius_mm in ranges["radius_mm"]]

@@ -15,6 +15,7 @@ from ..models.interface import Model, StringsApart, about, make_model
 from ..models.interface import names as models_there
 from ..models.parts.box import Box
 from ..models.parts.divided import SPLITS, divided
+from ..models.parts.inside.assumed_stiffness import is_never_measured
 from ..models.parts.inside.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import dataset_beside, in_words
@@ -100,6 +101,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
     string = beside.string or (next(iter(model.moves)) if apart else "")
     last, foreseen = inputs.last_stroke, strokes_foreseen(dataset, string)
     points, trained = twists_recorded(dataset, last, string), trained_on(dataset, last, string)
+    inputs = replace(inputs, never_measured=len(points) > 0 and is_never_measured(points))
     alike = "" if string else one_answer_of(dataset, last)
     errors = cache(partial(errors_of, file, name, model, dataset, string or None))
     return Source(

@@ -44,7 +44,8 @@ def start_state(source: Source) -> str:
     """The function `tsa_start` in C, and what was recorded of each condition as a text."""
     lines = [f"state.{field.name} = {_value(field, source.start)};" for field in source.inputs.fields]
     differed = sorted(set(source.values) & set(source.inputs.names), key=lambda name: (name != LOAD, name))
-    text = "; ".join(f"{name} {source.values[name]}" for name in differed)
+    assumed = source.inputs.assumed
+    text = "; ".join(f"{name}{' (assumed)' * (name in assumed)} {source.values[name]}" for name in differed)
     defined = f'#define TSA_RECORDED "{text}" /* of each field that differed */\n\n' if text else ""
     return defined + function("tsa_state", "tsa_start(void)", "tsa_state state;", *lines, "return state;")
 

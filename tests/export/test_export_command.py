@@ -122,6 +122,45 @@ def test_of_several_radii_the_assumed_stiffness_and_what_the_header_says_of_each
     assert limits.low > 0.998 * usual_stiffness(0.31, 413.0), "no wider than a rounding"
 
 
+@pytest.mark.parametrize("measured", [True, False])
+def test_of_several_lengths_an_assumed_stiffness_is_called_so_and_held_out_strokes_are_of_their_strings(
+    tmp_path: Path, measured: bool
+) -> None:
+    """The header called a stiffness recorded that nobody had measured, and mixed the last strokes of two strings."""
+    sizes = {"a": (0.31, 413.0, 9), "b": (0.37, 300.0, 12)}
+    points = pd.concat(
+        [
+            made_dataset(60, strokes).assign(
+                string=name, run=name, radius_mm=radius_mm, length_mm=length_mm,
+                stiffness_n_per_mm=usual_stiffness(radius_mm, length_mm) * (1.1 if measured else 1.0),
+            )
+            for name, (radius_mm, length_mm, strokes) in sizes.items()
+        ],
+        ignore_index=True,
+    )  # fmt: skip
+    folder = tmp_path / "polynomial"
+    folder.mkdir()
+    for split in ("within", "later"):
+        model = make_model("polynomial")
+        model.fit(points[points[split] == "train"], 0)
+        model.save(folder / f"{split}-0.model")
+    schemas.write(points[schemas.DATASET.names], schemas.DATASET, tmp_path / "dataset.parquet")
+    for form in ("c", "onnx"):
+        done = export(folder / "within-0.model", "--format", form, "--out", tmp_path)
+        assert done.returncode == 0, done.stderr
+    text = said_of((tmp_path / "tsa.h").read_text())
+    words = "stiffness_n_per_mm is assumed, not measured: the usual one of each radius_mm and length_mm."
+    assert (words in text) != measured
+    origin = "recorded" if measured else "assumed"
+    assert f"stiffness_n_per_mm: {origin} were" in text
+    assert ("; stiffness_n_per_mm (assumed) " in (tmp_path / "tsa.h").read_text()) != measured
+    metadata = {prop.key: prop.value for prop in onnx.load(tmp_path / "tsa.forward.onnx").metadata_props}
+    assert list(json.loads(metadata["assumed"])) == ([] if measured else ["stiffness_n_per_mm"])
+    last = {name: own.loc[own["later"] == "test", "stroke"] for name, own in points.groupby("string")}
+    spans = [f"strokes {own.min()} to {own.max()} of string {name}" for name, own in last.items()]
+    assert f"whole last strokes that the fit left out ({', '.join(spans)})" in text
+
+
 def test_it_writes_a_header(folder: Path, tmp_path: Path) -> None:
     model = folder / "spline" / "within-0.model"
     command = [sys.executable, "-m", "pipeline.export", str(model), "--format", "c", "--name", "arm", "--out", "arm.h"]
