@@ -12,6 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..ground.words.counts import counted
+from ..ground.words.jump_notes import OFF
 from .history import Recorded, in_order, tare_mm
 from .recovered import NOTHING, Recovered, alike, recovered
 from .rests import Rests
@@ -78,7 +79,8 @@ class Jump:
             return f"{self.sentence} run.yaml of {self.run} says `tare: checked`: so the change is the string's own."
         own, and_own = "", ""
         if self.own.mm:
-            own = f" {self.own.sentence} So the zero was moved by {self.moved_mm:+.2g} mm, if at all."
+            moved = f"So the zero was moved by {self.moved_mm:+.2g} mm, if at all: on simulated strings that was {OFF}."
+            own = f" {self.own.sentence} {moved}"
             and_own = " and what the string took back"
         return (
             f"{self.sentence}{own} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "

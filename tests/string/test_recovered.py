@@ -9,6 +9,7 @@ import pytest
 from made_recording import recording
 from stages.nine_strokes import recorded, string
 
+from pipeline.ground.words.jump_notes import OFF
 from pipeline.lifespan.words.sentences import zero
 from pipeline.rig.kept_string import Standing
 from pipeline.rig.setup import described, read_setup
@@ -114,8 +115,13 @@ def test_what_is_left_in_is_said() -> None:
     runs, _ = strings_runs((9, 9))
     (jump,) = jumps_among([Rests.of(run) for run in runs])
     untold = replace(jump, taken_off=False)
-    moved = f"{jump.own.sentence} So the zero was moved by {jump.moved_mm:+.2g} mm, if at all. If the sensor"
-    assert moved in untold.advice and "from where a-1 ended and what the string took back. If they" in untold.advice
+    moved = (
+        f"{jump.own.sentence} So the zero was moved by {jump.moved_mm:+.2g} mm, if at all: on simulated strings that"
+    )
+    assert (
+        f"{moved} was {OFF}. If" in untold.advice
+        and "from where a-1 ended and what the string took back. If they" in untold.advice
+    )
     bare = replace(untold, own=NOTHING).advice
     assert "took back" not in bare and "if at all" not in bare and "from where a-1 ended. If they were" in bare
     assert f"So the zero was moved by {jump.moved_mm:+.2g} mm, and that is taken off" in jump.advice

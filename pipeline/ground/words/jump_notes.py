@@ -14,10 +14,8 @@ NAME = "zero_jumps.json"  # of the note, beside the dataset
 LARGEST = 10_000_000  # bytes of a note
 NOT_COMPARED = "zero not compared between"  # how a sentence begins on runs of which a jump is not seen
 SET_ANEW = "zero set anew at"  # how one begins on a run whose run.yaml says `tare: run`
-KNOWN_IN_PART = (
-    "Such a zero is known in part: on simulated strings it was off by 0.02 to 0.05 mm (median, by how a string creeps)"
-    ", in one break of ten by more than 0.1 to 0.3 mm, at worst by 0.8 mm."
-)
+OFF = "off by 0.02 to 0.05 mm (median, by how a string creeps), in one break of ten by more than 0.1 to 0.3 mm"
+KNOWN_IN_PART = f"Such a zero is known in part: on simulated strings it was {OFF}, at worst by 0.8 mm."
 MODEL_VALUE = "Set to the model's value, a zero is off by all that the string had changed before."
 NAMED = 4  # strings, where there are more: so many and the number of the others
 

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from ...ground.words.counts import counted
 from ...ground.words.jump_notes import NAME, Kind, gravest, read_jumps
 from ..layout import paper
 from ..layout.plain_markdown import spoken
@@ -102,7 +103,8 @@ def summary(made_paths: Iterable[str], reports: Path, materials: list[str], runs
     words = verdicts(folders[:RUNS])
     if words:
         text.append("\n== what the simulator leaves out " + "=" * 62)
-        more = f"{len(folders) - RUNS} more runs, made earlier, and of each " if len(folders) > RUNS else "of each "
+        earlier = f"{counted(len(folders) - RUNS, 'more run')}, made earlier, and " if len(folders) > RUNS else ""
+        more = f"{earlier}of each "
         text.append(f"{words}\n{more}what to do: {reports / 'diagnosis' / '<run>' / 'verdict.txt'}")
     whole = [f"{words}: {reports / page}" for page, words in WHOLE.items() if reports / page in paths]
     return "\n".join([*text, *([""] if whole else []), *whole, ""])

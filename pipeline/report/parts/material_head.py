@@ -7,6 +7,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from ...ground.model_errors import errors_in
+from ...ground.words.counts import counted
 from ..model_to_take.model_advice import advice_on
 from ..model_to_take.usual_model import uses
 from ..web.page import paragraph, together
@@ -42,7 +43,7 @@ def left_out_of(runs_of: Mapping[str, Sequence[str]]) -> Markup:
     runs = [run for own in runs_of.values() for run in own]
     if not runs:
         return Markup("")
-    more = f" (and {len(runs) - NAMED} more runs)" if len(runs) > NAMED else ""
+    more = f" (and {counted(len(runs) - NAMED, 'more run')})" if len(runs) > NAMED else ""
     shape = Markup(
         "What the simulator leaves out of {}{}: <code>{}</code> writes it into reports/mine/&lt;run&gt;/verdict.txt."
         " The main job shows it on the page of all reports.{}"

@@ -6,6 +6,7 @@ from pathlib import Path
 import pandas as pd
 
 from ...ground.input.strict_yaml import read_yaml
+from ...ground.words.counts import counted
 from .shown_strokes import listed, ranges
 
 NAMED = 8  # runs that a sentence names
@@ -30,7 +31,7 @@ def strokes_of_runs(own: pd.DataFrame, tared: Collection[str] | None) -> str:
         return ""
     first, *later = numbers
     named = [f"{ranges(sorted(set(strokes)))} of {run}" for run, strokes in numbers.items()]
-    more = f" and {len(named) - NAMED} more runs" if len(named) > NAMED else ""
+    more = f" and {counted(len(named) - NAMED, 'more run')}" if len(named) > NAMED else ""
     stand = f"Strokes {', '.join(named[:NAMED])}{more}"
     if tared is None:
         return f"{stand}."

@@ -112,17 +112,17 @@ def otherwise(dataset: pd.DataFrame | None, strokes: Sequence[int] | None = None
         return ""
     kinds = [kind for kind, are in zip(KINDS, (loads, twists), strict=True) if are[is_shown].any()]
     is_of_some = bool({stroke for _, stroke in others.index} & {stroke for _, stroke in rest.index})
+    shown = "" if strokes is None else " of those shown"
     if is_of_some:
-        return f"{OTHERWISE}: {_by_string(by_stroke[is_other], others, rest, kinds)}."
+        return f"{OTHERWISE}: {_by_string(by_stroke[is_other], others, rest, kinds, shown)}."
     if strokes is not None:
         rest = rest[rest.index.get_level_values("stroke").isin(list(strokes))]
-    the_others = "the others" if strokes is None else "the others of those shown"
     if rest.empty:
         return f"{OTHERWISE}: {'; '.join(_by_condition(others, kinds))}."
     named = _by_condition(others, kinds)
     if len(named) > MOST:
         named = [f"n={ranges(sorted({int(at) for _, at in others.index}))} {_in_words(others, kinds)}"]
-    return f"{OTHERWISE}: {'; '.join(named)}; {the_others} {_in_words(rest, kinds)}."
+    return f"{OTHERWISE}: {'; '.join(named)}; the others{shown} {_in_words(rest, kinds)}."
 
 
 def _by_condition(others: pd.DataFrame, kinds: Iterable[Kind]) -> list[str]:
@@ -133,8 +133,11 @@ def _by_condition(others: pd.DataFrame, kinds: Iterable[Kind]) -> list[str]:
     return [f"n={ranges(numbers)} {words}" for words, numbers in strokes.items()]
 
 
-def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kinds: Sequence[Kind]) -> str:
-    """The same where strings differ: `every` are all strokes of another condition, `shown` those in a table."""
+def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kinds: Sequence[Kind], which: str) -> str:
+    """The same where strings differ: `every` are all strokes of another condition, `shown` those in a table.
+
+    `which` follows the word "others".
+    """
     named = []
     for string in dict.fromkeys(shown.index.get_level_values("string")):
         own = every.xs(string, level="string", drop_level=False)
@@ -145,7 +148,7 @@ def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kin
             named.append(f"of string {string} {' and '.join(strokes)}")
     if len(named) > MOST:
         named = [f"strokes of {len(named)} strings {_in_words(shown, kinds)}"]
-    return f"{'; '.join(named)}; all others {_in_words(rest, kinds)}"
+    return f"{'; '.join(named)}; all others{which} {_in_words(rest, kinds)}"
 
 
 def labels(points: pd.DataFrame, strokes: Mapping[int, Sequence[str]]) -> dict[int, str]:
