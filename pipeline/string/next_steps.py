@@ -28,7 +28,8 @@ def next_steps(folder: Path, strokes: int | None, anew: bool = False, but: Conta
         return lines
     if not others and strokes is not None and strokes < DIAGNOSIS:
         needs = f"a diagnosis needs at least {DIAGNOSIS} to 8, with holds (docs/record.md)"
-        lines = [f"Next: record more of this rig: {counted(strokes, 'stroke')} so far, and {needs}"]
+        more = "let a recording go on for longer" if anew else "record more of this rig"
+        lines = [f"Next: {more}: {counted(strokes, 'stroke')} so far, and {needs}"]
     if others or (strokes or 0) >= LIFE:
         runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
         lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")

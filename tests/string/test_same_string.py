@@ -60,6 +60,10 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
 def test_fewer_strokes_than_a_diagnosis_needs_are_said_and_not_diagnosed(runs: list[Path]) -> None:
     alone = runs[0].parent / "b-1"
     more, again = next_steps(alone, DIAGNOSIS - 1)
+    longer = next_steps(alone, DIAGNOSIS - 1, anew=True)[0]
+    assert longer == more.replace("record more of this rig", "let a recording go on for longer"), (
+        "not of another string"
+    )
     needs = "a diagnosis needs at least 6 to 8, with holds"
     assert more == f"Next: record more of this rig: 5 strokes so far, and {needs} (docs/record.md)"
     assert "pipeline.new_run b-2" in again
