@@ -127,6 +127,11 @@ def percent(share: float) -> str:
     return "more than 99 %" if 0.99 < share < 1.0 else f"{100.0 * share:.0f} %"
 
 
+def reaches(share: float, limit: float) -> bool:
+    """Whether a share is at least a limit, as a page prints both: 0.796 is 80 %."""
+    return round(100.0 * share) >= round(100.0 * limit)
+
+
 def first_upper(phrase: str) -> str:
     """A phrase as a sentence begins."""
     return f"{phrase[:1].upper()}{phrase[1:]}"

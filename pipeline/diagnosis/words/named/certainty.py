@@ -10,7 +10,7 @@ from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals
 from ..held_out import holdout, in_vain, unseen
 from ..language.explained_words import tells
-from ..language.quantity import duration, first_upper, listing, percent
+from ..language.quantity import duration, first_upper, listing, percent, reaches
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from . import coarse
@@ -39,7 +39,7 @@ def slow_others(content: Verdict, slow: list[str]) -> list[str]:
 
 def is_likely(content: Verdict, id_: str) -> bool:
     """Whether a named effect is likely enough to be called sure, if nothing holds that back."""
-    return known(content).get(id_, 0.0) >= SURE
+    return reaches(known(content).get(id_, 0.0), SURE)
 
 
 def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:

@@ -6,7 +6,7 @@ from ...document.effects_named import MechanismEntry
 from ...document.made_keys import Interval, amount, by_name, interval
 from ..explanations import probability
 from ..held_out import holdout
-from ..language.quantity import listing, percent, size
+from ..language.quantity import listing, percent, reaches, size
 from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
@@ -141,7 +141,7 @@ def _sure_and_near_0(content: Verdict, entries: list[MechanismEntry], words: Voc
     both = [
         id_
         for id_, rms in sizes.items()
-        if shares.get(id_, 0.0) >= certainty.SURE and rms["low"] <= NEAR_0 * rms["high"] and rms["value"]
+        if reaches(shares.get(id_, 0.0), certainty.SURE) and rms["low"] <= NEAR_0 * rms["high"] and rms["value"]
     ]
     are = "are" if len(both) > 1 else "is"
     sure = "probable" if any(certainty.held_back(content, words, id_) for id_ in both) else "sure"
@@ -177,8 +177,8 @@ def how_sure(content: Verdict, id_: str, words: Vocabulary) -> str:
         return "named" if len(sets) == 1 else f"in {sum(id_ in ids for ids in sets)} of {len(sets)} explanations"
     share = certainty.known(content).get(id_, probability.at_work(content, id_))
     named = {entry["id"] for entry in content["mechanisms"]}
-    surely = share >= certainty.SURE and not certainty.held_back(content, words, id_)
-    probably = share >= certainty.SURE or (share >= certainty.PROBABLE and id_ in named)
+    surely = reaches(share, certainty.SURE) and not certainty.held_back(content, words, id_)
+    probably = reaches(share, certainty.SURE) or (reaches(share, certainty.PROBABLE) and id_ in named)
     word = "sure" if surely else PROBABLY if probably else "open"
     return f"{word}, {percent(share)}"
 

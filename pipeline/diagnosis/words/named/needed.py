@@ -1,7 +1,7 @@
 """What to think of an effect of the best explanation that is less likely than not, in words."""
 
 from ...document.content import Verdict
-from ..language.quantity import listing, percent
+from ..language.quantity import listing, percent, reaches
 from . import certainty
 
 EVEN = 0.45
@@ -13,7 +13,8 @@ def lines(content: Verdict) -> list[str]:
     best = {entry["id"] for entry in content["mechanisms"]}
     others = [set(ids) for ids in content["alternatives"]]
     lines = []
-    for id_, share in ((id_, share) for id_, share in certainty.known(content).items() if share < certainty.PROBABLE):
+    less = {id_: share for id_, share in certainty.known(content).items() if not reaches(share, certainty.PROBABLE)}
+    for id_, share in less.items():
         rest = best - {id_}
         swapped = [ids - rest for ids in others if ids >= rest]
         if others and len(swapped) == len(others) and all(len(swap) == 1 for swap in swapped):

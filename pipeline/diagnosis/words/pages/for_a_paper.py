@@ -7,7 +7,7 @@ from ..explanations import chances, not_named, probability, rivals
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.without_name import UNNAMED
 from ..language.places import lying
-from ..language.quantity import listing, percent, size
+from ..language.quantity import listing, percent, reaches, size
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved
 from ..named import certainty, effect_sentence, own_size, slow_look_alikes
@@ -80,7 +80,7 @@ def _unseen(content: Verdict, words: Vocabulary) -> str:
 
 def _sure(content: Verdict, words: Vocabulary) -> list[str]:
     """The effects that are surely at work; called not settled where the page says that none is proved."""
-    sure = [id_ for id_, share in certainty.known(content).items() if share >= certainty.SURE]
+    sure = [id_ for id_, share in certainty.known(content).items() if reaches(share, certainty.SURE)]
     shares = certainty.known(content)
     word = {id_: "probable" if certainty.held_back(content, words, id_) else "sure" for id_ in sure}
     named = listing([f"{id_} ({word[id_]}, {percent(shares[id_])})" for id_ in sure])
@@ -143,7 +143,7 @@ def _to_report(content: Verdict, words: Vocabulary, is_open: bool) -> list[Mecha
     """The effects whose size can be reported, those that are open or all others."""
     shares, ids = certainty.known(content), own_sizes(content, words)
     entries = [entry for entry in content["mechanisms"] if entry["id"] in ids]
-    return [entry for entry in entries if (shares.get(entry["id"], 1.0) < certainty.PROBABLE) == is_open]
+    return [entry for entry in entries if reaches(shares.get(entry["id"], 1.0), certainty.PROBABLE) != is_open]
 
 
 def _best(content: Verdict, words: Vocabulary) -> list[str]:

@@ -46,6 +46,15 @@ def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
     assert "Sure:" not in told(content()) and "The percentages compare" not in told(content())
 
 
+def test_a_share_meets_a_limit_as_both_are_printed():
+    """`probable, 80 %` stood beside `Sure: 80 % or more`."""
+    text = " ".join(told(confident(0.7956, 0.4956)).split())
+    assert "friction_hysteresis sure, 80 %" in text and "creep probable, 50 %" in text
+    assert "is needed; it" not in text and "friction_hysteresis (sure, 80 %)" in text
+    less = " ".join(told(confident(0.7949, 0.4949)).split())
+    assert "friction_hysteresis probable, 79 %" in less and "creep open, 49 %" in less
+
+
 def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
     text = told(confident(0.93, 0.46))
     assert "One of creep and thermal is needed; it is not known which." in text and "more likely absent" not in text
