@@ -109,6 +109,9 @@ def test_the_error_of_other_effects_is_not_that_of_what_the_verdict_names(tmp_pa
     assert '–<br><span class="why">nothing is named</span>' in unknown
     for chosen in (["backlash", "creep"], None):
         assert sizes({**TIED, "evidence": {"chosen_without_them": chosen}})[3] == "0.034 mm"
+    for closest, error in ((["creep", "backlash"], "0.034 mm"), (["creep"], "–")):
+        without = {"chosen_without_them": [], "closest_without_them": closest}
+        assert sizes({**TIED, "evidence": without})[3] == error, "the named effects come closest, in whatever order"
 
 
 def test_a_row_says_adopt_nothing_and_which_recording_its_verdict_asks_for(tmp_path):

@@ -17,7 +17,7 @@ from ..document.made_keys import amount
 from ..prediction.simulation import at_its_best_zero
 from ..words.explanations import excursions
 from ..words.held_out import holdout, unseen
-from ..words.held_out.holdout import closest, heading, included, other_name, settled_otherwise
+from ..words.held_out.holdout import heading, included, others, settled_otherwise
 from ..words.held_out.unseen import noises
 from ..words.language.quantity import listing
 from ..words.language.vocabulary import Vocabulary
@@ -64,13 +64,13 @@ def title(content: Verdict, holds: bool = False, misses: bool = False) -> str:
             if adopted_ids
             else head
         )
-    others = content["alternatives"]
+    alternatives = content["alternatives"]
     best = TOGETHER.join(ids)
-    if not others:
+    if not alternatives:
         return f"{head}\n{best}"
-    more = f"or {TOGETHER.join(others[0])}"
-    if len(others) > 1 or len(f"{best}, {more}") > WIDE:
-        more = f"or {'one of ' if len(others) > 1 else ''}{len(others)} other explanation{'s' * (len(others) > 1)}"
+    more, count = f"or {TOGETHER.join(alternatives[0])}", len(alternatives)
+    if count > 1 or len(f"{best}, {more}") > WIDE:
+        more = f"or {'one of ' if count > 1 else ''}{count} other explanation{'s' * (count > 1)}"
     return f"{head}\n{best}, {more}"
 
 
@@ -158,7 +158,7 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     panels.ranking(ranked, content, ending, compared)
     floor_here = amount(content["fit"], f"noise_floor_{ending}")
     skip = int("as adopted" in simulations)
-    names = other_name(content), closest(content)
+    names = others(content)
     panels.held_out(
         unseen_axes, content["fit"]["heldout"], floor_here, ending, unit, single, heading(content), skip, *names
     )

@@ -133,9 +133,10 @@ def _said(size: float, unit: str) -> str:
 
 def _of_others(content: Content) -> bool:
     """Whether the error on unseen strokes belongs to other effects, named without them, as in `verdict.txt`."""
-    chosen = (content.get("evidence") or {}).get("chosen_without_them")
+    evidence = content.get("evidence") or {}
+    chosen = evidence.get("chosen_without_them")
     named = {entry["id"] for entry in content["mechanisms"]}
-    return bool(named) and chosen is not None and set(chosen) != named
+    return bool(named) and chosen is not None and set(chosen or evidence.get("closest_without_them", [])) != named
 
 
 def words_of(folder: Path) -> str:

@@ -542,6 +542,20 @@ def test_what_comes_closest_is_drawn_beside_calibration_and_called_no_name(studi
     assert lines["closest, no name"] == panels.TIED and "as diagnosed" not in lines
 
 
+def test_the_named_effects_are_no_closest_ones_where_these_come_closest_without_the_last_strokes(studied) -> None:
+    """The figure called the named effects `closest, no name`."""
+    outcome, run, _ = studied("creep")
+    content = diagnosis(outcome, outcome.problem, None, [run], None, frozenset())
+    errors = {"split": "last 30 % of strokes", "nominal_mm": 0.4, "calibrated_mm": 0.3, "explained_mm": 0.04}
+    content["fit"]["heldout"] = errors
+    for ids, called in ((["creep"], "as\ndiagnosed"), (["wear"], "closest,\nno name")):
+        content["evidence"] |= {"chosen_without_them": [], "closest_without_them": ids}
+        axes = figures.drawn(outcome, content).subfigs[2].axes[1]
+        assert [label.get_text() for label in axes.get_xticklabels()][-1] == called
+        entries = [text.get_text() for text in axes.get_legend().get_texts()]
+        assert any("no name" in entry for entry in entries) == (ids == ["wear"])
+
+
 def test_the_band_of_the_noise_is_as_wide_as_its_legend_says(studied) -> None:
     """It had the noise of the search, where the page tells a smaller one."""
     outcome, run, _ = studied("creep")

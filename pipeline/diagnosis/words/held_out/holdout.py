@@ -52,6 +52,20 @@ def closest(content: Verdict) -> str:
     return " + ".join(sorted(set(content["evidence"].get("closest_without_them", []))))
 
 
+def closest_is_named(content: Verdict) -> bool:
+    """Whether what comes closest without the last strokes is the named effects: the error there is theirs."""
+    of_named = {entry["id"] for entry in content["mechanisms"]}
+    return bool(of_named) and other_name(content) == NO_EFFECT and closest(content) == " + ".join(sorted(of_named))
+
+
+def others(content: Verdict) -> tuple[str, str]:
+    """The effects that the error on the last strokes is of, where they are not the named ones.
+
+    Returns those named without these strokes, and those that come closest where none are; each can be empty.
+    """
+    return ("", "") if closest_is_named(content) else (other_name(content), closest(content))
+
+
 def named(content: Verdict) -> str:
     """The best explanation, as its effects are listed everywhere."""
     best = [shown["ids"] for shown in content["evidence"]["explanations"] if shown["standing"] == "named"]

@@ -78,8 +78,7 @@ def unsettled(content: Verdict, words: Vocabulary) -> list[str]:
     error = f"the error on the {holdout.strokes(content)} ({size(unseen_errors[2], words.unit)}) is that of"
     without = f"Without the {holdout.split(content)} the procedure names"
     if none and (closest := holdout.closest(content)):
-        same = set(closest.split(" + ")) == {entry["id"] for entry in content["mechanisms"]}
-        which = "the same effects, which come" if same else f"{closest}, which comes"
+        which = "the same effects, which come" if holdout.closest_is_named(content) else f"{closest}, which comes"
         return [f"{without} no effect, so the name {best} is not settled; {error} {which} closest there."]
     if none:
         return [f"{without} no effect, so the name {best} is not settled, and {error} calibration alone."]

@@ -22,6 +22,7 @@ OTHER = (
     "because the procedure fits only what it names."
 )
 NONE_NAMED = "Without these strokes the procedure names no effect: the right column has the error of {which}."
+SAME = "the same effects, fitted without them, which come closest there"
 CLOSEST = "what comes closest, no name"
 OTHER_EFFECTS, NARROW = "other effects, see below", 33  # letters of a row's name: the table is no wider than a page
 TOO_FEW = "Too few strokes to hold any out: nothing says how well the simulator foretells."
@@ -62,9 +63,9 @@ def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     adopted = amount_or_none(content["evidence"], f"adopted_{words.ending}")
     if adopted is not None:
         rows.insert(2, ["as adopted", _cell(adopted, columns[0][1], words), *(UNKNOWN for _ in columns[1:])])
-    if unseen_errors and content["mechanisms"] and (other := holdout.other_name(content)):
+    if unseen_errors and content["mechanisms"] and any(whose := holdout.others(content)):
         of_other, rows[-1][-1] = rows[-1][-1], UNKNOWN
-        other = holdout.closest(content) or other
+        other = whose[1] or whose[0]
         rows += [] if other == holdout.NO_EFFECT else [[_row_of(other), UNKNOWN, of_other]]
     rows.append(
         [
@@ -129,7 +130,8 @@ def _of_other(content: Verdict) -> list[str]:
         return []
     if other == holdout.NO_EFFECT:
         closest = holdout.closest(content)
-        return [NONE_NAMED.format(which=f"{closest}, which comes closest" if closest else "calibration alone")]
+        which = f"{closest}, which comes closest" if closest else "calibration alone"
+        return [NONE_NAMED.format(which=SAME if holdout.closest_is_named(content) else which)]
     return [OTHER.format(best=holdout.named(content), other=other)]
 
 

@@ -39,6 +39,23 @@ def test_where_nothing_is_named_the_last_error_keeps_its_row_and_says_of_what_it
     assert row.startswith("closest, no name: creep")
 
 
+def test_the_named_effects_have_the_ordinary_row_where_they_come_closest_without_the_last_strokes():
+    """`other effects, see below` stood above the error of the very effects that are named."""
+    diagnosis = content(evidence__chosen_without_them=[])
+    diagnosis["fit"]["heldout"]["explained_mm"] = 0.123
+    diagnosis["evidence"]["closest_without_them"] = ["creep", "friction_hysteresis"]  # the verdict has the other order
+    short, long = page(diagnosis), told(diagnosis)
+    for text, called in ((short, "as diagnosed: effects added"), (long, "as diagnosed")):
+        (row,) = [line.strip() for line in text.splitlines() if "0.12 mm (" in line and "   " in line.strip()]
+        assert re.match(rf"{called}  +0.030 mm \(1.0 times the noise\)  +0.12 mm \(", row)
+        assert "other effects, see below" not in text
+        same = "the right column has the error of the same effects, fitted without them, which come closest there."
+        assert f"Without these strokes the procedure names no effect: {same}" in " ".join(text.split())
+    diagnosis["evidence"]["closest_without_them"] = ["creep", "slack"]
+    (row,) = [line for line in page(diagnosis).splitlines() if "0.12 mm (" in line and "   " in line.strip()]
+    assert row.strip().startswith("creep + slack, see below")
+
+
 def test_a_rig_that_is_scored_in_averages_says_so_in_both_columns_with_the_noise_of_single_samples():
     """`0.070 deg` of averages stood without a word beside the `0.10 deg` of single samples that adopt counts."""
     averages = {"scored_step_s": 0.02, "step_s": 0.02, "single_floor_mm": 0.095}
