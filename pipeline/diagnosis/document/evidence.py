@@ -51,6 +51,14 @@ class Covered(TypedDict, total=False):
     fastest_per_s: float  # of a moment
 
 
+class OtherLoad(TypedDict):
+    """The few strokes under another load, in the load channel's unit."""
+
+    usual: float  # of the other strokes
+    load: list[float]  # the lowest and the highest of these strokes
+    strokes: list[int]
+
+
 class Evidence(TypedDict, total=False):
     """All of it; made keys, in the reading's unit: `floor_…`, `nominal_…`, `calibrated_…`, `adopted_…`, …
 
@@ -74,6 +82,7 @@ class Evidence(TypedDict, total=False):
     scored_step_s: float
     strokes: list[int]  # the first and the last
     loaded: bool  # whether the load changed
+    other_load: OtherLoad  # where it changed in too few samples for that
     covered: Covered
     pattern: Pattern
     chosen_without_them: list[str]  # effects, without the held-out strokes

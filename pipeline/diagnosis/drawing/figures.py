@@ -29,7 +29,7 @@ from ..words.pages.headline import NOT_SETTLED, still_holds, unfit
 from ..words.pages.to_do import asks_to_measure
 from . import driver_panels, panels
 from .mismatch_map import map_of, map_signs, mismatch_map
-from .overview import overview
+from .overview import has_load, overview
 from .panels import AFTER
 
 SIZE_INCHES, DOTS = (9.6, 14.0), 220
@@ -136,7 +136,7 @@ def drawn(study: Study, content: Verdict, mark: str = "") -> Figure:
     vocabulary = Vocabulary.of(problem.system)
     figure.suptitle(title(content, still_holds(content, vocabulary), unseen.partly(content, vocabulary)), fontsize=11)
     warned = "\n".join(filter(None, (textwrap.fill(mark, WIDEST), warning(content, vocabulary))))
-    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.6 + 0.6 * drivers.loaded, 2.7, 3.6, 2.9]))
+    rows = np.asarray(figure.subfigures(4, 1, height_ratios=[3.6 + 0.6 * has_load(drivers), 2.7, 3.6, 2.9]))
     top, maps, middle, bottom = rows
     if warned:
         top.suptitle(warned, fontsize=8.5, color=AFTER)

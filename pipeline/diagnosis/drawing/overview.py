@@ -32,7 +32,7 @@ def overview(
     `seen_s` how much of each run the fit had without the last strokes, from its begin; None where none were left out.
     `off_s`: from when to when the reading goes off, on the clock of `drivers.elapsed_s`.
     """
-    loaded, unit = drivers.loaded, drivers.units.reading
+    loaded, unit = has_load(drivers), drivers.units.reading
     heights = [2.0, 1.4, 0.6] if loaded else [2.0, 1.2]
     over, under, *rest = part.subplots(len(heights), 1, sharex=True, height_ratios=heights)
     zeros, whence = own_zeros(drivers, measured)
@@ -60,6 +60,11 @@ def overview(
     signs = [*([UNSEEN] if unseen[over] else []), *([GOES_OFF] if off_s else [])]
     if signs:
         under.set_title("; ".join(signs), fontsize=7, loc="left")
+
+
+def has_load(drivers: Drivers) -> bool:
+    """Whether the load has a panel: it varies, or a few strokes had another one."""
+    return drivers.loaded or bool(drivers.under_another_load)
 
 
 def over_time(axes: Axes, drivers: Drivers, lines: dict[str, tuple[Array, dict[str, Any]]], label: str) -> None:

@@ -6,6 +6,7 @@ from ..choice.outcome import Study, rms
 from ..document.evidence import Evidence, Excursion
 from ..document.made_keys import with_made
 from ..recording.covered import covered
+from ..recording.drivers import Drivers
 from . import extents, mechanism_entries
 from .explanations import explanations, left_out
 from .look_alikes import look_alikes
@@ -58,6 +59,15 @@ def gone_off(study: Study, ending: str) -> Evidence:
     return with_made(Evidence(excursions=entries), {f"between_{ending}": rms(residual[~off])})
 
 
+def other_load(drivers: Drivers) -> Evidence:
+    """`other_load`: which few strokes had another load than the rest; nothing where none had, or the load varies."""
+    load, strokes = drivers.load * drivers.units.load_size, drivers.under_another_load
+    usual = [float(np.median(load[drivers.stroke == stroke])) for stroke in strokes]
+    if not usual:
+        return {}
+    return {"other_load": {"usual": float(np.median(load)), "load": [min(usual), max(usual)], "strokes": strokes}}
+
+
 def evidence(study: Study) -> Evidence:
     """All the facts, as `diagnosis.json` holds them; `floor` is that of the compared values, `step_s` apart."""
     system, drivers = study.problem.system, study.problem.drivers
@@ -81,6 +91,7 @@ def evidence(study: Study) -> Evidence:
         "step_s": drivers.step_s,
         "strokes": [int(max(drivers.stroke.min(), 1)), int(drivers.stroke.max())],
         "loaded": drivers.loaded,
+        **other_load(drivers),
         "covered": covered(study.problem.record),
     }
     if nearly := extents.sums(effects, study.problem.record):

@@ -130,6 +130,14 @@ class Drivers:
         since_s = self.elapsed_s[part]
         return float(np.median(self.load[part][since_s - since_s[0] <= max(1.0, 5 * self.step_s)]))
 
+    @cached_property
+    def under_another_load(self) -> list[int]:
+        """The numbers of the strokes whose usual load is another than the recording's; none where the load varies."""
+        usual = float(np.median(self.load))
+        strokes = [] if self.loaded else [int(stroke) for stroke in np.unique(self.stroke) if stroke > 0]
+        apart = {each: abs(float(np.median(self.load[self.stroke == each])) - usual) for each in strokes}
+        return [each for each, by in apart.items() if by > LOAD_MOVES * max(abs(usual), LEAST_LOAD)]
+
     def run_parts(self) -> list[slice]:
         """The samples of each run, in turn."""
         edges = [0, *map(int, self.breaks), len(self.time_s)]

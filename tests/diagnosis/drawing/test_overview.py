@@ -54,8 +54,9 @@ def test_runs_with_zeros_of_their_own_are_drawn_from_their_lowest_readings(studi
 def test_a_load_that_varies_has_a_panel(studied) -> None:
     problem = studied("creep")[0].problem
     same = {"nominal": problem.measured, "calibrated": problem.measured}
+    steady = replace(problem.drivers, loaded=False, load=np.full(len(problem.measured), 2.0))
     still, varied = (
-        drawn(replace(problem.drivers, loaded=loaded), problem.measured, same)[0] for loaded in (False, True)
+        drawn(drivers, problem.measured, same)[0] for drivers in (steady, replace(problem.drivers, loaded=True))
     )
     assert [axes.get_ylabel() for axes in varied][-1] == "load (N)" and len(varied) == len(still) + 1
     assert varied[-1].get_xlabel() == still[-1].get_xlabel() == "time (s)"

@@ -12,11 +12,13 @@ from ..held_out import holdout, in_vain, unseen
 from ..language.explained_words import tells
 from ..language.quantity import duration, first_upper, listing, percent, reaches
 from ..language.vocabulary import Vocabulary
+from ..measured import other_load
 from ..measured.dimensions import far_moved, name_of
 from . import coarse
 from .missing_signs import missing
 
 SURE, PROBABLE = 0.8, 0.5
+NOT_RECORDED, AND = "a second {} {} not recorded", "and a second"
 ALSO_ELSEWHERE = "{} the sum over all explanations with {}; the best explanation alone has {}."
 NO_PROMISE = "Sure is that {} {}, not that the simulator predicts: something is still missing."
 COMPARES = "The percentages compare explanations of the library in which a dimension may move by three tolerances"
@@ -45,8 +47,7 @@ def is_likely(content: Verdict, id_: str) -> bool:
 def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
     """Why a likely effect is still not called sure; ends a phrase with `since`."""
     lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
-    were = "were" if len(lacks) > 1 else "was"
-    not_recorded = f"a second {listing(list(lacks), 'and a second')} {were} not recorded" if lacks else ""
+    not_recorded = _not_recorded(list(lacks), other_load.only_in(content))
     vain = in_vain.doubt(content, words)
     return (
         at_limit(content)
@@ -57,8 +58,19 @@ def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
     )
 
 
+def _not_recorded(lacks: list[str], few: str) -> str:
+    """Which second load and speed were not recorded; of a load that `few` strokes had, that only these had it."""
+    only = f"a second load was recorded only in {few}" if few and "load" in lacks else ""
+    none = [what for what in lacks if not (only and what == "load")]
+    were = "were" if len(none) > 1 else "was"
+    return listing([*([only] if only else []), *([NOT_RECORDED.format(listing(none, AND), were)] if none else [])])
+
+
 def slow_alike(content: Verdict, words: Vocabulary) -> list[str]:
-    """The named slow effects, if a recording under one load cannot tell them from other slow effects."""
+    """The named slow effects, if a recording under one load cannot tell them from other slow effects.
+
+    A second load in a few strokes alone counts as one load: no fit asked what follows the load.
+    """
     if content["evidence"]["loaded"] or words.load is None:
         return []
     return [entry["id"] for entry in content["mechanisms"] if _is_slow(entry["id"], content)]

@@ -11,6 +11,7 @@ from ...mechanisms.interface import Mechanism
 from ...recording.system_units import Units
 from ..language.quantity import at, duration, listing, place_near, quantity, size
 from ..language.vocabulary import Vocabulary
+from ..measured.other_load import only_in
 
 CALCULATED = (
     "a temperature that is calculated from how fast and under what load the motor moves (it is not a measured one)"
@@ -188,7 +189,8 @@ def at_the_top(content: Verdict, change: float | None, words: Vocabulary) -> str
         return ""
     low, high = extent(content["evidence"], words.driver)
     top, way = at(high, words.motion_unit, high - low), "more" if change > 0.0 else "less"
-    load = " under the same load" if content["evidence"]["loaded"] else ""
+    several = content["evidence"]["loaded"] or only_in(content)
+    load = " under the same load" if several else ""
     return (
         f" At {top} that is {size(abs(change), words.unit)} {way} in the last stroke that goes there{load} than in the "
         "first; no dimension makes strokes differ."

@@ -21,7 +21,8 @@ def recorded(content: Verdict, words: Vocabulary, id_: str) -> bool:
 def missing(content: Verdict, words: Vocabulary, id_: str) -> list[str]:
     """Of `load` and `speed`, those that the effect's test needs two of, where the recording has only one.
 
-    Nothing on a rig that is no string, and where an older file does not say what was recorded.
+    A second load that only a few strokes had is missing too. Nothing on a rig that is no string, and where an older
+    file does not say what was recorded.
     """
     covered = content["evidence"].get("covered")
     if covered is None or not words.twisted:

@@ -6,6 +6,7 @@ from ..explanations import other_effects
 from ..language.explained_words import tells
 from ..language.quantity import listing, size, times
 from ..language.vocabulary import Vocabulary
+from ..measured.other_load import single, under_single
 from . import certainty
 
 EXCLUDED = (
@@ -56,7 +57,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     if not slow:
         return []
     named, out, may_be = listing(slow), excluded(content, words), still_open(content, words)
-    head = f"Under one load slow effects look alike.{f' {_how_sure(content, slow)}' if may_be else ''}"
+    head = f"{under_single(content)} slow effects look alike.{f' {_how_sure(content, slow)}' if may_be else ''}"
     by = listing(_by_how_much(content, out, words)) if out else ""
     meant = f" {EXCLUDED.format(named=named, out=by, heading=other_effects.HEADING)}" if out else ""
     could = f" What {named} could be instead:" if may_be else ""
@@ -70,7 +71,7 @@ def unsettled(content: Verdict, words: Vocabulary) -> str:
         return ""
     acts = "is surely at work" if _surely(content, slow) else "is likely at work"
     by = f"By {'the probability of ' * bool(certainty.known(content))}the library's formulas"
-    return f"something slow {acts}, but one load cannot settle its name. {by}: "
+    return f"something slow {acts}, but {single(content)} cannot settle its name. {by}: "
 
 
 def doubts(content: Verdict, words: Vocabulary) -> list[str]:
@@ -78,7 +79,7 @@ def doubts(content: Verdict, words: Vocabulary) -> list[str]:
     slow, may_be = certainty.slow_alike(content, words), still_open(content, words)
     if not slow or not may_be:
         return []
-    return [f"Under one load what is called {listing(slow)} can be {listing(may_be, 'or')}."]
+    return [f"{under_single(content)} what is called {listing(slow)} can be {listing(may_be, 'or')}."]
 
 
 def _how_sure(content: Verdict, slow: list[str]) -> str:
@@ -98,7 +99,7 @@ def remark(content: Verdict, words: Vocabulary, sure: list[str]) -> str:
     if not slow:
         return ""
     if may_be:
-        rest = f"one load cannot tell it from {listing(may_be, 'or')}"
+        rest = f"{single(content)} cannot tell it from {listing(may_be, 'or')}"
         return f" ({listing(slow)} as the library's name for a slow effect: {rest})"
     return f"; not {listing(out, 'or')} in its place, whose formulas are wrong while the motor stands"
 

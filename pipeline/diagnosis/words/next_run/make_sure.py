@@ -11,6 +11,7 @@ from ..held_out import holdout, in_vain, unseen
 from ..language.explained_words import tells
 from ..language.quantity import duration, listing, number, quantity
 from ..language.vocabulary import Vocabulary
+from ..measured import other_load
 from ..measured.dimensions import far_moved
 from ..named import certainty
 from ..named.missing_signs import recorded
@@ -20,6 +21,9 @@ from .run_asked import as_many_again, to_settle
 OTHER_LOAD = (
     "Better under another load, {half} or {twice}, if the rig bears it: under one load alone no slow effect's name is "
     "sure."
+)
+MORE_OF_IT = (
+    "Better with more strokes under {load}: a second load that only {few} had makes no slow effect's name sure."
 )
 AGAIN = "With another load add --load-n to new_run; with a log of your own --recording FILE, in place of capture:"
 HERE = " (this recording has it)"
@@ -103,7 +107,7 @@ def of_names(
         return loop_to_see.step(content, words, numbers, short)
     run = recipe.sentence(content, words, ids)
     load = recipe.to_type(content, words, ids)
-    other = _other_load(content, words, load)
+    other = [] if recipe.load(content, words, ids) is not None else _other_load(content, words)
     if short and run:
         return [
             [
@@ -136,10 +140,12 @@ def _where(parts: list[str]) -> str:
     return WHERE.format(listing([kept[0][0].upper() + kept[0][1:], *kept[1:]]), DETAILS)
 
 
-def _other_load(content: Verdict, words: Vocabulary, load: str) -> list[str]:
+def _other_load(content: Verdict, words: Vocabulary) -> list[str]:
     """The remark that the same run under another load settles a slow effect's name; nothing where not needed."""
-    if load or not certainty.slow_alike(content, words) or not content["evidence"].get("covered"):
+    if not certainty.slow_alike(content, words) or not content["evidence"].get("covered"):
         return []
+    if few := other_load.only_in(content):
+        return [MORE_OF_IT.format(load=other_load.size(content, words), few=few)]
     base = second_load.base(content)
     half, twice = number(second_load.HALF * base), quantity(second_load.TWICE * base, words.load_unit)
     return [OTHER_LOAD.format(half=half, twice=twice)] if base > 0.0 else []
@@ -161,6 +167,7 @@ def _lasting(content: Verdict, id_: str, words: Vocabulary) -> str:
     longest_s = max(constants or [covered["longest_hold_s"], covered["longest_rest_s"]])
     twice = f"twice {'its longest time constant' if constants else 'the longest one here'}"
     (least, most), unit = covered["load"], words.load_unit
-    load = f"{number(least)} to " * content["evidence"]["loaded"] + quantity(most, unit)
+    several = content["evidence"]["loaded"] or bool(other_load.only_in(content))
+    load = f"{number(least)} to " * several + quantity(most, unit)
     under = f", under {load} as recorded here" if words.load is not None and most > 0.0 else ""
     return f" ({duration(2.0 * longest_s)} or longer each, {twice}{under})" if longest_s > 0.0 else ""

@@ -18,7 +18,7 @@ def load(content: Verdict, words: Vocabulary, ids: list[str]) -> float | None:
     if covered is None or _lasting(content, ids) or "load" not in _lacking(content, words, ids):
         return None
     chosen = second_load.best(content, words)
-    share = chosen[0] if chosen and chosen[1] >= 1.0 else second_load.HALF
+    share = chosen[0] if chosen and chosen[1] >= 1.0 else second_load.begun(content)
     return float(f"{share * second_load.base(content):.2g}")
 
 

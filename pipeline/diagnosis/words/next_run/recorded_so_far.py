@@ -5,6 +5,7 @@ import itertools
 from ...document.content import Verdict, proposal
 from ..language.quantity import duration, ends, listing, number, quantity, times
 from ..language.vocabulary import Vocabulary
+from ..measured import other_load
 from ..named.missing_signs import ALIKE
 from . import second_load
 
@@ -22,16 +23,18 @@ def lines(content: Verdict, words: Vocabulary, tests: list[str]) -> list[str]:
     if covered is None:
         return []
     (least, most), (slow, fast) = covered["load"], covered["speed_per_s"]
+    few = other_load.only_in(content)
     loads = (
         f"loads of {number(least)} to {quantity(most, words.load_unit)}"
         if content["evidence"]["loaded"]
-        else "one load"
+        else "one load" + f" but for {few} ({other_load.size(content, words)})" * bool(few)
     )
     speeds = f"speeds of {number(slow)} to {quantity(fast, f'{words.motion_unit}/s')}"
     if fast < ALIKE * slow:
         speeds = f"one speed, {quantity(fast, f'{words.motion_unit}/s')}"
     stands = f"{_stands('holds', covered['longest_hold_s'])} and {_stands('rests', covered['longest_rest_s'])}"
-    more = " or more" if content["evidence"]["loaded"] else ""
+    least = min([least, *content["evidence"].get("other_load", {"load": []})["load"]])
+    more = " or more" if content["evidence"]["loaded"] or few else ""
     under = f" under {quantity(least, words.load_unit)}{more}" if words.load is not None and least > 0.0 else ""
     wanted, counts = " ".join(tests), []
     if "speed" in wanted and fast > 0.0:
@@ -81,7 +84,9 @@ def not_yet(content: Verdict, words: Vocabulary) -> str:
     slow, fast = covered["speed_per_s"]
     pause_s = max(covered["longest_hold_s"], covered["longest_rest_s"])
     lacking = ["at another speed"] * (fast < ALIKE * slow)
-    lacking += ["under another load"] * (words.load is not None and not content["evidence"]["loaded"])
+    other = f"with more strokes under {other_load.size(content, words)}"
+    other = other if other_load.only_in(content) else "under another load"
+    lacking += [other] * (words.load is not None and not content["evidence"]["loaded"])
     lacking += ["with pauses"] * (pause_s < PAUSE_S)
     if lacking:
         return listing(lacking)

@@ -4,6 +4,7 @@ from ...document.content import Verdict
 from ..foretold.foretold_numbers import apart, compared, of_explanation, tells
 from ..language.quantity import number, quantity
 from ..language.vocabulary import Vocabulary
+from ..measured import other_load
 
 HALF, TWICE = 0.5, 2.0
 ROWS = {HALF: "loop_half_load", TWICE: "loop_twice_load"}
@@ -13,7 +14,13 @@ SHARES = {HALF: "half", TWICE: "twice"}
 def base(content: Verdict) -> float:
     """The recorded load; loops are foretold for half and twice of it."""
     foretold = (content["evidence"].get("expected") or {}).get("load")
-    return float(foretold or content["evidence"]["covered"]["load"][1])
+    return float(foretold or other_load.usual(content) or content["evidence"]["covered"]["load"][1])
+
+
+def begun(content: Verdict) -> float:
+    """The share to hang where none parts two explanations: twice where a few strokes had more, else half."""
+    other = content["evidence"].get("other_load")
+    return TWICE if other and max(other["load"]) > other["usual"] else HALF
 
 
 def best(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
@@ -30,7 +37,10 @@ def best(content: Verdict, words: Vocabulary) -> tuple[float, float] | None:
 
 
 def sentence(content: Verdict, words: Vocabulary) -> str:
-    """Which second load to hang beside the only one that was recorded, and whether it tells."""
+    """Which second load to hang beside the recorded one, and whether it tells; or which few strokes had one."""
+    if few := other_load.only_in(content):
+        hung = other_load.size(content, words)
+        return f"It has a second load, {hung}, only in {few}: more strokes under it would do."
     load, chosen = base(content), best(content, words)
     if chosen is None:
         other = f"{number(HALF * load)} or {quantity(TWICE * load, words.load_unit)}"
