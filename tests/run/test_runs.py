@@ -114,6 +114,29 @@ def test_a_bad_run_names_file_field_and_mend(bad, field, mend):
     assert mend in str(error.value)
 
 
+@pytest.mark.parametrize(
+    ("radius_mm", "says"),
+    [
+        (0, "is 0: must be more than 0. Mend: correct it (radius"),
+        ("-0.4", "is '-0.4': must be more than 0. Mend: correct it (radius"),
+        (1e-12, "is 1e-12: must be 1e-09 or more. "),
+        (2e9, "is 2000000000.0: must be 1e+09 or less. "),
+        (float("nan"), "is nan: must be a finite number. "),
+        (-int("9" * 400), "is -999"),
+    ],
+)
+def test_a_dimension_beyond_its_limit_is_refused_in_the_words_of_a_lab(radius_mm, says):
+    """It said `Input should be greater than or equal to 0.000000001`."""
+    with pytest.raises(BadInput) as error:
+        parse_run(changed("string", radius_mm=radius_mm), PLACE)
+    assert f"string.radius_mm: {says}" in str(error.value)
+
+
+def test_a_count_may_be_0_but_no_less():
+    with pytest.raises(BadInput, match="must be 0 or more"):
+        parse_run(changed("string", strokes_before=-1), PLACE)
+
+
 def test_a_stiffness_that_nobody_measured_is_the_usual_one():
     for run in (without("string", "stiffness_n_per_mm"), changed("string", stiffness_n_per_mm=None)):
         string = parse_run(run, PLACE).string

@@ -1,6 +1,7 @@
 """The first of pydantic's complaints about a file, as file, field and mend."""
 
 import difflib
+import math
 import re
 import reprlib
 from collections.abc import Iterable, Mapping
@@ -42,6 +43,19 @@ def _as_keys(where: tuple[Any, ...], section: type[BaseModel]) -> str:
     return f"{keys}, or the column's name alone" if where[0] == "channels" and len(where) == 2 else keys
 
 
+def _beyond_limit(kind: str, value: Any, limits: Mapping[str, Any]) -> str:
+    """Which limit a number goes beyond, as a lab says it; empty for another complaint."""
+    if kind not in ("less_than_equal", "greater_than_equal"):
+        return ""
+    number = float(value) if isinstance(value, str) else value
+    if isinstance(number, float) and not math.isfinite(number):
+        return "must be a finite number"
+    if kind == "less_than_equal":
+        return f"must be {float(limits['le']):g} or less"
+    least = float(limits["ge"])
+    return f"must be {least:g} or more" if least <= 0.0 or number > 0.0 else "must be more than 0"
+
+
 def bad_section(
     path: Path, error: ValidationError, whole: type[BaseModel], sections: Mapping[str, type[BaseModel]]
 ) -> BadInput:
@@ -50,7 +64,9 @@ def bad_section(
     # A misspelt key is one mistake but two complaints: the unknown key says more than the missing one.
     complaint = next((candidate for candidate in complaints if candidate["type"] == "extra_forbidden"), complaints[0])
     where, kind, wrong_input = complaint["loc"], complaint["type"], complaint["input"]
-    message = complaint["msg"].removeprefix("Value error, ")
+    message = _beyond_limit(kind, wrong_input, complaint.get("ctx", {})) or complaint["msg"].removeprefix(
+        "Value error, "
+    )
     if not where:  # a check over several keys, whose message names its field
         field, _, rest = message.partition(": ")
         problem, _, mend = rest.partition("; ")
