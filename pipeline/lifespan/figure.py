@@ -1,6 +1,7 @@
 """The page of a string's life: each indicator over strokes, its law with a band, the limit and the interval."""
 
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import matplotlib
@@ -22,6 +23,7 @@ from .words.percent import percent, tail
 from .words.stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
+TITLE_LETTERS = 80  # of a line of the title: more do not fit the width
 ABOVE_LEGEND = 30.0  # points over a panel: its head, over the two rows of its legend
 BEGINS = "0.4"  # where another recording begins
 OTHERS = (
@@ -63,7 +65,8 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             mark(axes, begins, named=not number)
         seen = f"{strokes(len(health.strokes))} seen{health.loads.under}"
         not_seen = left_out(len(health.left_out), health.loads.count_left_out)
-        figure.suptitle(f"Life of the string {health.string}: {seen}{not_seen}", fontsize=11)
+        title = f"Life of the string {health.string}: {seen}{not_seen}"
+        figure.suptitle(fill(title, TITLE_LETTERS), fontsize=11)
         if note := footnote(answers, level, which_run(health.strokes)):
             figure.supxlabel(note, fontsize=7.5, x=0.02, ha="left")
         write_figure(figure, path, dpi=130)

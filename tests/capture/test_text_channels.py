@@ -127,6 +127,16 @@ def test_a_narrow_line_shows_the_count_and_the_last_values(tmp_path):
     assert len(", ".join(narrow)) < 80 and counts == lines.counts()
 
 
+def test_a_remark_with_fewer_words_than_the_lines_have_numbers_names_no_columns():
+    """A rig whose header was lost printed `WARN temperature high`: its lines were all bad since, and no order told."""
+    lines, row = Lines(), b"26000,20.0000,11.765,20.000\r\n"
+    for line in (row, row, b"WARN temperature high\r\n", row, row):
+        lines.take(line)
+    assert (lines.bad, lines.text, lines.unnamed.count) == (0, 1, 3) and not lines.columns
+    lines.take(b"t_ms,turns,disp,load\r\n")
+    assert lines.take(row) and lines.columns == ("t_ms", "turns", "disp", "load")
+
+
 @pytest.mark.parametrize("clock", ["ms", "Uhr"])
 def test_the_column_that_run_yaml_reads_as_the_time_is_the_clock_while_it_records_and_at_the_end(rig, tmp_path, clock):
     """Live `reads time_s = 2000 ms (from ms)`, at the end "the rig prints no time"."""

@@ -462,6 +462,12 @@ def test_the_printed_line_makes_a_run_that_can_be_diagnosed_together_with_the_ol
     assert commands.remark(folder, Vocabulary.of(systems()["separator"])) == (
         "FILE.csv is the new file of your logger, with the columns ms, column 1, displacement_mm and newton."
     ), "the names of its run.yaml: --like takes them over"
+    content = yaml.safe_load(own)
+    (folder / "run.yaml").write_text(yaml.safe_dump(content | {"rig": content["rig"] | {"load_n": 40.0}}))
+    assert commands.remark(folder, Vocabulary.of(systems()["separator"])).endswith(
+        "and displacement_mm. It names no load: new_run takes 40 N. For each other load record a run of its own, "
+        "with --load-n N."
+    ), "strokes under 20 N were read as under 40"
     (folder / "run.yaml").write_text(own)
     done = programs.run(*shlex.split(new_run_command)[2:-1], log)
     assert done.returncode == 0, done.stderr

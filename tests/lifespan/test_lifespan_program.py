@@ -202,13 +202,17 @@ def test_the_picture_says_what_its_lines_are_and_a_loop_below_0(tmp_path, monkey
 def test_the_picture_says_what_each_panel_asks_and_no_head_lies_on_a_legend(tmp_path, monkeypatch, count):
     """A picture without a forecast had no word on its points, and none had a word on a stroke loss below 0."""
     health = strings([folder(tmp_path, "a-1", samples(count, 0.002))])[0]
-    health = replace(health, left_out=[7, 8])
+    of_one_load = replace(health.loads, others=[(30.0, [*range(40, 49)])])
+    health = replace(health, string="spool-of-dyneema", left_out=[7, 8], loads=of_one_load)
     with monkeypatch.context() as held_open:
         held_open.setattr(plt, "close", lambda figure: None)
         page(health, [stroke_loss(health, 0.1), model_error(health, 4.0)], 0.9, tmp_path / "page.png")
     figure = plt.gcf()
     figure.canvas.draw()
-    assert figure.get_suptitle().endswith(f": {count} strokes seen, 2 left out (another range of twist)")
+    title, left_out = " ".join(figure.get_suptitle().split()), "2 left out (another range of twist)"
+    assert title.endswith(f": {count} strokes seen{health.loads.under}, {left_out}, 9 left out (another load)")
+    ends = figure._suptitle.get_window_extent()
+    assert figure.bbox.x0 < ends.x0 and ends.x1 < figure.bbox.x1, "both ends of a long title were cut off"
     words = figure.get_supxlabel()
     assert words.startswith("Blue: each stroke as measured") and ("futures" in words) == (count > 12)
     heads = [axes.get_title(loc="left") for axes in figure.axes[:2]]

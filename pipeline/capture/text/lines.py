@@ -121,7 +121,8 @@ class Lines:
     def _header(self, header: tuple[str, ...], between: str, line: bytes) -> None:
         if not self._printed:
             self.headers = [*self.headers, (header, between)][-REMEMBERED:]
-            self._likely = header if is_known(header) else self._likely
+            may_name = self.wrong[0] in (0, len(header))  # else it is a remark: as many numbers as that came in no line
+            self._likely = header if is_known(header) and may_name else self._likely
             self._pass_over(line)
         elif set(header) == set(self._printed):
             self._order = None if header == self._printed else [header.index(name) for name in self._printed]

@@ -17,6 +17,7 @@ CAPTURE = (
     "--recording FILE instead, and leave the capture line out."
 )
 OWN_LOG = "{file} is the new file of your logger, with the columns {columns}."
+ONE_LOAD = "It names no load: new_run takes {load_n:g} N. For each other load record a run of its own, with --load-n N."
 IMPORTED = "{file} is the new file of your logger. The mapping says the load too: where it changes, copy and change it."
 
 
@@ -68,7 +69,20 @@ def remark(old: Path, words: Vocabulary) -> str:
     """What to fill into the commands that make a run as `old` was made."""
     if mapping_of(old):
         return IMPORTED.format(file=_file(old))
-    return OWN_LOG.format(file=_file(old), columns=listing(_columns(old, words))) if own_log(old) else CAPTURE
+    if not own_log(old):
+        return CAPTURE
+    sentence = OWN_LOG.format(file=_file(old), columns=listing(_columns(old, words)))
+    load_n = _constant_load(old, words)
+    return sentence if load_n is None else f"{sentence} {ONE_LOAD.format(load_n=load_n)}"
+
+
+def _constant_load(old: Path, words: Vocabulary) -> float | None:
+    """The load in N that run.yaml gives for the whole recording; None where the recording tells it, or has none."""
+    try:
+        run = read_run(old)
+    except BadInput:
+        return None
+    return run.rig[words.load] if words.load in run.rig and words.load not in run.channels else None
 
 
 def _columns(old: Path, words: Vocabulary) -> list[str]:
