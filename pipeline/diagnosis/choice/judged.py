@@ -93,8 +93,9 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
     named_sets = [candidates[place].ids for place in held(named)]
     first = named_sets[0]
     if instead := {three.ids for three in three_instead(search, search.explain(first), floor)}:
-        anew = weighed(search, base, floor) if instead - set(likely) else []
-        candidates += [candidate for candidate in anew if candidate.ids in instead - set(likely)]
+        unweighed = instead - set(likely)
+        anew = weighed(search, base, floor) if unweighed else []
+        candidates += [candidate for candidate in anew if candidate.ids in unweighed]
         instead &= {candidate.ids for candidate in candidates}  # the others lack a mark in the recording
         likely = as_likely(likely, instead, first)
         named_sets = sorted({*named_sets, *instead}, key=lambda ids: (-likely[ids], ids != first, ids))

@@ -61,13 +61,11 @@ class Plan:
         remembers = any(library[id_].remembers_turns for id_ in acting if id_ in library)
         likely = dict.fromkeys([*acting, *(id_ for ids in self.tied for id_ in ids)])
         paced = [id_ for id_ in likely if id_ in library and library[id_].paced]
-        all_recorded = [self.recorded, *self.beside]
+        all_recorded = [*self.before, self.recorded, *(each for each in self.beside if each not in self.before)]
         tables, strokes = [each.samples for each in all_recorded], [each.strokes for each in all_recorded]
         recorded = Recorded(tables, strokes, self.run.system.driver)
         beyond = outside(self.run, self.samples, recorded, remembers, paced)
         beyond = with_harder(beyond, self.run.system, self.samples, tables)
-        in_order = [*self.before, self.recorded, *(each for each in self.beside if each not in self.before)]
-        tables = [each.samples for each in in_order]
         return with_fallen_load(beyond, self.run.system, self.samples, tables, self.after)
 
     @cached_property
