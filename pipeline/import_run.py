@@ -10,7 +10,8 @@ from pathlib import Path
 
 from .foreign.drafted import guess
 from .foreign.folder_files import OPTION, files_in
-from .foreign.imported import import_run, imported
+from .foreign.imported import ImportedRun, imported
+from .foreign.same_recording import warn_of_copies
 from .ground.command import HOUSE, command
 from .ground.errors import BadInput, program
 from .ground.input.outputs import folder_to_write
@@ -30,6 +31,13 @@ def say_another(folder: Path, axes: Collection[str] = ()) -> None:
         print(note, file=sys.stderr)
 
 
+def say_imported(runs: list[ImportedRun]) -> None:
+    """Print what was imported from one file, and warn of runs beside it that hold the same recording."""
+    print("\n".join(run.said for run in runs))
+    for run in runs:
+        warn_of_copies(run.folder)
+
+
 def import_folder(
     folder: Path, mapping: Path, name: str, out: Path, pattern: str | None = None, string_id: str | None = None
 ) -> int:
@@ -42,7 +50,7 @@ def import_folder(
     count_imported, refused, last = 0, 0, out
     for run, file in files.file_by_run.items():
         try:
-            print(import_run(file, mapping, run, out, string_id))
+            say_imported(imported(file, mapping, run, out, string_id))
             count_imported, last = count_imported + 1, out / run
         except BadInput as error:
             if error.file == str(mapping):  # no file can be read through it
@@ -95,7 +103,7 @@ def main() -> int:
     if arguments.file.is_dir():
         return import_folder(arguments.file, arguments.map, arguments.run, raw, arguments.files, arguments.string_id)
     runs = imported(arguments.file, arguments.map, arguments.run, raw, arguments.string_id)
-    print("\n".join(run.said for run in runs))
+    say_imported(runs)
     folder = runs[0].folder
     say_another(folder, [run.folder.name for run in runs])
     print("\n".join(following(folder, recorded=True, others=others_recorded(folder, read_run(folder)))))

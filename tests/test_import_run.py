@@ -1,3 +1,4 @@
+import shutil
 import subprocess
 import sys
 from io import BytesIO
@@ -12,10 +13,10 @@ import ready
 import yaml
 from made_recording import content, recording
 
+from pipeline.foreign.imported import import_run
 from pipeline.foreign.mended_clock import mend_time
 from pipeline.formats.own_table import read_table
 from pipeline.ground.errors import BadInput
-from pipeline.import_run import import_run
 from pipeline.new_run import make_run as new_run
 from pipeline.run.samples import read_samples
 
@@ -70,6 +71,19 @@ def test_a_second_run_of_the_same_size_is_said_to_be_of_another_string_until_its
     own = foreign[2] / "a-02" / "run.yaml"
     own.write_text(own.read_text().replace("string:\n", "string:\n  id: a-01\n"))
     assert {read_samples(foreign[2] / name)[0].string_id for name in ("a-01", "a-02", "a-03")} == {"a-01"}
+
+
+def test_a_rule_s_import_looks_at_no_other_run_and_a_folder_s_warns_of_copies(foreign, tmp_path, capsys):
+    """A job of `make real` opened the runs beside its own, which are outputs of other jobs."""
+    for name in ("a-01", "a-02"):
+        import_run(*foreign[:2], name, foreign[2])
+    assert "byte by byte" not in capsys.readouterr().err
+    files = tmp_path / "logs"
+    files.mkdir()
+    for name in ("1", "2"):
+        shutil.copy(foreign[0], files / f"{name}{foreign[0].suffix}")
+    done = programs.run("pipeline.import_run", files, "--map", foreign[1], "--out", tmp_path / "own", "--run", "b")
+    assert done.returncode == 0 and "b-2: the recording is byte by byte that of b-1" in done.stderr, done.stderr
 
 
 def test_a_string_id_for_a_rig_without_a_string_is_refused(foreign):

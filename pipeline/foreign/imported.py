@@ -27,7 +27,6 @@ from .axes import each_axis
 from .empty_fields import refuse_empty
 from .mended_clock import check_mended, mend_time
 from .origin import origin
-from .same_recording import warn_of_copies
 from .told_units import check_told_units
 
 TAKEN = "choose another --run, or remove that folder yourself if nobody needs it: runs are never overwritten"
@@ -98,7 +97,7 @@ def _checked(file: Path, mapping: Path, own: dict[str, object], name: str, out: 
 def import_run(file: Path, mapping: Path, name: str, out: Path, string_id: str | None = None) -> str:
     """Import one file as run `name` under `out`, or one run an axis; a sentence on each that was made.
 
-    `string_id` goes before the mapping's. Raises BadInput, before anything is written.
+    `string_id` goes before the mapping's. No other run is looked at. Raises BadInput, before anything is written.
     """
     return "\n".join(run.said for run in imported(file, mapping, name, out, string_id))
 
@@ -113,5 +112,4 @@ def imported(file: Path, mapping: Path, name: str, out: Path, string_id: str | N
             raise BadInput(run.folder, "run", "is there already", TAKEN)
     for run in runs:
         write_run(run.content, run.samples, run.folder, origin(file, mapping))
-        warn_of_copies(run.folder)
     return runs

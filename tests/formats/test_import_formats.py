@@ -13,8 +13,8 @@ import pandas as pd
 import pytest
 import scipy.io
 
+from pipeline.foreign.imported import import_run
 from pipeline.ground.errors import BadInput
-from pipeline.import_run import import_run
 from pipeline.run.samples import read_samples
 
 MAPPINGS = Path(__file__).parents[2] / "pipeline" / "mappings"

@@ -14,9 +14,9 @@ from formats.foreign_files import CHANNELS, SERIES, struct_of, workbook
 from made_recording import content
 from shares import shares
 
+from pipeline.foreign.imported import import_run
 from pipeline.formats.matlab import read_matlab
 from pipeline.ground.errors import BadInput
-from pipeline.import_run import import_run
 
 TRIES = 60
 SHORT = {name: values[:: len(values) // 200] for name, values in SERIES.items()}

@@ -16,8 +16,8 @@ from made_damage import YAML, damaged, twisted
 from made_recording import content, recording
 from shares import shares
 
+from pipeline.foreign.imported import import_run
 from pipeline.ground.errors import BadInput
-from pipeline.import_run import import_run
 from pipeline.run.folder import read_run
 from pipeline.run.samples import read_samples
 from pipeline.wire import Channel, Hello, Kind, encode

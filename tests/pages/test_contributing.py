@@ -110,7 +110,7 @@ from pipeline.formats import format_of, read_foreign
 from pipeline.foreign.folder_files import files_in
 from pipeline.ground.errors import BadInput
 from pipeline.ground.input.text_file import TextFile
-from pipeline.import_run import import_run
+from pipeline.foreign.imported import import_run
 
 file, layout = Path("logs/a.npy"), TextFile.model_validate({})
 assert format_of(file).name == "a NumPy array" and file in files_in(file.parent, "run", None).file_by_run.values()

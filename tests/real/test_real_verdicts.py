@@ -12,7 +12,7 @@ import pytest
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study import engine, heldout, own_rate, polish
 from pipeline.diagnosis.verdict import diagnosis
-from pipeline.import_run import import_run
+from pipeline.foreign.imported import import_run
 from pipeline.run.samples import read_strokes
 
 pytestmark = pytest.mark.long

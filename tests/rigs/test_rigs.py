@@ -12,7 +12,7 @@ import pipeline
 from pipeline.diagnosis.mechanisms.library import mechanisms
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.engine import make_problem
-from pipeline.import_run import import_run
+from pipeline.foreign.imported import import_run
 from pipeline.run.samples import read_strokes
 
 NOTHING = ("consistent", "parameters")

@@ -9,9 +9,9 @@ import programs
 import pytest
 from made_recording import recording
 
+from pipeline.foreign.imported import import_run
 from pipeline.ground.stored import schemas
 from pipeline.ground.stored.rows import Held
-from pipeline.import_run import import_run
 from pipeline.run.doubts.wild_samples import wild_samples
 from pipeline.run.samples import read_samples
 
