@@ -58,8 +58,9 @@ def held(named: Array) -> list[int]:
 def as_likely(
     likely: dict[tuple[str, ...], float], sets: set[tuple[str, ...]], as_ids: tuple[str, ...]
 ) -> dict[tuple[str, ...], float]:
-    """Probabilities in which some explanations are as likely as another one, and whose sum is as before."""
-    raised = likely | dict.fromkeys(sorted(sets), likely[as_ids])
+    """Probabilities in which some explanations together are as likely as another one, and whose sum is as before."""
+    each = likely[as_ids] / max(len(sets), 1)
+    raised = likely | {ids: max(each, likely.get(ids, 0.0)) for ids in sorted(sets)}
     scale = sum(likely.values()) / max(sum(raised.values()), 1e-300)
     return {ids: share * scale for ids, share in raised.items()}
 

@@ -4,6 +4,7 @@ The judge was taught on two mechanisms at most. It prices a third one by what it
 place of one, that price says nothing: under loads that only rise, stretch and creep look like a plastic elongation.
 """
 
+from ...ground.outside_library import is_outside
 from .candidates import apart
 from .search import Explanation, Search
 from .weigh import amplitude
@@ -19,7 +20,7 @@ ROUNDS = 3  # of exchanges, each of one mechanism
 def three_instead(search: Search, likeliest: Explanation, floor: float) -> list[Explanation]:
     """The cheapest three mechanisms that are far better than the likeliest explanation and lack one of its own.
 
-    `floor` is the noise's, in the reading's unit.
+    None of them is a stand-in, which fits what it is no physics of. `floor` is the noise's, in the reading's unit.
     """
     excess = amplitude(likeliest.energy, floor)
     if len(likeliest.ids) >= COUNT or excess < SEEN * floor:
@@ -32,6 +33,7 @@ def three_instead(search: Search, likeliest: Explanation, floor: float) -> list[
         and amplitude(three.energy, floor) <= LESS * excess
         and three.cost <= likeliest.cost - CHEAPER
         and not set(likeliest.ids) <= set(three.ids)
+        and not any(map(is_outside, three.ids))
     ]
     return sorted(far_better, key=lambda three: three.cost)[:MOST]
 

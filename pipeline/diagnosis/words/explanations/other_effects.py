@@ -58,7 +58,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         TRIED.format(left=size(amount(first, key), words.unit)),
         *(wrapped_cells([head, *rows]) if rows else []),
         WRONG.format(counted=counted) if stands else NEVER,
-        *([f"Wrong while the motor stands, though likely: {listing(wrong)}."] if wrong else []),
+        *([f"Among the likely, but wrong while the motor stands: {listing(wrong)}."] if wrong else []),
         *([SAME.format(listing(alike))] if alike else []),
         *([f"How likely at work: {listing(likely)}; each other one less than 1 %."] if likely else []),
         *_not_shown([entry["id"] or "" for entry in others if entry not in tried], words),

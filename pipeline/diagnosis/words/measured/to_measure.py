@@ -2,6 +2,8 @@
 
 from ...document.bounds import of_later_run
 from ...document.content import Verdict
+from ...mechanisms.library import mechanisms
+from ..language.quantity import listing
 from ..language.text_table import IN_A_STEP, ROOM, aligned
 from ..language.vocabulary import Vocabulary
 from . import change, exactness, tolerances
@@ -13,6 +15,10 @@ HEAD = ["dimension", "run.yaml says", "tolerance", "fits best", "measure to"]
 FIRST = 4  # of them, on the page
 HOW = "How each is measured: details.txt."
 DETAILS = "details.txt"
+UNEVEN = (  # the middle of such a loop is no zero
+    "{} that is stronger in winding than in unwinding moves the zero of the motor as well. Where that zero is sure, "
+    "write so (`tolerance: {{angle_turns: 0.01}}`), and diagnose again."
+)
 BESIDE = 2.0  # sigma: one that moved so far is measured too where another must be, for they take each other's place
 
 
@@ -75,12 +81,18 @@ def consequences(content: Verdict, then: str, short: bool) -> list[str]:
     exact = f"- if the same, known better than its tolerance: say how well (`tolerance: {{{where}}}`)"
     scaled = any(stem(name) == "scale" for name in moved)
     gain = " (a gain as `scale`, its inverse: details.txt, Dimensions)" if scaled else ""
+    library = mechanisms()
+    named = [entry["id"] for entry in content["mechanisms"] if entry["id"] in library]
+    loops = [id_ for id_ in named if library[id_].driver.startswith("direction")]
+    uneven = [UNEVEN.format(listing(loops))] if loops and "angle_turns" in moved else []
     if short:
         return [
+            *uneven,
             f"Write what you measured, or how well, into run.yaml and diagnose again (how: {DETAILS}). If nothing "
-            f"changes, {then}."
+            f"changes, {then}.",
         ]
     return [
+        *uneven,
         f"- If you find another value: write it into run.yaml{gain}, and diagnose again;",
         *([f"{exact} and diagnose again;"] if where else []),
         f"- if the same, no better known: {then}. The percentages do not hold where other physics moved it.",

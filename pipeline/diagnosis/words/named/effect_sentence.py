@@ -57,7 +57,7 @@ def sentence(
     phrase = filled(mechanism.sentence, fields).rstrip(".")
     detail = details(mechanism, entry["parameters"] | _late(entry["parameters"], units, mass_kg), words, units)
     if "loop" in detail and opened and opened.get("by_load"):  # the loads of the loops above are others
-        detail += ", over all loads"
+        detail += ", on average over all loads"
     phrase = phrase.replace(" once per turn", "") if detail.startswith(EVERY) else phrase
     return f"{phrase}{': ' if detail else ''}{detail}."
 

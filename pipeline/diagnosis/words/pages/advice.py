@@ -13,7 +13,7 @@ from ..next_run.run_asked import more_strokes
 from . import for_a_paper
 
 NOTHING_NAMED = "Adopt nothing: no effect of the library is named."
-UNTRIED = " (how much it errs on unseen strokes is not known)"
+UNTRIED = "how much it errs on unseen strokes is not known"
 
 
 def worse(content: Verdict) -> str:
@@ -69,10 +69,11 @@ def of_adopting(content: Verdict, words: Vocabulary) -> str:
 
 def _errs(content: Verdict, words: Vocabulary) -> str:
     """The error to expect of a prediction, if it exceeds the noise or is unknown; ends a phrase."""
-    unseen_errors = unseen.errors(content, words)
-    if holdout.of_other(content) and not unseen.partly(content, words):
-        return UNTRIED
-    if unseen_errors is None or not unseen.partly(content, words) or holdout.other_name(content) == holdout.NO_EFFECT:
+    unseen_errors, large = unseen.errors(content, words), unseen.partly(content, words)
+    if other := holdout.of_other(content):
+        erred = f"; {other} erred by {size(unseen_errors[2], words.unit)} rms" if unseen_errors and large else ""
+        return f" ({UNTRIED}{erred})"
+    if unseen_errors is None or not large or holdout.other_name(content) == holdout.NO_EFFECT:
         return ""
     return f" (expect errors of about {size(unseen_errors[2], words.unit)} rms)"
 

@@ -154,7 +154,9 @@ def _best(content: Verdict, words: Vocabulary) -> list[str]:
         return []
     name, share = kept[0]
     best = "of what it can tell from moved dimensions the" if not_named.likelier(content, share) else "the"
-    rest = "every other explanation is less likely, but none is impossible"
+    even = [other for other, its_share in kept[1:] if percent(its_share) == percent(share)]
+    than_these = f"{listing(even)} {'is' if len(even) == 1 else 'are'} as likely, every other one" if even else ""
+    rest = f"{than_these or 'every other explanation'} is less likely, but none is impossible"
     rest += ", save those with an effect that is wrong while the motor stands" * bool(
         slow_look_alikes.excluded(content, words)
     )

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 import yaml
-from made_content import CONTENT, content, full, told
+from made_content import CONTENT, content, full, page, told
 from made_recording import content as described
 
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
@@ -46,6 +46,20 @@ def test_a_value_that_run_yaml_does_not_hold_was_assumed_and_a_tolerance_is_show
     text = told(content(**changes, **bare))
     row = next(line for line in text.partition("\nDimensions\n")[2].splitlines() if "zero of the motor" in line)
     assert " ".join(row.split()).endswith("0 turns (assumed) 0.15 turns (0.1 to 0.2) 0.05 turns 1.5")
+
+
+def test_a_zero_that_uneven_friction_moves_is_to_be_written_where_it_is_sure():
+    """The page said to measure a zero again that was exact: friction differed between both ways."""
+    turned = {"angle_turns": {"nominal": 0.0, "value": -0.15, "low": -0.2, "high": -0.1}}
+    diagnosis = content(parameters=turned, evidence__moved_sigma={"angle_turns": -3.0})
+    uneven = "friction_hysteresis that is stronger in winding than in unwinding moves the zero of the motor as well."
+    sure = f"{uneven} Where that zero is sure, write so (`tolerance: {{angle_turns: 0.01}}`), and diagnose again."
+    for text in (page(diagnosis), full(diagnosis)):
+        assert sure in " ".join(text.split())
+    diagnosis["mechanisms"] = diagnosis["mechanisms"][1:]
+    assert "stronger in winding" not in page(diagnosis), "no friction is named"
+    of_radius = content(evidence__moved_sigma={"radius_mm": 2.9})
+    assert of_radius["mechanisms"] and "stronger in winding" not in page(of_radius)
 
 
 def test_how_run_yaml_says_a_tolerance_and_a_gain_is_told():

@@ -383,6 +383,11 @@ def test_a_single_explanation_is_reported_with_its_probability():
     ), "how probable the others are stands in the table"
     assert full(diagnosis).startswith("nylon-3: explained by friction_hysteresis + creep (73 %).")
     assert f"{best} (52 %); every other explanation is less likely" in reported(weighed(0.004, 0.06, 0.31, 0.02, 0.52))
+    even = reported(weighed(0.004, 0.06, 0.45, 0.02, 0.45))
+    assert (
+        f"{best} (45 %); friction_hysteresis + thermal is as likely, every other one is less likely, but none"
+        in " ".join(even.split())
+    )
     assert "agrees best" not in reported(), "no probability is known"
 
 
@@ -908,7 +913,7 @@ def test_each_effect_that_is_not_kept_has_a_row_why_also_by_what_goes_on_while_t
     assert "How likely at work: viscous_loss 2 %; each other one less than 1 %." in text
     assert text.endswith("This recording could not show axial_elasticity (it follows the load).")
     diagnosis["evidence"]["not_kept"][0]["tied"][0]["stands"] = stands(0.05)
-    assert "Wrong while the motor stands, though likely: slack." in details(copy.deepcopy(diagnosis))
+    assert "Among the likely, but wrong while the motor stands: slack." in details(copy.deepcopy(diagnosis))
     diagnosis["evidence"]["not_kept"][0]["stands"] = {}
     assert "The motor never stood long enough in this recording" in details(diagnosis)
 
