@@ -56,6 +56,7 @@ def _zero(source: Source) -> str:
         value += " at 0 turns"
     else:
         value = "sqrt(d^2 + b^2) - d at 0 turns, d being torsion_zone_mm and b separator_mm as measured"
+    jumped = f" In these recordings: {source.jumped}" if source.jumped else ""
     law = "the equation of a twisted pair" if inputs.pair else "eq. 4"
     runs = f" It was set so for string {', for string '.join(source.zeroed)}." if source.zeroed else ""
     return (
@@ -63,6 +64,7 @@ def _zero(source: Source) -> str:
         f"Set your sensor's zero so, once a string, and never in between: what later rests read is wear.{runs} "
         "A run that says `tare: run` was set anew: to where the string had rested before it and what it took back, or, "
         f"where the two rest under other loads or at other twists, to what {law} gives."
+        f"{jumped}"
     )
 
 

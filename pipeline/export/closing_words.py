@@ -19,7 +19,7 @@ SENTENCE = re.compile(r"(?<=\.) (?=[A-Z])")
 
 
 def lines(source: Source) -> list[str]:
-    """The error, a line each split; strings with one answer; a remark on synthetic strings; a remark on a small fit."""
+    """What the zero did; the error, a line each split; strings with one answer; remarks: synthetic, a small fit."""
     sentences = facts(source)
     errors = [text for text in SENTENCE.split((source.errors or "").replace(ANEW, "").strip()) if text]
     together = [text for text in SENTENCE.split(source.trained or "") if text.endswith(ALIKE)]
@@ -27,7 +27,8 @@ def lines(source: Source) -> list[str]:
     unusual = (
         [sentences["fit"]] if not sentences["fit"].startswith(("Made with the usual", "This model has no")) else []
     )
-    return [*errors, *together, *synthetic, *unusual]
+    beware = [f"beware: {source.jumped}"] if source.jumped else []
+    return [*beware, *errors, *together, *synthetic, *unusual]
 
 
 def compiled(header: Path, name: str) -> list[str]:

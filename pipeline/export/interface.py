@@ -22,11 +22,12 @@ class Source:
 
     `string` is the one that it was fitted to alone; empty where it was fitted to all.
 
-    As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `values` what was
-    recorded of each column that differs, and `foreseen` how many strokes the longest string has, and how many ahead
-    errors are measured. `pairs` are the twists that were recorded around each condition, `under` the strokes around
-    each load, and `trained` says which recordings these are; `on_unseen` tells, when asked, what the model errs on
-    points that it has not seen. `start` is a recorded state, by field. Of what is in `deaf` no answer depends.
+    As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `jumped` what that
+    zero did later, `values` what was recorded of each column that differs, and `foreseen` how many strokes the longest
+    string has, and how many ahead errors are measured. `pairs` are the twists that were recorded around each condition,
+    `under` the strokes around each load, and `trained` says which recordings these are; `on_unseen` tells, when asked,
+    what the model errs on points that it has not seen. `start` is a recorded state, by field. Of what is in `deaf` no
+    answer depends.
     """
 
     name: str
@@ -35,6 +36,7 @@ class Source:
     zero_mm: float = 0.0
     string: str = ""
     zeroed: tuple[str, ...] = ()
+    jumped: str = ""
     values: dict[str, str] = field(default_factory=dict)
     foreseen: tuple[int, int] | None = None
     deaf: tuple[str, ...] = ()

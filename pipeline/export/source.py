@@ -11,6 +11,7 @@ import numpy as np
 from ..ground.errors import BadInput
 from ..ground.stored import schemas
 from ..ground.stored.given_table import opened as opened_table
+from ..ground.words.jump_notes import NAME, beside_exports
 from ..models.interface import Model, StringsApart, about, make_model
 from ..models.interface import names as models_there
 from ..models.parts.box import Box
@@ -111,6 +112,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         zero_mm,
         string,
         zeroed_runs(dataset, string),
+        beside_exports(dataset.with_name(NAME), string) if len(points) else "",
         values_recorded(points),
         foreseen,
         pairs=pairs_recorded(points),

@@ -29,6 +29,7 @@ from pipeline.export.source import Beside, opened
 from pipeline.ground.errors import program
 from pipeline.ground.kinematics import point_contraction_mm, usual_stiffness
 from pipeline.ground.stored import schemas
+from pipeline.ground.words.jump_notes import SET_ANEW, write_jumps
 from pipeline.models.interface import about, make_model, settings_of
 from pipeline.models.parts.saved import read_json, write_bytes, write_json
 
@@ -456,6 +457,21 @@ def test_header_and_graphs_say_the_zero_how_far_errors_were_measured_and_a_small
             and f"{zero_mm:.3f} mm" in metadata["zero"]
             and "further than 2 strokes" in metadata["strokes"]
         )
+
+
+def test_header_graph_and_screen_say_what_the_zero_did_between_runs(tmp_path: Path) -> None:
+    """A controller got numbers that hang on a zero that jumped, and its header did not say so."""
+    file, jump = saved("spline", "one", tmp_path), "The zero jumps between two runs of one string: 0.6 mm."
+    assert "beware" not in export(file, "--format", "c").stdout
+    write_jumps(tmp_path / "zero_jumps.json", {"made-01": [jump, f"{SET_ANEW} made-02."], "other": []})
+    done = export(file, "--format", "c", "--format", "onnx", "--out", tmp_path / "out")
+    what = f"{jump} 1 more note on the zero of these runs: zero_jumps.json"
+    assert f"beware: {what}" in done.stdout, done.stderr
+    assert f"In these recordings: {what}" in " ".join(
+        (tmp_path / "out" / "tsa.h").read_text().replace("\n *", " ").split()
+    )
+    graph = onnx.load(tmp_path / "out" / "tsa.inverse.onnx")
+    assert what in {prop.key: prop.value for prop in graph.metadata_props}["zero"]
 
 
 def test_the_model_fitted_to_all_points_can_be_exported(tmp_path: Path) -> None:

@@ -144,7 +144,9 @@ def test_figure_5_says_in_its_legend_what_is_drawn_and_why_it_shows_its_last_mod
     assert all((line.get_color(), line.get_marker(), line.get_linewidth()) in keys for line in (*bars, *points))
     title = " ".join(legend.get_title().get_text().split())
     assert "A bar: the rms error over one of 24 equal parts of the stroke" in title
-    assert "Spline model: the least forward error on this material's held-out points" in title
+    assert (
+        "Spline model: beside INN and traditional, the least forward error over all held-out strokes together" in title
+    )
     other = figure_5(with_nominal(dataset), learned, "UHMWPE").legends[0].get_title().get_text()
     assert "the least forward error" not in other
 
@@ -221,7 +223,7 @@ def test_the_model_to_take_is_drawn_beside_another_that_errs_less(material, tmp_
     monkeypatch.undo()
     five = figure_5(*drawn[0])
     words = " ".join(five.legends[0].get_title().get_text().split())
-    assert "MLP model: the least forward error" in words
+    assert "MLP model: beside INN and traditional, the least forward error" in words
     assert "Spline model: the model to take" in words
     assert "Spline model, held-out points" in [line.get_label() for line in five.axes[0].get_lines()]
     with plt.rc_context(STYLE):

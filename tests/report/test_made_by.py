@@ -90,7 +90,7 @@ def test_a_small_fit_says_that_it_records_another_rig_where_it_does():
     strokes = "5 strokes: 4 from 0 up to 20 turns under 20 N, then 1 from 0 up to 16 turns under 30 N"
     assert rig == f"set-up small ({strokes})"
     mark = made_by(merged(CI), DEFAULT, "ci.yaml", [*MODELS, "synthetic"], rig)
-    whose = "Material synthetic, and no other, is of another synthetic rig"
+    whose = "Only material synthetic is of another synthetic rig than by default"
     assert f"{whose}: {rig}. Fits: INN model 2 seeds" in sentence(mark)
     assert "rig" not in sentence(made_by(merged(CI), DEFAULT, "ci.yaml", MODELS, rig))  # another material has its own
     assert other_rig(DEFAULT["synthetic"], DEFAULT["synthetic"]) == ""
@@ -98,7 +98,7 @@ def test_a_small_fit_says_that_it_records_another_rig_where_it_does():
     statement = f"Not the default configuration: made by ci.yaml. {whose}: {rig}."
     assert sentence(alone, versioned=False) == statement, "a key of the configuration is no sentence"
     lossy = made_by(merged({**CI, "keep_lossy": True}), DEFAULT, "ci.yaml", ["synthetic", "keep_lossy"], rig)
-    assert "; it differs from the default in keep_lossy. Material synthetic, and" in sentence(lossy, versioned=False)
+    assert "; it differs from the default in keep_lossy. Only material synthetic" in sentence(lossy, versioned=False)
     assert other_rig({"a": {"setup": "no such.yaml"}}, DEFAULT["synthetic"]) == "set-up no such.yaml"
 
 

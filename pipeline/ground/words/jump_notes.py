@@ -57,6 +57,16 @@ def read_jumps(notes: Sequence[Path]) -> list[str]:
     return [sentence for path in notes for sentences in _by_string(path).values() for sentence in sentences]
 
 
+def beside_exports(path: Path, string: str = "") -> str:
+    """What the note at a path says of the zero of one string, or of all: the gravest sentence, how many more there are.
+
+    Empty where it says nothing, or is not there. Raises BadInput.
+    """
+    notes = _by_string(path)
+    of_strings = [sentence for name in notes if string in ("", name) for sentence in notes[name]]
+    return _in_one_line(of_strings, Path(path.name))
+
+
 def beside_answers(path: Path, strings: Collection[str], learnt: Collection[str]) -> list[str]:
     """Lines beside answers about `strings`, from the note at a path; the model learnt from `learnt`.
 

@@ -34,7 +34,7 @@ CLEAR = 0.8  # of the least error: where an axis begins that has none below its 
 BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
 BARS = f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out."
 FOOTED = "An error that stands on the lower axis is {} or less."
-BEST = "{}: the least forward error on this material's held-out points of all other than INN and traditional."
+BEST = "{}: beside INN and traditional, the least forward error over all held-out strokes together."
 TAKEN = "{}: the model to take, by the rule on the page of the models."
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 

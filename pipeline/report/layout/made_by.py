@@ -125,7 +125,7 @@ def sentence(mark: MadeBy, versioned: bool = True) -> str:
     """The remark on the configuration for a reader, in one or two plain sentences; `versioned` with its hash."""
     if mark.kind == "unknown":
         return "Made by hand: which configuration made its numbers is not known."
-    rig = f" Material {SYNTHETIC}, and no other, is of another synthetic rig: {mark.rig}." if mark.rig else ""
+    rig = f" Only material {SYNTHETIC} is of another synthetic rig than by default: {mark.rig}." if mark.rig else ""
     fits = rig + (f" Fits: {mark.fits}." if mark.fits else "")
     name = f"{mark.name} ({mark.version})" if versioned else mark.name
     if mark.kind == "default":
