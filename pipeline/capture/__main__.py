@@ -6,6 +6,7 @@ from pathlib import Path
 from ..ground.command import command
 from ..ground.errors import program
 from ..ground.input.parser import Parser
+from ..run.folder import capture_info
 from ..run.run_arguments import run_dir
 from .commit import recover
 from .ended_run import tell, tell_finished
@@ -24,7 +25,8 @@ from .undescribed_string import warn_undescribed
 def main() -> int:
     """Exit 0 when the recording is complete, was ended on request or is recovered, 1 after a fault, 2 on bad input.
 
-    Nothing without a sample is exit 0, and no recording that its run.yaml does not fit, which is kept.
+    Nothing without a sample is exit 0, and no recording that its run.yaml does not fit, which is kept. Recovered lines
+    of a described run are exit 0 where they can be used, whatever ended them, else 1 after a fault, and 2 without one.
     """
     parser = Parser(prog=command("capture"), description=__doc__)
     parser.add_argument("port", metavar="PORT", nargs="?", help="the rig's serial port")
@@ -56,8 +58,11 @@ def main() -> int:
         folder = arguments.recover
         try:
             info = recover_lines(folder, columns) if (folder / LINES).is_file() else recover(folder)
+            usable = tell(info, folder, is_recovered=True)
         except Finished as finished:
-            return 0 if tell_finished(folder, finished) else 2
+            usable, info = tell_finished(folder, finished), capture_info(folder)
+        if usable and "lines" in info:
+            return 0
     else:
         if arguments.run_dir is None:
             parser.error("PORT and RUN_DIR are needed")
@@ -74,7 +79,7 @@ def main() -> int:
                 info = capture(arguments.port, folder, arguments.baud, arguments.longest, legs)
         except KeyboardInterrupt:  # before START: nothing was recorded
             return 130
-    usable = tell(info, folder, is_recovered=arguments.recover is not None)
+        usable = tell(info, folder)
     return 1 if info["exit_status"] == "fault" else 0 if usable else 2
 
 

@@ -24,10 +24,12 @@ GAPS_TOLD = 5  # of frames; all stand in capture.json
 def tell(info: CaptureJson, folder: Path, is_recovered: bool = False) -> bool:
     """Say what was recorded, and what is missing for the run to be used; whether what was recorded can be used.
 
-    That nobody has described the run yet is no fault of its recording. Of printed lines that are recovered, so that
-    they can be used now, that is said too.
+    That nobody has described the run yet is no fault of its recording, and a mend to be made in run.yaml is none.
+    Printed lines that are recovered, so that they can be used now, are judged by that, which is said too.
     """
     reader, refused, all_named = None, None, False
+    judged = is_recovered and "lines" in info
+    is_fault = info["exit_status"] == "fault"
     if "lines" in info:
         usable = not unusable_columns(folder)
         if usable and not info["lines"]["time_backward"]:  # of a clock that falls back it is asked first
@@ -55,14 +57,15 @@ def tell(info: CaptureJson, folder: Path, is_recovered: bool = False) -> bool:
         if "lines" in info and info["lines"]["time_backward"]:
             print(f"{folder}: {clock_question(info, folder)}")
         print(f"{error} Until then nothing can use this run.")
-        return not described
+        return not (described or (judged and is_fault))
+    can_be_used = refused is None
     if refused is None:
         tell_beginning(folder, reader)  # None of frames: their rig begins its motion when the recording does
         reader = reader or reader_of(folder)
-        if is_recovered and "lines" in info and info["exit_status"] != "fault" and not refusal(folder, reader):
+        if judged and not is_fault and not refusal(folder, reader):
             print(f"{folder}: it can be used: run.yaml reads it by these columns")
-        tell_of_its_string(folder, info, reader)
-    return True
+        can_be_used = tell_of_its_string(folder, info, reader, judged)
+    return can_be_used or not judged
 
 
 def tell_beginning(folder: Path, reader: "Reader | None") -> None:
@@ -73,8 +76,13 @@ def tell_beginning(folder: Path, reader: "Reader | None") -> None:
         print(f"{folder}: warning: {sentence}")
 
 
-def tell_of_its_string(folder: Path, info: CaptureJson, reader: "Reader | None" = None) -> None:
-    """Say whether the sensor's zero moved since the run of the same string before, and what comes next."""
+def tell_of_its_string(
+    folder: Path, info: CaptureJson, reader: "Reader | None" = None, is_settled: bool = False
+) -> bool:
+    """Say whether the zero moved since the string's run before, and what comes next; whether the run can be used.
+
+    `is_settled`: what can be used of a recording that a fault ended decides the exit status, and not the fault.
+    """
     from ..string.jumps_beside import Beside, advice_on  # it needs pandas, for which no rig should wait
     from ..string.next_steps import next_steps
     from .use_after_fault import strokes_of_use, strokes_unwound
@@ -84,7 +92,7 @@ def tell_of_its_string(folder: Path, info: CaptureJson, reader: "Reader | None" 
     for sentence in advice_on(folder, beside):
         print(f"{folder}: {sentence}")
     if not info["samples"]["received"]:
-        return
+        return False
     hello = info.get("hello")
     try:
         if hello and info["exit_status"] == "complete":
@@ -92,12 +100,13 @@ def tell_of_its_string(folder: Path, info: CaptureJson, reader: "Reader | None" 
         elif info["exit_status"] != "fault":
             whole = strokes_unwound(folder, reader)
         else:
-            whole = strokes_of_use(folder, reader)
+            whole = strokes_of_use(folder, reader, "" if is_settled else "; the exit status 1 tells of the fault")
     except BadInput as error:
         tell_refused(error, folder, info)
-        return
+        return False
     anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
     print("\n".join(next_steps(folder, whole, anew, beside.unreadable)))
+    return True
 
 
 def tell_finished(folder: Path, finished: Finished) -> bool:
@@ -113,8 +122,7 @@ def tell_finished(folder: Path, finished: Finished) -> bool:
         tell(info, folder)
         return False
     print(f"{folder}: there is nothing to recover: the recording is finished, and run.yaml as it is now reads it")
-    tell_of_its_string(folder, info, reader)
-    return True
+    return tell_of_its_string(folder, info, reader, is_settled=True)
 
 
 def tell_frames(info: CaptureJson, folder: Path) -> None:

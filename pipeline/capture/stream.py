@@ -24,11 +24,13 @@ class Outcome:
     """How it ended: complete, aborted, recovered or fault.
 
     `fault` is a sentence where something went wrong, `ended_by` says what ended it where that is no fault.
+    `screen_mend` is the mend that the screen has shown while no line could be read.
     """
 
     status: str
     fault: str | None = None
     ended_by: str | None = None
+    screen_mend: str = ""
 
 
 class Listener:

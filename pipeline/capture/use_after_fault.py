@@ -36,13 +36,16 @@ def once(folder: Path) -> Reader:
     return reader
 
 
-def strokes_of_use(folder: Path, reader: Reader) -> int:
-    """The number of strokes of a run that a fault ended; raises BadInput if it cannot be used."""
+def strokes_of_use(folder: Path, reader: Reader, ends: str = "") -> int:
+    """Say what of a run that a fault ended can be used, and how the program `ends`; the number of its strokes.
+
+    Raises BadInput if it cannot be used.
+    """
     with redirect_stderr(io.StringIO()):  # what is read as what is said when the run is used
         recorded = reader(folder)
     count = int(recorded.strokes["stroke"].max())
     kept = f"{counted(len(recorded.table), 'sample')} in {counted(count, 'stroke')}"
-    print(f"{folder}: what came before the fault can be used: {kept}; the exit status 1 tells of the fault")
+    print(f"{folder}: what came before the fault can be used: {kept}{ends}")
     return count
 
 

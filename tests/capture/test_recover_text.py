@@ -119,8 +119,12 @@ def test_a_run_whose_cable_went_is_said_to_be_usable_and_what_comes_next(folder)
     (folder / "capture.json").write_text(json.dumps(info | {"exit_status": "fault", "fault": "the port went away"}))
     (folder / "recording.csv").unlink()
     done = recover(folder)
-    words = "what came before the fault can be used: 800 samples in 2 strokes; the exit status 1 tells of the fault"
-    assert done.returncode == 1 and words in done.stdout and "Next:" in done.stdout, done.stdout
+    words = "what came before the fault can be used: 800 samples in 2 strokes\n"
+    assert done.returncode == 0 and words in done.stdout and "Next:" in done.stdout, done.stdout
+    (folder / "run.yaml").rename(folder / "away.yaml")
+    (folder / "recording.csv").unlink()
+    assert recover(folder).returncode == 1, "of a run that nobody has described nobody knows it"
+    (folder / "away.yaml").rename(folder / "run.yaml")
     assert "2 strokes so far, and a diagnosis needs at least 6 to 8" in done.stdout
     assert "pipeline.diagnose" not in done.stdout and "snakemake" not in done.stdout, "no two strokes tell enough"
     (folder / "capture.json").write_text(json.dumps(info | {"exit_status": "fault", "fault": "the port went away"}))
@@ -132,6 +136,7 @@ def test_a_run_whose_cable_went_is_said_to_be_usable_and_what_comes_next(folder)
     )
     done = recover(folder)
     assert done.returncode == 1 and "too few for a stroke" in done.stdout and "Next:" not in done.stdout, done.stdout
+    assert recover(folder).returncode == 1, "it is finished, and cannot be used all the same"
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,9 @@ def test_lines_without_a_header_get_the_names_of_the_runs_own_description_in_its
     assert status == 2 and re.search(f"{exchange}$", warning) and command not in warning, words
     below = rf"{exchange}\n  python -m pipeline\.capture {re.escape(command)}"
     assert re.search(rf"{below}\n", words), "it stood in the middle of 450 characters"
-    assert re.search(rf"error: .*{below}$", words.rstrip()), "no full stop stands behind a name"
+    end = rf"Mend: name the columns, by the command below\n  python -m pipeline\.capture {re.escape(command)}"
+    assert re.search(rf"error: .*{end}$", words.rstrip()), "no full stop stands behind a name"
+    assert len(re.findall(exchange, words)) == 1, "the paragraph stood twice"
     done = ready.run("pipeline.capture", *command.split())
     assert done.returncode == 0 and "nothing can use" not in done.stdout, done.stdout
 

@@ -33,13 +33,13 @@ def test_a_run_that_a_fault_ended_is_read_once(tmp_path, monkeypatch, capsys):
     assert "in 3 strokes; the exit status 1 tells of the fault" in capsys.readouterr().out
 
 
-def recovered(folder: Path, samples: pd.DataFrame) -> str:
+def recovered(folder: Path, samples: pd.DataFrame, status: int = 0) -> str:
     """What --recover says of the printed lines of these samples."""
     folder.mkdir()
     (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1")))
     (folder / "recording.lines").write_text(samples.to_csv(index=False))
     done = ready.run("pipeline.capture", "--recover", folder)
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.returncode == status, done.stdout + done.stderr
     return done.stdout
 
 
@@ -74,6 +74,6 @@ def test_a_recording_that_joined_a_rig_amid_a_stroke_says_so(tmp_path, first, wo
 def test_a_wrong_sign_of_printed_lines_is_warned_of_when_the_recording_ends(tmp_path):
     """26 s and the end went by without a word; only the diagnosis refused the run."""
     table = recording()
-    words = recovered(tmp_path / "run-1", table.assign(displacement_mm=-table["displacement_mm"]))
+    words = recovered(tmp_path / "run-1", table.assign(displacement_mm=-table["displacement_mm"]), status=2)
     warning = next(line for line in words.splitlines() if line.startswith("warning: "))
     assert "falls while the motor winds" in warning and "set channels.displacement_mm.scale to -1" in warning

@@ -17,7 +17,7 @@ from . import holes
 from .clock_words import clock_in
 from .fields import clock_at, names
 from .lines import Lines, Splitter
-from .naming import command_below, naming_in
+from .naming import after_screen, command_below, naming_in
 
 CSV = "recording.csv"
 
@@ -93,6 +93,7 @@ def commit_lines(
                 problem, mend = lines.problem(
                     (ended - began).total_seconds(), recover_command(folder), naming_in(folder)
                 )
+                problem, mend = after_screen(problem, mend, outcome.screen_mend)
                 propose(folder, mend.partition(" --columns ")[2].partition(";")[0])
                 raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", command_below(mend))
             check_own(folder, LINES, printed.sha256)

@@ -65,6 +65,18 @@ def command_below(mend: str) -> str:
     return f"{mend[: command.start()]}, by the command below{mend[command.end() :]}\n  {command[1]}"
 
 
+def after_screen(problem: str, mend: str, screen_mend: str) -> tuple[str, str]:
+    """The problem and the mend for the end: of what the screen has told with `screen_mend`, the command alone.
+
+    An order of the columns that the screen did not tell so is told whole.
+    """
+    command = WHOLE.search(mend)
+    if command is None or not WHOLE.search(screen_mend):
+        return problem, mend
+    is_same = mend.partition(" = ")[0] == screen_mend.partition(" = ")[0]  # all but the last line's values
+    return "no line is read, as said above", f"name the columns: {command[1]}" if is_same else mend
+
+
 def naming_of(run: Run, folder: Path) -> Naming:
     """How a run's columns are named; those that run.yaml gives by their places have no names in it."""
     columns = [name if channel.column is None else channel.column for name, channel in run.channels.items()]

@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -134,4 +135,4 @@ def follow(
                 log.append(chunk)
     log.sync()
     telling.close()
-    return outcome
+    return replace(outcome, screen_mend=telling.mend)

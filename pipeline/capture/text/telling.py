@@ -23,6 +23,7 @@ class Telling:
         self.recover, self.naming = recover_command(folder), naming_in(folder)
         self._began_s, self._looked_s = began_s, time.monotonic()
         self._told = ""
+        self.mend = ""  # what it has said that mends a recording of which no line is read
         self._faults: LiveFaults | None = None
         self._read = self._not_read = 0
 
@@ -50,7 +51,8 @@ class Telling:
                 problem, mend = lines.problem(now_s - self._began_s, self.recover, self.naming)
                 kept = f"warning: no line is read yet, but all are kept: {problem}"
                 now = "let the rig print its header again, or when the run has ended " if lines.unnamed.size > 1 else ""
-                self._say("nothing", f"{kept}. Mend: {now}{command_below(mend)}")
+                if self._say("nothing", f"{kept}. Mend: {now}{command_below(mend)}"):
+                    self.mend = mend
             elif read - self._read < not_read - self._not_read and lines.bad:
                 problem, mend = lines.problem(0.0, self.recover, self.naming)
                 most_lost = f"warning: most lines are not read now; {lines.counts()}; {problem}"
@@ -86,7 +88,10 @@ class Telling:
         values = [f"{name} = {value}" for at, (name, value) in enumerate(pairs) if at != lines.time_at]
         return [passed, *([counted(lines.good, "line"), *values] if lines.good else []), lines.counts()]
 
-    def _say(self, what: str, sentence: str) -> None:
-        if what != self._told:
+    def _say(self, what: str, sentence: str) -> bool:
+        """Say a sentence of another kind than the last one; whether it was said."""
+        is_new = what != self._told
+        if is_new:
             self.screen.say(sentence)
         self._told = what
+        return is_new
