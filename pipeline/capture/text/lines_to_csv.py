@@ -93,7 +93,8 @@ def commit_lines(
                 problem, mend = lines.problem(
                     (ended - began).total_seconds(), recover_command(folder), naming_in(folder)
                 )
-                problem, mend = after_screen(problem, mend, outcome.screen_mend)
+                if lines.unnamed.count:
+                    problem, mend = after_screen(problem, mend, outcome.screen_mend)
                 propose(folder, mend.partition(" --columns ")[2].partition(";")[0])
                 raise BadInput(folder / LINES, "samples", f"{problem}; what was printed is kept", command_below(mend))
             check_own(folder, LINES, printed.sha256)
