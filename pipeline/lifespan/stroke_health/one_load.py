@@ -11,9 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...ground.kinematics import Array
-from ...ground.words.counts import are, counted
+from ...ground.words.counts import counted
 from ...string.recovered import SAME_LOAD
-from .indicators import REFERENCE
 from .readings import Found
 
 LEAST_N = 0.1  # loads this near count as one: a load cell under no load reads so much
@@ -39,33 +38,19 @@ class Loads:
         return sum(len(numbers) for _, numbers in self.others)
 
     @property
-    def sentences(self) -> list[str]:
-        """The sentences if strokes of other loads are left out: which are compared, and which are not."""
-        if not self.others:
-            return []
-        count, other_strokes = len(self.kept), [number for _, numbers in self.others for number in numbers]
-        these = f"Loads differ: only the {counted(count, 'stroke')} under {newtons(self.load_n)} {are(count)} compared"
+    def left_out(self) -> str:
+        """The strokes of other loads, which are left out, and why these and not those that are compared."""
         most = max(len(numbers) for _, numbers in self.others)
-        why = "no other load has as many" if count > most else "of loads with as many it is the last"
-        lines = [
-            f"{these} ({_spans(self.kept)}): {why}. A change of load is no ageing.",
-            f"Left out: {self._left_out(other_strokes)}. In what follows the first {REFERENCE} strokes are the first "
-            f"{REFERENCE}{self.under}.",
-        ]
-        since = sum(number > max(self.kept) for number in other_strokes)
-        if since:
-            lines.append(
-                f"The string did {counted(since, 'stroke')} more since: strokes left are counted from stroke "
-                f"{max(self.kept)}, the last one{self.under}."
-            )
-        return lines
+        why = "the most" if len(self.kept) > most else "as many as the most, and later"
+        taken = f"{newtons(self.load_n)} has {why} ({counted(len(self.kept), 'stroke')})"
+        return f"Left out: {self._named()}. A change of load is no ageing; {taken}."
 
-    def _left_out(self, other_strokes: list[int]) -> str:
+    def _named(self) -> str:
         if len(self.others) > NAMED:
             ends = [load for load, _ in self.others]
-            return f"{counted(len(other_strokes), 'stroke')} under {min(ends):.3g} to {newtons(max(ends))}"
+            return f"{counted(self.count_left_out, 'stroke')} under {min(ends):.3g} to {newtons(max(ends))}"
         named = (
-            f"{counted(len(numbers), 'stroke')} under {newtons(load)} ({_spans(numbers)})"
+            f"{counted(len(numbers), 'stroke')} under {newtons(load)} ({spans(numbers)})"
             for load, numbers in self.others
         )
         return ", ".join(named)
@@ -101,7 +86,7 @@ def _most(loads: Array, spare: float) -> NDArray[np.bool_]:
     return max(each, key=lambda alike: (alike.sum(), np.flatnonzero(alike)[-1]))
 
 
-def _spans(numbers: Sequence[int]) -> str:
+def spans(numbers: Sequence[int]) -> str:
     """Numbers of strokes, those that follow each other from where to where."""
     parts = np.split(np.array(numbers), 1 + np.flatnonzero(np.diff(numbers) != 1))
     return ", ".join(f"{part[0]} to {part[-1]}" if len(part) > 1 else f"{part[0]}" for part in parts)

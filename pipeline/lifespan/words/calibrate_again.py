@@ -6,12 +6,10 @@ from pathlib import Path
 
 from ...ground.command import INSTALLED, command
 from ...ground.model_names import USUAL
-from ..stroke_health.indicators import REFERENCE
+from ..forecast.strokes_left import LEAST_STROKES
 
 AFTERWARDS = (
-    "This program cannot know that a model was calibrated again: it compares with the first "
-    f"{REFERENCE} strokes of the runs that it is given. After a calibration name only the runs recorded since: "
-    "a forecast of them needs 12 strokes again."
+    f"After a calibration name only the runs recorded since: a forecast of them needs {LEAST_STROKES} strokes again."
 )
 
 

@@ -6,7 +6,6 @@ import numpy as np
 
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import LEAST_STROKES, Span
-from ..stroke_health.indicators import REFERENCE
 from .percent import tail
 from .stroke_counts import strokes, strokes_at_least
 
@@ -39,22 +38,27 @@ def lows(answers: list[Answer]) -> list[float]:
     return [span.low for span in spans if span.state not in ("no claim", "passed")]
 
 
-def advice(answers: list[Answer], done: int = 0, beside: bool = False) -> str:
+def advice(answers: list[Answer], done: int = 0, beside: bool = False, like: str = "") -> str:
     """When to calibrate the model again and when to ask again, each with the stroke at which that is.
 
-    A stroke that the string passed is said to be that: it has `done` so many in the given runs, under another load or
-    over another range of twist. `beside`: other runs of it were not given, so that nobody counted how many it has done.
+    What was due at a stroke that the string has passed is due now, or with its next strokes `like` those compared: it
+    has `done` so many in the given runs, under another load or over another range of twist. `beside`: other runs of it
+    were not given, so that nobody counted how many it has done.
     """
     last = max((int(answer.n[-1]) for answer in answers if len(answer.n)), default=0)
 
     def after(count: int) -> str:
         at = f"{strokes(count)}, at stroke {last + count}"
-        if done >= last + count:
-            return f"{at} (passed already: the string has done {strokes(done)})"
         return f"{strokes(count)} from stroke {last} on, those of the runs not given among them" if beside else at
 
-    again = f"Ask again after {after(ask_again_after(answers))}."
-    when = recalibrate_after(answers)
+    asked_after, when = ask_again_after(answers), recalibrate_after(answers)
+    again = f"Ask again after {after(asked_after)}."
+    if done >= last + asked_after:
+        next_ = f"sk again once strokes{like} are recorded after stroke {done}"
+        if when and due(answers) and done >= last + when:
+            at = f"stroke {last + when}, at which the calibration was due, is among the {strokes(done)} done"
+            return f"Advice: calibrate your model again now, on the strokes recorded; a{next_}: {at}."
+        again = f"A{next_}: stroke {last + asked_after}, at which that was due, is done."
     if when is None:
         return f"Advice: no reason to calibrate your model again is seen so far. {again}"
     if when == 0:
@@ -75,7 +79,8 @@ def no_ageing(answers: list[Answer], strokes_seen: int, at_rest: str = "") -> st
     least = strokes_at_least(min(bounds))
     return (
         "No ageing is seen: every change is within the noise of the strokes. "
-        f"The {strokes(strokes_seen)} seen can promise at least {least} more: this bound is caution, no sign of wear."
+        f"The {strokes(strokes_seen)} compared can promise at least {least} more: "
+        "this bound is caution, no sign of wear."
     )
 
 
@@ -87,12 +92,12 @@ def due(answers: list[Answer]) -> bool:
 def rests_on(answers: list[Answer]) -> list[str]:
     """The reasons of the advice: why to calibrate or not, and why to ask again."""
     error = next(answer for answer in answers if answer.question == "model_error")
-    limit, model = f"{error.limit:g} {error.unit}", f"a model calibrated on the first {REFERENCE} strokes"
+    limit, model = f"{error.limit:g} {error.unit}", "that model"
     why = {
         "passed": f"{model} was off by {limit} at stroke {error.left.passed_at:.0f} already",
         "no claim": f"nothing is foretold of {model}",
         "censored": f"{model} is off by less than {limit} so long, in 9 of 10 futures",
-    }.get(drift(answers).state, f"{model} may be off by {limit} by then, the lower bound below")
+    }.get(drift(answers).state, f"{model} may be off by {limit} by then, the lower bound above")
     seen = max(len(answer.n) for answer in answers)
     least = math.floor(min(lows(answers), default=0.0))
     half = (
@@ -100,7 +105,7 @@ def rests_on(answers: list[Answer]) -> list[str]:
         if least > 1
         else SOON_PASSED
     )
-    again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes seen have doubled then"
+    again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes compared have doubled then"
     calibrate = "Why calibrate" if due(answers) else "Why no calibration"
     return [f"{calibrate}: {why}.{_cautious(error)}", f"Why ask again: {again}."]
 
@@ -112,6 +117,6 @@ def _cautious(error: Answer) -> str:
         return ""
     sooner = tail(1.0 - LEVEL if span.state == "one-sided" else (1.0 - LEVEL) / 2.0)
     return (
-        f" The advice is for the worst {sooner} of the futures, which pass {error.limit:g} {error.unit} by then; that "
-        "half of them stay below it far longer does not go against it."
+        f" The advice is for the worst {sooner} of the futures, which pass {error.limit:g} {error.unit} by then; "
+        "half of them stay below it far longer."
     )

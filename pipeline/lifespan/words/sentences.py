@@ -8,25 +8,25 @@ import numpy as np
 
 from ...ground.command import command, program_name
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
-from ...ground.words.counts import are
 from ...ground.words.jump_notes import KNOWN_IN_PART
 from ...string.zero import Jump
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
 from ..stroke_health.at_rest import longer_at_rest
-from ..stroke_health.health import SAME_RANGE, Health
+from ..stroke_health.health import Health
 from ..stroke_health.indicators import REFERENCE
 from .calibrate_again import AFTERWARDS
 from .calibration_advice import advice, due, no_ageing, rests_on
 from .claims_held import measured
 from .percent import of_100, percent, tail
 from .so_far import so_far
-from .stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
+from .stroke_counts import at_least, strokes_at_least, strokes_at_most
+from .strokes_compared import CALIBRATED, left_out, recorded
 
 UNFORESEEN = (
     "A sudden end, such as a fibre that breaks, shows in no stroke before it. The forecast gives it a chance of "
-    f"{of_100(sudden(1.0))} until the strokes seen have doubled, and of {of_100(sudden(HORIZON))} within "
-    f"{HORIZON:g} times the strokes seen; wear that speeds up later has a chance of {of_100(ACCELERATES)}. Every "
+    f"{of_100(sudden(1.0))} until the strokes compared have doubled, and of {of_100(sudden(HORIZON))} within "
+    f"{HORIZON:g} times the strokes compared; wear that speeds up later has a chance of {of_100(ACCELERATES)}. Every "
     "string is given the same three chances, so this string's own may be larger."
 )
 SYNTHETIC = (
@@ -35,7 +35,14 @@ SYNTHETIC = (
 )
 MADE = ("example", SYNTHETIC_MATERIAL)  # materials of the synthetic rig begin so
 ZERO_OFF = f"{KNOWN_IN_PART} The model's error may be off by as much."
-WAYS_ON = f"A future is one of {FUTURES:,} ways in which this string may go on, as the laws of its strokes allow."
+WAYS_ON = (
+    f"A future is one of {FUTURES:,} ways in which this string may go on, by the laws of its strokes, for {{}} strokes."
+)
+SUDDEN = (
+    f"A sudden end shows in no stroke before it; any string has a chance of {of_100(sudden(1.0))} until its strokes "
+    "double."
+)
+LIKE = " over the compared range of twist"
 
 
 def few(count: int) -> bool:
@@ -43,25 +50,24 @@ def few(count: int) -> bool:
     return count < LEAST_STROKES
 
 
-def seen(health: Health, beside: bool = False) -> list[str]:
-    """How many strokes were seen; if these are too few, how many are needed and how to get them.
+def heading(health: Health, beside: bool = False) -> list[str]:
+    """The strokes recorded and compared; if these are too few, how many are needed and how to get them.
 
     `beside`: whether other runs of the string are there and were not given.
     """
-    table = health.strokes
-    strokes_seen = f"{strokes(len(table))} seen{health.loads.under}"
+    table, out = health.strokes, [f"  {line}" for line in left_out(health)]
     if not few(len(table)):
-        return [f"{health.string}: {strokes_seen}, the last one stroke {int(table['stroke'].iloc[-1])}."]
-    more, out = LEAST_STROKES - len(table), len(health.left_out)
-    strokes_seen += f", {out} more left out" * bool(out)
+        return [f"{health.string}: {recorded(health)}. {CALIBRATED}", *out]
+    more = LEAST_STROKES - len(table)
     like = f"its run {table['run'].iloc[-1]}" if health.loads.others else "its first run"
     one_load = " under one load" * bool(health.loads.others)
     needed = f"at least {LEAST_STROKES}{one_load} are needed, {more} more than there are"
+    first = f"{health.string}: no forecast yet: {recorded(health)}; {needed}."
     if beside:
-        return [f"{health.string}: no forecast yet: {strokes_seen}; {needed}. Name the runs beside as well."]
+        return [f"{first} Name the runs beside as well.", *out]
     return [
-        f"{health.string}: no forecast yet: {strokes_seen}; {needed}.",
-        *([f"  {_another_range(health)}"] if out else []),
+        first,
+        *out,
         f"  Record {more} or more further strokes of this very string{health.loads.under} as a new run "
         f"({program_name('new_run')} --like {like}), wound to {health.range_turns[1]:.3g} turns. Then name all runs of "
         "it in this command.",
@@ -69,27 +75,18 @@ def seen(health: Health, beside: bool = False) -> list[str]:
     ]
 
 
-def _another_range(health: Health) -> str:
-    """The remark that strokes are left out, and the range that they would have to cover."""
-    count, (low, high) = len(health.left_out), health.range_turns
-    wind = "strokes wind" if count > 1 else "stroke winds"
-    range_ = f"{low:.3g} to {high:.3g} turns, the median of the first {REFERENCE}, within {SAME_RANGE:.0%} of it"
-    return f"{count} {wind} over another range than {range_}, and {are(count)} left out."
-
-
 def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
     """One question's answer in words, one fact a sentence; with `enough`, also the reason why there is none."""
     forecast, span = answer.left, answer.left.span(level)
-    limit = f"a model calibrated on the first {REFERENCE} strokes is off by {answer.limit:g} {answer.unit}"
+    limit = f"that model is off by {answer.limit:g} {answer.unit}"
     limit = f"{percent(answer.limit)} of the stroke is lost" if answer.unit == "1" else limit
     if span.state == "no claim":
         return [f"Until {limit}: {f'no claim: {forecast.reason}' if enough else 'no forecast yet'}."]
     if span.state == "passed":
         return [f"Until {limit}: passed already at stroke {forecast.passed_at:.0f}."]
     most = f"{at_least(forecast.horizon)} strokes"
-    further = f"The forecast does not look further than {most}."
     if span.state == "censored":
-        return [f"Until {limit}: more than {most} left in {percent(level)} of the futures.", further]
+        return [f"Until {limit}: more than {most} left in {percent(level)} of the futures."]
     if not np.isfinite(span.median):
         half = f"At least half of the futures stay below the limit for all {most}."
     elif span.median < 1.0:
@@ -104,17 +101,7 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
     sooner = f"({tail(1.0 - level)} pass it sooner)"
     if span.low < 1.0:
         least, sooner = "not one stroke is sure", f"({tail(1.0 - level)} of the futures pass it within the next one)"
-    return [f"Until {limit}: {least} {sooner}.", half, further]
-
-
-def law(answer: Answer) -> str:
-    """The law that has the most weight."""
-    choice = answer.left.choice
-    return (
-        f"The law that counts most in this: {choice.best.law.name} ({percent(choice.weights.max())} of the weight)."
-        if choice
-        else ""
-    )
+    return [f"Until {limit}: {least} {sooner}.", half]
 
 
 def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> list[str]:
@@ -125,7 +112,8 @@ def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> l
     lines = [f"  {so_far(answer, at_rest)}{within}", f"  {claim}"]
     if state in ("no claim", "passed"):
         return lines
-    return [*lines, *(f"    {line}" for line in (*more, measured(answer.question, state), law(answer)) if line)]
+    trust = " ".join(line for line in (*more, measured(answer.question, state)) if line)
+    return [*lines, f"    {trust}"]
 
 
 def zero(jump: Jump) -> str:
@@ -162,24 +150,23 @@ def young(run: str) -> str:
 def sentences(
     health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: Sequence[str] = ()
 ) -> str:
-    """All answers in words, a few lines; `beside` as `seen` takes it, `calibrate_by` how a model is calibrated."""
-    lines, enough, at_rest = seen(health, beside), not few(len(health.strokes)), longer_at_rest(health.strokes)
+    """All answers in words: the strokes, what to beware of, how far each limit is, and what to do.
+
+    `beside` as `heading` takes it, `calibrate_by` how a model is calibrated.
+    """
+    lines, enough, at_rest = heading(health, beside), not few(len(health.strokes)), longer_at_rest(health.strokes)
     lines += [f"  {line}" for line in (no_ageing(answers, len(health.strokes), at_rest),) if line]
-    lines += [f"  {line}" for line in health.loads.sentences]
-    is_foretold = any(len(answer.left.when) for answer in answers)
-    lines += [f"  {WAYS_ON}"] if is_foretold else []
-    if enough:
-        lines.append(f"  {advice(answers, health.done, beside)}")
-        then = [*calibrate_by, AFTERWARDS] if due(answers) else []
-        lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
-    if health.left_out and (enough or beside):  # else it is said first
-        lines.append(f"  {_another_range(health)}")
     lines += [f"  {young(run)}" for run in health.anew]
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {note}" for note in health.tares]
     lines += [f"  Beware: {note}" for note in health.uncompared]
     if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
         lines.append(f"  {ZERO_OFF}")
+    horizons = [answer.left.horizon for answer in answers if len(answer.left.when)]
+    lines += [f"  {WAYS_ON.format(at_least(horizons[0]))}", f"  {SUDDEN}"] if horizons else []
     lines += [line for answer in answers for line in answered(answer, level, enough, at_rest)]
-    lines += [f"  {UNFORESEEN}"] if is_foretold else []
+    if enough:
+        lines.append(f"  {advice(answers, health.done, beside, health.loads.under or LIKE * bool(health.left_out))}")
+        then = [*calibrate_by, AFTERWARDS] if due(answers) else []
+        lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
     return "\n".join(lines)
