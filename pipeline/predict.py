@@ -34,7 +34,7 @@ from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, beside_answers
 from .models.interface import about
-from .models.parts.inside.unrecorded_loads import at_unrecorded_loads
+from .models.parts.inside.unrecorded_loads import at_unrecorded_loads, beyond_all_loads
 from .models.parts.inside.why import Kind
 from .models.parts.questions.bad_rows import first_of, numbered, refusal
 from .models.parts.questions.question_points import read_questions
@@ -49,6 +49,10 @@ NOTED = {  # of answers with an interval, how many are said to be so
     Kind.ERRS_MORE: "in a stroke that errs more than others",
 }
 FAR_OFF = "the string was not recorded under this load, and the numbers of {model} may be far off."
+BEYOND = (
+    "no string was recorded under such a load, and the numbers of {model} may be far off. The equations answer about "
+    "recorded strings alone: record one under it."
+)
 NO_LOAD = "The equation of a twisted pair knows no load: record the string under it."
 ZERO = (
     "Contractions have the model's zero, not the sensor's: the rest before a string's first stroke is set to what the "
@@ -115,8 +119,10 @@ def main() -> None:
         questions = read_questions(arguments.questions, dataset, fitted.apart)
         _tell_of_zero(arguments.dataset, dataset, questions.points, fitted.apart)
         table = fitted.answered(questions)
-        to = f"each string of {arguments.dataset}" if arguments.each_string else str(arguments.dataset)
-        by, less = f"by a {arguments.model} fitted anew to {to}", "without an interval"
+        to = f"each string of {arguments.dataset} alone" if fitted.apart else str(arguments.dataset)
+        by, less = f"by the {arguments.model} model, fitted anew to {to}", "without an interval"
+        if arguments.each_string and dataset["string"].nunique() == 1:
+            print(f"note: --each-string changes nothing: {arguments.dataset} is of one string.", file=sys.stderr)
     if ANSWER_OF in table:
         strings = set(questions.points["string"].astype(str))
         alike = {string: words for string, words in strings_alike(dataset).items() if string in strings}
@@ -145,6 +151,8 @@ def main() -> None:
         print(f"  {' '.join([command('predict'), '--model', EQUATIONS, *map(quoted, typed)])}")
     if no_load := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
         print(f"{numbered(no_load).capitalize()}: {FAR_OFF.format(model=arguments.model)} {NO_LOAD}")
+    if beyond := (questions.rows[beyond_all_loads(questions.points, dataset)] + 1).tolist():
+        print(f"{numbered(beyond).capitalize()}: {BEYOND.format(model=arguments.model)}")
     print(ZERO)
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")

@@ -634,7 +634,7 @@ def test_strings_of_the_same_sizes_have_one_answer_and_that_is_said(of_two: Path
             assert table["displacement_mm"][1] == pytest.approx(0.9 * table["displacement_mm"][0], rel=0.01)
             width = table.eval("displacement_mm_high - displacement_mm_low")
             assert (width < 0.5 * pooled_width).all(), "the interval is of one string"
-            assert "fitted anew to each string of" in done.stdout
+            assert f"by the polynomial model, fitted anew to each string of {of_two} alone" in done.stdout
 
 
 def test_each_string_alone_is_answered_as_if_no_other_were_there(dataset: Path, of_two: Path) -> None:
@@ -655,6 +655,32 @@ def test_each_string_alone_is_answered_as_if_no_other_were_there(dataset: Path, 
         "",
         *["made-01, made-02"],
     ]
+
+
+def test_each_string_of_a_dataset_of_one_string_is_said_to_change_nothing(dataset: Path, of_two: Path) -> None:
+    """The option was taken without a word, and the numbers were those without it."""
+    text, words = "stroke,direction,motor_turns\n2,1,9\n", ("--model", "polynomial")
+    note = f"note: --each-string changes nothing: {dataset} is of one string.\n"
+    assert note not in ask(dataset, text, *words).stderr
+    without = dataset.with_name("answers.csv").read_text()
+    done = ask(dataset, text, *words, "--each-string")
+    assert done.returncode == 0 and done.stderr.count(note) == 1, done.stderr
+    assert dataset.with_name("answers.csv").read_text() == without
+    assert "changes nothing" not in ask(of_two, TWO, *words, "--each-string").stderr
+
+
+def test_a_load_beyond_all_recorded_ones_is_said_to_be_far_off_of_a_new_string_too(of_two_sizes: Path) -> None:
+    """60 N of a new string stood among the answers as any number; of a recorded one a line said what to do."""
+    points = pd.read_parquet(of_two_sizes)
+    points["load_n"] = np.where(points["stroke"] <= 3, 20.0, 40.0)
+    loads = of_two_sizes.with_name("loads.parquet")
+    schemas.write(points, schemas.DATASET, loads)
+    rows = "2,1,9,new,0.5,20\n2,1,9,new,0.5,30\n2,1,9,new,0.5,60\n2,1,9,new,0.5,5\n2,1,9,made-01,0.4,60\n"
+    done = ask(loads, f"stroke,direction,motor_turns,string,radius_mm,load_n\n{rows}", "--model", "polynomial")
+    assert done.returncode == 0, done.stderr
+    far_off = "no string was recorded under such a load, and the numbers of polynomial may be far off."
+    assert f"\nRows 3, 4: {far_off} The equations answer about recorded strings alone" in done.stdout
+    assert "\nRow 5: the string was not recorded under this load" in done.stdout
 
 
 def test_a_saved_model_of_each_string_answers_about_all_of_them(of_two: Path) -> None:

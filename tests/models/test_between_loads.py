@@ -80,7 +80,7 @@ def test_an_unrecorded_load_is_said_to_be_so_with_the_command_that_asks_the_equa
     typed = shlex.split(line)
     assert typed == ["python", "-m", "pipeline.predict", "--model", "calibrated", *map(str, words)]
     again = programs.run(*typed[2:])
-    assert "by a calibrated fitted" in again.stdout and "may be far off" not in again.stdout, again
+    assert "by the calibrated model, fitted anew to " in again.stdout and "may be far off" not in again.stdout, again
     questioned = points.iloc[[0, 0]].assign(motor_turns=12.0, load_n=[20.0, 60.0], direction=1)
     answered_mm = pd.read_csv(answers)["displacement_mm"][2:].to_numpy()
     assert answered_mm == pytest.approx(point_contraction_mm(questioned), abs=0.1)

@@ -28,3 +28,14 @@ def at_unrecorded_loads(questions: pd.DataFrame, points: pd.DataFrame) -> Mask:
         above = np.abs(asked_n - loads_n[np.minimum(place, len(loads_n) - 1)])
         apart[rows] = np.minimum(below, above) > room_n
     return apart
+
+
+def beyond_all_loads(questions: pd.DataFrame, points: pd.DataFrame) -> Mask:
+    """Which questions about strings that were not recorded are under a load beyond those of all strings.
+
+    Shape (questions,), no unit; `points` are the recorded ones.
+    """
+    least_n, most_n = float(points[LOAD].min()), float(points[LOAD].max())
+    room_n, asked_n = room(LOAD, least_n, most_n), questions[LOAD].to_numpy(float)
+    is_new = ~questions["string"].astype(str).isin(set(points["string"].astype(str))).to_numpy()
+    return np.asarray(is_new & ((asked_n < least_n - room_n) | (asked_n > most_n + room_n)))
