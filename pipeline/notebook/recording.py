@@ -25,6 +25,7 @@ from ..run.strokes import segment
 from ..run.table.recorded_table import to_samples
 from ..string import from_raw
 from ..string.history import Recorded, tare_mm
+from .as_parts import as_parts
 
 NAME = "recording"  # of a run that its description gives none
 
@@ -66,14 +67,15 @@ class Recording:
         """A recording of a table, one row a sample, and of what `run.yaml` would say of it.
 
         `description` has the keys of `run.yaml`: `string`, `rig`, `channels` where columns or units differ, and so on;
-        `run`, its name, may be left out. Raises BadInput naming the key or the column, as for a folder.
+        `run`, its name, may be left out. Raises BadInput naming the argument, and the key or the column in it.
         """
         content: RunYaml = {"run": NAME, **description}
         folder = Path(str(content["run"]))
-        run = parse_run(content, folder / "run.yaml")
-        table = samples.reset_index(drop=True)
-        own_samples = to_samples(run, table, folder / "samples", folder / "run.yaml")
-        checked, strokes = check(run, own_samples, folder / "samples")
+        with as_parts(folder):
+            run = parse_run(content, folder / "run.yaml")
+            table = samples.reset_index(drop=True)
+            own_samples = to_samples(run, table, folder / "samples", folder / "run.yaml")
+            checked, strokes = check(run, own_samples, folder / "samples")
         return cls(run, checked, folder, _strokes=strokes)
 
     @cached_property
@@ -116,6 +118,12 @@ class Recording:
 
         Raises BadInput where a diagnosis gives no number, and for a motion that is none.
         """
+        with as_parts(self.folder, is_read=(self.folder / "run.yaml").is_file()):
+            return self._simulated(diagnosis, motion, after_recording)
+
+    def _simulated(
+        self, diagnosis: Explained | None, motion: pd.DataFrame | None, after_recording: bool
+    ) -> pd.DataFrame:
         source = self.folder / "run.yaml" if diagnosis is None else self.folder / "diagnosis.json"
         simulator = Simulator.of(self.run, source, diagnosis.content if diagnosis else None)
         recorded = RecordedRun(self.run, self.samples, self.strokes, self.folder)

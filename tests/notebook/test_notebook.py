@@ -96,6 +96,27 @@ def test_what_cannot_be_right_is_refused_with_its_field(change, column, field) -
         tb.Recording.of(samples.drop(columns=column) if column else samples, {**DESCRIPTION, **change})
 
 
+def test_a_complaint_about_a_recording_in_memory_names_the_argument_and_no_file(nylon: tb.Recording, tmp_path) -> None:
+    """It was "recording/run.yaml: string.radius_mm: is missing": no such file was there."""
+    samples, string_entry = recording(6), {"string": {"material": "nylon", "length_mm": 300}}
+    with pytest.raises(tb.BadInput, match=r"^Recording\.of: description: string\.radius_mm: is missing\. Mend: add it"):
+        tb.Recording.of(samples, {**DESCRIPTION, **string_entry})
+    with pytest.raises(tb.BadInput, match=r"^Recording\.of: samples: motor_turns: there is no column") as caught:
+        tb.Recording.of(samples.drop(columns="motor_turns"), DESCRIPTION)
+    assert caught.value.mend == "name the column under channels.motor_turns in the description"
+    misspelt = tb.Recording.of(samples, {**DESCRIPTION, "simulation": [{"id": "creepy"}]})
+    with pytest.raises(tb.BadInput, match=r"^Recording\.of: description: simulation\[0\]\.id: 'creepy' is not a mech"):
+        misspelt.simulate()
+    kept = tb.Recording.read(nylon.save(tmp_path / "raw"))
+    for each in (nylon, kept):
+        with pytest.raises(tb.BadInput, match=r"^Recording\.simulate: motion: motor_turns: there is no such column"):
+            each.simulate(motion=pd.DataFrame({"time_s": [0.0, 1.0]}))
+    run_yaml = kept.folder / "run.yaml"
+    run_yaml.write_text(run_yaml.read_text().replace("radius_mm", "radius_inch"))
+    with pytest.raises(tb.BadInput, match=r"recording/run\.yaml: string\.radius_inch: is not a known key"):
+        tb.Recording.read(kept.folder)  # this file is there
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("anew", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_a_diagnosis_is_that_of_the_program(
