@@ -309,6 +309,7 @@ def test_a_single_stroke_is_no_error(tmp_path):
     ended = program(folder(tmp_path, "a-1", samples(1, 0.004)), "--out", out)
     assert ended.returncode == 0 and "no forecast yet: 1 stroke recorded" in ended.stdout, ended.stderr
     assert ended.stdout.count("from stroke 4 on it shows") == 2
+    assert "\n  Until a model calibrated on the first 3 strokes is off by 1 mm: no forecast yet." in ended.stdout
     assert (out / "a-1" / "lifespan.png").stat().st_size
 
 

@@ -337,7 +337,8 @@ def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Pat
     first_folder, two = folders(tmp_path / "raw", 0.0)
     text = program("lifespan", first_folder, "--out", tmp_path / "life")
     assert "1 more run of the string a beside, not given" in text
-    assert "4 strokes seen; at least 12 are needed, 8 more than there are. Name the runs beside as well.\n" in text
+    needed = "4 strokes recorded (1 to 4), all compared; at least 12 are needed, 8 more than there are. Name the runs "
+    assert f"{needed}beside as well. " in " ".join(text.split())
     assert "Record 8" not in text
     life = tmp_path / "life"
     again = f"python -m pipeline.lifespan {first_folder} {two} --out {life}"

@@ -78,7 +78,8 @@ def heading(health: Health, beside: bool = False) -> list[str]:
 def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
     """One question's answer in words, one fact a sentence; with `enough`, also the reason why there is none."""
     forecast, span = answer.left, answer.left.span(level)
-    limit = f"that model is off by {answer.limit:g} {answer.unit}"
+    model = "that model" if len(answer.n) else f"a model calibrated on the first {REFERENCE} strokes"
+    limit = f"{model} is off by {answer.limit:g} {answer.unit}"
     limit = f"{percent(answer.limit)} of the stroke is lost" if answer.unit == "1" else limit
     if span.state == "no claim":
         return [f"Until {limit}: {f'no claim: {forecast.reason}' if enough else 'no forecast yet'}."]
