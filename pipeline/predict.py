@@ -25,7 +25,7 @@ from .ground.command import HOUSE, command, make_command, quoted
 from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
-from .ground.kinematics import knows_load
+from .ground.kinematics import Mask, knows_load
 from .ground.model_errors import chosen_of, errors_in
 from .ground.model_names import EQUATIONS, USUAL
 from .ground.stored import schemas
@@ -34,10 +34,10 @@ from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, beside_answers
 from .models.interface import about
-from .models.parts.inside.unrecorded_loads import at_unrecorded_loads, beyond_all_loads
+from .models.parts.inside.unrecorded_loads import at_unrecorded_loads, beyond_all_loads, in_unrecorded_strokes
 from .models.parts.inside.why import Kind
 from .models.parts.questions.bad_rows import first_of, numbered, refusal
-from .models.parts.questions.question_points import read_questions
+from .models.parts.questions.question_points import Questions, read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
@@ -48,7 +48,7 @@ NOTED = {  # of answers with an interval, how many are said to be so
     Kind.BETWEEN: "between what was recorded",
     Kind.ERRS_MORE: "in a stroke that errs more than others",
 }
-FAR_OFF = "the string was not recorded under this load, and the numbers of {model} may be far off."
+FAR_OFF = "the string was not recorded under this load{there}, and the numbers of {model} may be far off."
 BEYOND = (
     "no string was recorded under such a load, and the numbers of {model} may be far off. The equations answer about "
     "recorded strings alone: record one under it."
@@ -143,14 +143,10 @@ def main() -> None:
     print(f". The column `why` says why{end}" if counts else "")
     for sentence in sentences:
         print(f"  {sentence}")
-    is_apart, by_equations = at_unrecorded_loads(questions.points, dataset), about(arguments.model).by_equations
-    has_load, is_outside = knows_load(questions.points), ~table["inside"].to_numpy()[questions.rows]
-    if far_off := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
-        print(f"{numbered(far_off).capitalize()}: {FAR_OFF.format(model=arguments.model)} The equations answer by:")
-        typed = parser.typed_without(("--model", "--saved", "--settings"))
-        print(f"  {' '.join([command('predict'), '--model', EQUATIONS, *map(quoted, typed)])}")
-    if no_load := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
-        print(f"{numbered(no_load).capitalize()}: {FAR_OFF.format(model=arguments.model)} {NO_LOAD}")
+    typed = parser.typed_without(("--model", "--saved", "--settings"))
+    equations = " ".join([command("predict"), "--model", EQUATIONS, *map(quoted, typed)])
+    for sentence in _far_off(questions, dataset, ~table["inside"].to_numpy()[questions.rows], arguments.model):
+        print(f"{sentence}\n  {equations}" if sentence.endswith(":") else sentence)
     if beyond := (questions.rows[beyond_all_loads(questions.points, dataset)] + 1).tolist():
         print(f"{numbered(beyond).capitalize()}: {BEYOND.format(model=arguments.model)}")
     print(ZERO)
@@ -158,6 +154,23 @@ def main() -> None:
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")
     if questions.bad:
         raise refusal(arguments.questions, questions.bad, len(questions.points), arguments.out)
+
+
+def _far_off(questions: Questions, dataset: pd.DataFrame, is_outside: Mask, model: str) -> list[str]:
+    """Which rows ask about a load that their string did not have, and what answers them; `is_outside`: (questions,).
+
+    A sentence that ends with a colon goes before the command that asks the equations.
+    """
+    points, by_equations = questions.points, about(model).by_equations
+    has_load, sentences = knows_load(points), []
+    strokes_apart = in_unrecorded_strokes(points, dataset) & is_outside
+    for is_apart, where in ((at_unrecorded_loads(points, dataset), ""), (strokes_apart, " in such a stroke")):
+        far_off = FAR_OFF.format(there=where, model=model)
+        if rows := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
+            sentences.append(f"{numbered(rows).capitalize()}: {far_off} The equations answer by:")
+        if rows := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
+            sentences.append(f"{numbered(rows).capitalize()}: {far_off} {NO_LOAD}")
+    return sentences
 
 
 def _tell_of_zero(path: Path, dataset: pd.DataFrame, asked_points: pd.DataFrame, apart: bool, alone: str = "") -> None:

@@ -84,6 +84,10 @@ def test_an_unrecorded_load_is_said_to_be_so_with_the_command_that_asks_the_equa
     questioned = points.iloc[[0, 0]].assign(motor_turns=12.0, load_n=[20.0, 60.0], direction=1)
     answered_mm = pd.read_csv(answers)["displacement_mm"][2:].to_numpy()
     assert answered_mm == pytest.approx(point_contraction_mm(questioned), abs=0.1)
+    questions.write_text("stroke,direction,motor_turns,load_n\n2,1,12,40\n12,1,12,8\n8,1,12,8\n7,1,12,8\n14,1,12,40\n")
+    done = programs.run("pipeline.predict", *words, "--model", "polynomial")
+    note = note.replace("load,", "load in such a stroke,")
+    assert f"Rows 1 to 3: {note} The equations answer by:\n  {line}\n" in done.stdout, done.stdout
     recorded = tmp_path / "recorded.csv"
     recorded.write_text("stroke,direction,motor_turns,load_n\n4,1,12,8\n9,1,12,40\n9,1,90,40\n")
     done = programs.run("pipeline.predict", dataset, recorded, "--out", answers, "--model", "polynomial")

@@ -55,7 +55,7 @@ def test_a_missing_string_is_asked_for_alone_with_what_tells_a_new_one(dataset: 
     assert table["why"][1].startswith("string of these sizes has no recording here; "), "a radius tells a new string"
     several = "string is not told, and these are sizes of B and C; add the column string"
     assert f"row 3: {several}" in done.stderr and table["why"][2] == f"no question: {several}"
-    assert table["why"][3] == "no question: radius_mm is empty; a new string needs radius_mm"
+    assert table["why"][3] == "no question: radius_mm is empty; a new string needs radius_mm; recorded are A, B, C"
 
 
 def test_where_strings_are_answered_alone_no_new_one_is(dataset: Path) -> None:
@@ -68,9 +68,17 @@ def test_where_strings_are_answered_alone_no_new_one_is(dataset: Path) -> None:
 @pytest.mark.parametrize(
     ("columns", "row", "reason"),
     [
-        ("string,radius_mm", "new,", "radius_mm is empty; a new string needs radius_mm"),
-        ("string,radius_mm,stiffness_n_per_mm", "new,,", "radius_mm is empty; a new string needs radius_mm"),
-        ("string,radius_mm,stiffness_n_per_mm", "new,,12", "radius_mm is empty; a new string needs radius_mm"),
+        ("string,radius_mm", "new,", "radius_mm is empty; a new string needs radius_mm; recorded are A, B, C"),
+        (
+            "string,radius_mm,stiffness_n_per_mm",
+            "new,,",
+            "radius_mm is empty; a new string needs radius_mm; recorded are A, B, C",
+        ),
+        (
+            "string,radius_mm,stiffness_n_per_mm",
+            "new,,12",
+            "radius_mm is empty; a new string needs radius_mm; recorded are A, B, C",
+        ),
         ("string,radius_mm", "new,0", "radius_mm is 0, no size of a string; write it in mm, above 0"),
         ("string,radius_mm", "new,-0.4", "radius_mm is -0.4, no size of a string; write it in mm, above 0"),
     ],
@@ -88,7 +96,7 @@ def test_all_sizes_that_a_new_string_lacks_are_named_at_once(tmp_path: Path) -> 
     assert f"has no recording, and its {both} are not told. Mend: " in done.stderr, done.stderr
     assert f"of a new string add the columns {both}." in done.stderr
     done = ask(tmp_path / "dataset.parquet", "string,radius_mm,stiffness_n_per_mm", "new,0.5,", "A,,")
-    assert "stiffness_n_per_mm: is empty in row 1. Mend: a new string needs stiffness_n_per_mm." in done.stderr
+    assert "stiffness_n_per_mm: is empty in row 1. Mend: a new string needs stiffness_n_per_mm; recorded" in done.stderr
 
 
 @pytest.mark.parametrize("is_saved", [False, True], ids=["anew", "saved"])

@@ -1,6 +1,7 @@
-"""Questions under a load that their string was not recorded under: what was fitted to points may be far off there.
+"""Questions under a load that their string was not recorded under, in any stroke or in theirs.
 
-Where each load has strokes of its own, a fit cannot tell what the load does from what the strokes do.
+Where each load has strokes of its own, a fit cannot tell what the load does from what the strokes do: what was fitted
+to points may be far off there.
 """
 
 import numpy as np
@@ -9,6 +10,7 @@ import pandas as pd
 from ....ground.kinematics import Mask
 from ..box import room
 from .recorded_strokes import LOAD
+from .strokes_around import BEFORE, NEXT
 
 
 def at_unrecorded_loads(questions: pd.DataFrame, points: pd.DataFrame) -> Mask:
@@ -27,6 +29,24 @@ def at_unrecorded_loads(questions: pd.DataFrame, points: pd.DataFrame) -> Mask:
         below = np.abs(asked_n - loads_n[np.maximum(place - 1, 0)])
         above = np.abs(asked_n - loads_n[np.minimum(place, len(loads_n) - 1)])
         apart[rows] = np.minimum(below, above) > room_n
+    return apart
+
+
+def in_unrecorded_strokes(questions: pd.DataFrame, points: pd.DataFrame) -> Mask:
+    """Which questions are under a load of their string, in a recorded stroke before or after all that had this load.
+
+    Shape (questions,), no unit; `points` are the recorded ones.
+    """
+    apart = np.zeros(len(questions), bool)
+    room_n = room(LOAD, float(points[LOAD].min()), float(points[LOAD].max()))
+    strings, asked = questions["string"].astype(str).to_numpy(), questions[[LOAD, "stroke"]].to_numpy(float)
+    for string, own in points.groupby(points["string"].astype(str)):
+        loads_n, strokes = own[LOAD].to_numpy(float), own["stroke"].to_numpy(float)
+        for row in np.flatnonzero(strings == string):
+            load_n, stroke = asked[row]
+            under = strokes[np.abs(loads_n - load_n) <= room_n]
+            if len(under) and stroke <= strokes.max():
+                apart[row] = not under.min() - BEFORE <= stroke <= under.max() + NEXT
     return apart
 
 

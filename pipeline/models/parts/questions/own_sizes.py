@@ -74,13 +74,13 @@ def _untold(questions: pd.DataFrame, strings: pd.Series, untold: pd.DataFrame, d
     wrong = []
     for row in np.flatnonzero(untold.any(axis=1)):
         names = [name for name in untold if untold[name].iloc[row]]
+        meant = string_meant(str(strings.iloc[row]), sorted(set(dataset["string"].astype(str))))
         empty = [name for name in names if name in questions.columns]
         if empty:
             what = "are empty" if len(empty) > 1 else "is empty"
-            mend = f"a new string needs {' and '.join(names)}"
+            mend = f"a new string needs {' and '.join(names)}; {recorded_values(dataset['string'])}{meant}"
             wrong.append(BadRow(int(row) + 1, " and ".join(empty), what, "", mend))
             continue
-        meant = string_meant(str(strings.iloc[row]), sorted(set(dataset["string"].astype(str))))
         are = "are" if len(names) > 1 else "is"
         strange = f", which has no recording{meant}, and its {' and '.join(names)} {are} not told"
         columns = f"column{'s' * (len(names) > 1)} {' and '.join(names)}"
