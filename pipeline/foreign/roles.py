@@ -20,7 +20,7 @@ WORDS = {  # by the first word of a channel: what people call it
     "time": r"time|zeit|^t$|t_|stamp|millis|micros|temps",
     "motor": r"motor|theta|angle|winkel|enc|turn|rev|rot|twist|phi|dreh|count|inkr",
     "displacement": r"disp|weg|contraction|stroke|travel|slide|lvdt|laser|pos|verschieb|hub|^x|_x$|length|carriage",
-    "load": r"load|force|kraft|last|tension|weight|gewicht|zug",
+    "load": r"load|force|kraft|last|tension|weight|gewicht|zug|^f$",
     "torque": r"torque|moment|tau",
     "temperature": r"temp",
     "jaw": r"jaw|output|joint|front|gripper",

@@ -165,6 +165,16 @@ def test_a_letter_or_in_after_a_space_may_be_an_axis_or_an_input_and_is_no_unit(
         assert header_unit(name) is None, name
 
 
+def test_a_column_called_f_is_the_load_and_is_asked_for_its_unit(tmp_path):
+    """The command that was offered left F out, and wrote a run under 0 N."""
+    log = tmp_path / "a.csv"
+    table(t_ms=T * 1e3, turns=M, x_mm=X, F=30.0 + 0.1 * np.sin(T)).to_csv(log, index=False)
+    sizes = ("--actuator", "twisted_pair", "--material", "nylon", "--radius-mm", 0.4, "--length-mm", 300)
+    done = programs.run("pipeline.new_run", "a-01", *sizes, "--recording", log, cwd=tmp_path)
+    assert done.returncode == 2 and "load_n: {column: F, unit: …}}'" in done.stderr, done.stderr
+    assert "fill in each …" in done.stderr and not (tmp_path / "raw").exists()
+
+
 def test_a_mass_in_kg_that_no_name_calls_a_load_is_none(tmp_path):
     columns = {"Zeit [s]": T, "Winkel [deg]": M * 360, "Weg [mm]": X, "Masse [kg]": 2.0 + 0.1 * np.sin(T)}
     table(**columns).to_csv(tmp_path / "a.csv", index=False)
