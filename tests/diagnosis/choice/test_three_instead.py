@@ -117,4 +117,4 @@ def test_stretch_and_creep_under_loads_that_only_rise_are_not_surely_a_string_th
     content, study = diagnosed([rising()])
     assert content["verdict"] == "ambiguous" and TRUTH in names(study.sets)
     shares = {entry["id"]: entry["confidence"] for entry in content["mechanisms"]}
-    assert shares.get("plastic_elongation", 0.0) < 0.5 < shares["backlash"]
+    assert shares.get("plastic_elongation", 0.0) < 0.6 and shares["backlash"] > 0.8
