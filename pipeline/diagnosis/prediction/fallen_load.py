@@ -16,11 +16,15 @@ from ...systems import System
 
 
 def with_fallen_load(
-    beyond: Outside, system: System, plan: pd.DataFrame, recorded: Sequence[pd.DataFrame], after: bool
+    beyond: Outside,
+    system: System,
+    plan: pd.DataFrame,
+    recorded: Sequence[pd.DataFrame],
+    before: Sequence[pd.DataFrame],
 ) -> Outside:
     """A plan's rows outside the recorded range, and those under a load that fell further than any recorded one.
 
-    `recorded` are the recordings in their order; `after`: whether the plan follows on them.
+    `recorded` are the recordings in their order; `before`: those of them that the plan follows, none of a later run.
     """
     name = system.load
     if name is None or name not in plan or any(name not in table for table in recorded):
@@ -31,10 +35,11 @@ def with_fallen_load(
         return beyond  # it says already that no other load was recorded
     fell_n = float(_fallen(loads).max())
     limit = fell_n + ROOM * (most - least)
-    rows = _fallen(planned, most if after else -np.inf) > limit
+    begins_n = max((float(table[name].max()) for table in before), default=-np.inf)
+    rows = _fallen(planned, begins_n) > limit
     if not rows.any():
         return beyond
-    low, high = float(planned[rows].min()), max(float(planned.max()), most if after else -np.inf)
+    low, high = float(planned[rows].min()), max(float(planned.max()), begins_n)
     recorded_fall = f"fell by {fell_n:.3g} at most" if fell_n > ROOM * (most - least) else "only rose"
     asks = f"{name} that falls from {high:.4g} to {low:.4g} (what was recorded {recorded_fall})"
     mend = f"let {name} rise only, or record a low load after a high one and diagnose the runs together"

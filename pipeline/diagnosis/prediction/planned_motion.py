@@ -66,7 +66,8 @@ class Plan:
         recorded = Recorded(tables, strokes, self.run.system.driver)
         beyond = outside(self.run, self.samples, recorded, remembers, paced)
         beyond = with_harder(beyond, self.run.system, self.samples, tables)
-        return with_fallen_load(beyond, self.run.system, self.samples, tables, self.after)
+        goes_before = [*self.before, *([self.recorded] if self.after else [])]
+        return with_fallen_load(beyond, self.run.system, self.samples, tables, [each.samples for each in goes_before])
 
     @cached_property
     def problem(self) -> Problem:
