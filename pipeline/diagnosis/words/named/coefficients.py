@@ -13,6 +13,7 @@ from ..language.text_table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.moved_reading import Size, cells, change, moves, not_added_up
 from . import formulas
+from .effect_sentence import AT
 from .formulas import direction, does, formula, of_strings_alone
 from .nonlinear_parameters import meaning_of, measurable, on_this_rig, unit_of_parameter, with_its_unit
 
@@ -56,24 +57,32 @@ def lines(
 ) -> list[str]:
     """Each effect with what it does, then a table with a row for each of its numbers, the equation last.
 
+    An effect that acts several times is said once, and has a table for each time, in the order of time.
+
     `sizes` has of each act the size of all of it, then that of each coefficient that is not 0; `sentences` says by its
     id what an effect does in this recording; `dimensions` has by name each as it was adopted, and as run.yaml has it.
     """
-    act_lines = [
-        line
-        for act, own in zip(acts, sizes, strict=True)
-        for line in _block(
-            act, drivers, words, own, sentences.get(act.id) or on_rig(meaning(act.id), words), dimensions
-        )
-    ]
+    by_id, act_lines = dict[str, list[tuple[Act, Sequence[Size]]]](), list[str]()
+    for act, own in zip(acts, sizes, strict=True):
+        by_id.setdefault(act.id, []).append((act, own))
+    for id_, times in by_id.items():
+        opening = f"  {id_}: {sentences.get(id_) or on_rig(meaning(id_), words)}"
+        if len(times) > 1:
+            act_lines.append(opening)
+        for place, (act, own) in enumerate(sorted(times, key=lambda pair: pair[0].nonlinear[0].get(AT, 0.0)), 1):
+            begins = f"  {id_}, {place} of {len(times)}: This one" if len(times) > 1 else f"{opening} In all it"
+            act_lines += _block(act, drivers, words, own, begins, dimensions)
     return [HEAD, *act_lines] if act_lines else []
 
 
 def _block(
-    act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size], does_here: str,
+    act: Act, drivers: Drivers, words: Vocabulary, sizes: Sequence[Size], begins: str,
     dimensions: Mapping[str, tuple[float, float]],
 ) -> list[str]:  # fmt: skip
-    """The block of an effect: what it does, its number of elements, the table, and its formula letter by letter."""
+    """The block of an effect: its size, its number of elements, the table, and its formula letter by letter.
+
+    `begins`: how its first line begins, up to what moves the reading.
+    """
     mechanism, (whole, *each) = mechanisms()[act.id], sizes
     coefficients, moved = iter(act.coefficients), iter(each)
     rows, described, names, shares = list[list[str]](), list[str](), list[str](), list[str]()
@@ -107,7 +116,7 @@ def _block(
     weights = f" {listing(shares)} are weights, which need not add up to 1." * (len(shares) == len(names))
     several = [f"    It is made of {len(names)} elements: the first {len(names)} rows.{weights}"] * (len(names) > 1)
     loops = LOOP in mechanism.sentence
-    written = [f"  {act.id}: {does_here} In all it {moves(whole, words, loops)}.", *several, *_shares(mechanism, names)]
+    written = [f"{begins} {moves(whole, words, loops)}.", *several, *_shares(mechanism, names)]
     written += not_added_up(whole, each, words)
     written.append(f"    {head}")
     for row, what in zip(table, described, strict=True):

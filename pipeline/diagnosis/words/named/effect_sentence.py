@@ -29,6 +29,7 @@ EVERY = "once in every "  # such a length: it is said in place of the turn, whic
 NO_CONSTANT = "Of {} there is no constant to report: {}."
 LONGER = " or longer (the longest that was tried: a recording of this length does not tell longer ones apart)"
 OF_PARTS = "the fit knows what {} parts do together, not each part"
+AT = "at_s"  # of a sudden event: when it happens
 BARE = re.compile(r": [0-9.,]+ ")  # a constant without an interval
 CONSTANT = re.compile(r"\d [^()]*\(-?[0-9.,]+ to -?[0-9.,]+\)")  # its unit may have spaces: 114 N s/m
 
@@ -100,20 +101,21 @@ def names_in(template: str) -> list[str]:
 
 
 def details(mechanism: Mechanism, parameters: dict[str, Quantity], words: Vocabulary, units: Units) -> str:
-    """The first detail whose parameters were all found, once for every event."""
+    """The first detail whose parameters were all found, once for every event, in the order of time."""
     parameters = parameters | _usual_load(parameters, units)
     for template in mechanism.details:
         wanted = {name: units.name(name) for name in names_in(template) if name not in words.fields}
-        phrases = []
+        phrases = list[tuple[float, str]]()
         for number in range(1, mechanism.steps + 1):
             ending = "" if number == 1 else f"_{number}"
             values = {name: parameters.get(f"{key}{ending}") for name, key in wanted.items()}
             if any(value is None or not value["value"] for value in values.values()):
                 continue
             spelled = {name: with_interval(value) for name, value in values.items() if value}
-            phrases.append(template.format(**words.fields, **spelled))
+            at_s = values.get(AT)
+            phrases.append((at_s["value"] if at_s else 0.0, template.format(**words.fields, **spelled)))
         if phrases:
-            return listing(phrases)
+            return listing([phrase for _, phrase in sorted(phrases, key=lambda pair: pair[0])])
     return ""
 
 

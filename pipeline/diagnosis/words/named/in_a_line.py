@@ -12,12 +12,13 @@ from ..language.explained_words import meaning, of_effect, on_rig
 from ..language.quantity import listing, number, size
 from ..language.vocabulary import Vocabulary
 from . import effect_sentence
+from .effect_sentence import AT
 from .own_size import doubt_of, own_part
 
 MOST, EXACT_S = 3, 100.0  # events that are told, the largest; from when on a time is told to the second
 LARGEST = re.compile(r"up to \d.*?(?=, [a-z]| \(|\.$|\. )|\d[^,(]* in all")  # of an effect's sentence
 HALF = re.compile(r"half [^.]*? \d.*?\)")
-AT, WITHIN, EACH = "at_s", "within_s", "_per_stroke"  # of an event: when, how fast; of a size: at every stroke
+WITHIN, EACH = "within_s", "_per_stroke"  # of an event: how fast; of a size: at every stroke
 
 
 def of_named(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> str:

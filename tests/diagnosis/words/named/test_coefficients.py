@@ -308,3 +308,26 @@ def test_of_a_loop_both_ends_of_the_motion_are_not_compared(problem) -> None:
     )
     assert loop.endswith("In all it moves the reading by 0.10 mm rms.")
     assert ", and by +0.100 mm from 0 to 20 turns." in jam
+
+
+@pytest.mark.parametrize(("id_", "strength"), [("clamp_slip", 0.3), ("count_slip", 0.2)])
+def test_an_effect_that_acts_several_times_is_said_once_and_each_time_by_its_own_size(problem, id_, strength) -> None:
+    """`worth 0.27 mm rms` stood four times, each with `In all` another size, of one slip; no order of time."""
+    words, times_s = Vocabulary.of(problem.system), (20.0, 60.0, 40.0)
+    slips = [Act(id_, ({"at_s": at_s, "within_s": 0.0},), (strength,)) for at_s in times_s]
+    play = Act("friction_hysteresis", ({"play_turns": 0.04, "usual_load": 2.0},), (0.42, 0.0))
+    acts = (slips[0], play, *slips[1:])
+    own = sizes(problem, replace(problem.nominal(), acts=acts))
+    lines = coefficients.lines(acts, problem.drivers, words, own, {id_: "It slipped, worth 9 mm rms."})
+    heads = [line for line in lines if line.startswith(f"  {id_}")]
+    of_slip = {slip.nonlinear[0]["at_s"]: size for slip, (size, *_) in zip((*slips,), (own[0], *own[2:]), strict=True)}
+    assert heads == [
+        f"  {id_}: It slipped, worth 9 mm rms.",
+        *(
+            f"  {id_}, {place} of 3: This one {moved_reading.moves(of_slip[at_s], words)}."
+            for place, at_s in enumerate(sorted(times_s), 1)
+        ),
+    ]
+    assert len({line.partition(": ")[2] for line in heads}) == 4, "three times, three sizes"
+    assert [line.split()[1] for line in lines if line.startswith("    at_s ")] == ["20", "40", "60"]
+    assert sum("In all it moves" in line for line in lines) == 1, "of the effect that acts once"

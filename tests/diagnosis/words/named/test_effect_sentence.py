@@ -113,6 +113,18 @@ def test_events_are_told_one_by_one():
     ), "a value with an interval has it beside it"
 
 
+def test_events_are_told_in_the_order_of_time():
+    """The search finds the largest first: the slips stood as after 8.93 s, 67.9 s, 147 s and 16.3 s."""
+    words, units = Vocabulary.of(SYSTEMS["mm"]), Units.of(SYSTEMS["mm"])
+    slips = {"": (211.0, 0.4), "_2": (9.5, 0.2), "_3": (67.9, 0.3)}
+    for id_, size, unit, by in (("clamp_slip", "mm", "mm", "by "), ("count_slip", "turns", "turns", "")):
+        parameters = {f"at_s{end}": exact(at_s, "s") for end, (at_s, _) in slips.items()}
+        parameters |= {f"{size}{end}": exact(value, unit) for end, (_, value) in slips.items()}
+        assert effect_sentence.details(mechanisms()[id_], parameters, words, units) == (
+            f"{by}0.2 {unit} after 9.5 s, {by}0.3 {unit} after 67.9 s and {by}0.4 {unit} after 211 s"
+        )
+
+
 def test_a_mechanism_of_ones_own_may_say_no_more_than_its_size():
     own = Mechanism("x_own", "speed", "", "", "", "", "Air brakes the motion, by {size}.", lambda _: [], lambda *_: [])
     entry = {"id": "x_own", "rms_mm": parameter(0.3, "mm"), "parameters": {}}
