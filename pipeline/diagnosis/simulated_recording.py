@@ -8,7 +8,7 @@ from ..ground.kinematics import Array
 from .document.content import Simulated
 from .fit.problem import Problem
 from .prediction.carried_over import CarriedOver, carried_over
-from .prediction.later_run import predicted_after, simulated_before
+from .prediction.later_run import before_of, predicted_after, simulated_before
 from .recording.recorded_run import RecordedRun
 from .simulator import Simulator
 from .study.engine import make_problem
@@ -17,11 +17,15 @@ from .study.own_rate import at_own_rate
 
 @dataclass(frozen=True)
 class SimulatedRecording:
-    """One recorded run, and what simulates it; `home`: the motor's zero is found anew on its first stroke."""
+    """One recorded run, and what simulates it; `home`: the motor's zero is found anew on its first stroke.
+
+    `beside`: the other recordings that were diagnosed together with it; None where they lie beside its folder.
+    """
 
     recorded: RecordedRun
     asked: Simulator
     home: bool = False
+    beside: Sequence[RecordedRun] | None = None
 
     @cached_property
     def problem(self) -> Problem:
@@ -46,8 +50,11 @@ class SimulatedRecording:
 
     @cached_property
     def before(self) -> Sequence[RecordedRun]:
-        """The runs before it that were diagnosed together with it, as far as they lie beside its folder."""
-        return simulated_before(self.simulator.content, self.recorded.run.run, self.recorded.place)
+        """The runs before it that were diagnosed together with it; none unless all of them are at hand."""
+        content, run = self.simulator.content, self.recorded.run.run
+        if self.beside is None:
+            return simulated_before(content, run, self.recorded.place)
+        return before_of(content, run, self.beside)
 
     @cached_property
     def predicted(self) -> Array:

@@ -35,14 +35,17 @@ def of_simulator(simulator: Simulator, run: Run, before: Sequence[RecordedRun]) 
     return words + [f"beware: the verdict advises against what is simulated: {advised.rstrip('.')}"] * bool(advised)
 
 
-def of_another(simulator: Simulator, run: Run, folder: Path) -> list[str]:
-    """The warning that a run is of another string or rig than the runs that a given diagnosis was made of."""
+def of_another(simulator: Simulator, run: Run, folder: Path, at_hand: Sequence[Run] = ()) -> list[str]:
+    """The warning that a run is of another string or rig than the runs that a given diagnosis was made of.
+
+    Those `at_hand` are known; others are looked for beside `folder`.
+    """
     content = simulator.content
     runs = content.get("run")
     runs = [str(name) for name in (runs if isinstance(runs, list) else [runs])]
     if simulator.given is None or run.run in runs:
         return []
-    dimensions, names = other_dimensions(content, run), other_names(content, run, folder)
+    dimensions, names = other_dimensions(content, run), other_names(content, run, folder, at_hand)
     warning = another_rig(run.run, runs, dimensions, names, Vocabulary.of(run.system))
     return [warning] if warning else []
 

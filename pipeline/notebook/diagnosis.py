@@ -37,11 +37,15 @@ SHOWN_DOTS = 80  # an inch, of the page in a notebook
 
 @dataclass(frozen=True, repr=False)
 class Diagnosis:
-    """What a diagnosis says. `content` is what `diagnosis.json` holds; the other names give its parts as objects."""
+    """What a diagnosis says. `content` is what `diagnosis.json` holds; the other names give its parts as objects.
+
+    `recorded`: the recordings that it was made of, in their order; none where it was read from a file.
+    """
 
     content: Verdict
     actuator: str
     _found: Study | None = field(default=None, compare=False)
+    recorded: tuple[RecordedRun, ...] = field(default=(), compare=False)
 
     @classmethod
     def of(
@@ -54,7 +58,8 @@ class Diagnosis:
         """The diagnosis of one recording, or of several of one rig together, in the order of their recording.
 
         The library lacks the mechanisms in `without`; `by` judges in place of the library's own judge; `say` is told
-        each step. Raises BadInput for recordings that are not of one rig, and for one too poor to decide anything.
+        each step. Raises BadInput for recordings that are not of one rig, for two of one name, and for one too poor to
+        decide anything.
         """
         if not recordings:
             raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
@@ -66,12 +71,15 @@ class Diagnosis:
                 )
                 raise BadInput("Diagnosis.of", "recordings", problem, mend)
         ordered = in_order([each.recorded() for each in recordings])
-        content, study = diagnosed(
-            [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in ordered], without, by, say
-        )
+        names = [each.run.run for each in ordered]
+        if twice := [name for name in names if names.count(name) > 1]:
+            mend = "give each a name of its own: run, in its description or its run.yaml"
+            raise BadInput("Diagnosis.of", "recordings", f"{len(twice)} have one name, {twice[0]}", mend)
+        recorded = [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in ordered]
+        content, study = diagnosed(recorded, without, by, say)
         if len(ordered) > 1:
-            content["run"] = [each.run.run for each in ordered]
-        return cls(content, ordered[0].run.actuator, study)
+            content["run"] = names
+        return cls(content, ordered[0].run.actuator, study, tuple(recorded))
 
     @classmethod
     def read(cls, path: Path | str, actuator: str | None = None) -> Diagnosis:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Protocol
 
 import pandas as pd
 
-from ..diagnosis.document.content import Verdict
 from ..diagnosis.planned_columns import planned_columns
 from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.simulated_plan import simulated_plan
@@ -26,16 +25,9 @@ from ..run.table.recorded_table import to_samples
 from ..string import from_raw
 from ..string.history import Recorded, tare_mm
 from .as_parts import as_parts
+from .explained import Explained, beside, doubts
 
 NAME = "recording"  # of a run that its description gives none
-
-
-class Explained(Protocol):
-    """What says how a rig is simulated: a diagnosis."""
-
-    @property
-    def content(self) -> Verdict:
-        """What `diagnosis.json` holds."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -106,8 +98,10 @@ class Recording:
         """What the simulator reads along this recording's motion: `time_s` in s and the predicted channel.
 
         With a diagnosis its mechanisms and dimensions act; without one those that the description has adopted. The
-        measured channel serves for the zero alone. A later run of a diagnosis of several goes on after those before
-        it, if they lie beside its folder.
+        measured channel serves for the zero alone; a recording that the diagnosis was made of has its zero there. A
+        later run of a diagnosis of several goes on after those before it, which the diagnosis holds; one that was read
+        from a file holds none, and they must lie beside the recording's folder. Warns where they are not at hand, and
+        of a recording of another rig.
 
         `motion` is one that nobody has recorded, in place of the recording's: `time_s`, the rig's motion (`motor_turns`
         of a string) and its load, one row a sample; corners of a string's motion will do. The answer has more columns
@@ -116,7 +110,8 @@ class Recording:
         outside what was recorded (`outside`), and a reading for each explanation that ties (`if_…`). The rig is as it
         was before its first stroke, or with `after_recording` as the recording left it: crept, warm, worn.
 
-        Raises BadInput where a diagnosis gives no number, and for a motion that is none.
+        Raises BadInput where a diagnosis gives no number, for a motion that is none, and where the diagnosis was made
+        of another recording of this one's name.
         """
         with as_parts(self.folder, is_read=(self.folder / "run.yaml").is_file()):
             return self._simulated(diagnosis, motion, after_recording)
@@ -127,13 +122,18 @@ class Recording:
         source = self.folder / "run.yaml" if diagnosis is None else self.folder / "diagnosis.json"
         simulator = Simulator.of(self.run, source, diagnosis.content if diagnosis else None)
         recorded = RecordedRun(self.run, self.samples, self.strokes, self.folder)
+        at_hand = beside(recorded, diagnosis)
         if motion is None:
-            predicted = SimulatedRecording(recorded, simulator).predicted
-            return pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), self.run.system.channel: predicted})
-        plan = simulated_plan(
-            self.run, self.folder, recorded, simulator, motion, self.folder / "motion", after_recording
-        )
-        return plan.table(planned_columns(plan, simulator).columns)
+            simulated = SimulatedRecording(recorded, simulator, beside=at_hand)
+            columns, before = {self.run.system.channel: simulated.predicted}, simulated.before
+            table = pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), **columns})
+        else:
+            path = self.folder / "motion"
+            plan = simulated_plan(self.run, self.folder, recorded, simulator, motion, path, after_recording, at_hand)
+            table, before = plan.table(planned_columns(plan, simulator).columns), plan.before
+        for words in doubts(recorded, before, simulator, diagnosis):
+            warnings.warn(words, stacklevel=3)  # said of the line that called simulate
+        return table
 
     def save(self, raw: Path | str) -> Path:
         """Write it as the run folder `raw/<run>`, whole or not at all; raises BadInput where that is there already."""

@@ -1,5 +1,7 @@
 """Whether a run is of another string or rig than the runs that a diagnosis was made of."""
 
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -40,14 +42,21 @@ def of_same_string(content: Simulated, run: Run, folder: Path) -> list[Path]:
     return [folder.parent / place.name for place in places] if ids == [own] * len(names) else []
 
 
-def other_names(content: Simulated, run: Run, folder: Path) -> tuple[str, str] | None:
-    """The string's name in a diagnosis' runs beside `folder`, and in the run there; None where they agree."""
-    runs, own = content.get("run"), run.string.id if run.string else None
-    for place in places_beside(folder, runs if isinstance(runs, list) else [runs]) if own else []:
-        try:
-            string = read_run(place).string
-        except BadInput:
-            continue  # the diagnosis was made of it; what is wrong with it now is said where it is read
-        if string and string.id and string.id != own:
-            return string.id, str(own)
+def other_names(content: Simulated, run: Run, folder: Path, at_hand: Sequence[Run] = ()) -> tuple[str, str] | None:
+    """The string's name in a diagnosis' runs, and in the run in `folder`; None where they agree.
+
+    The runs are those `at_hand`, or else those beside `folder`.
+    """
+    own = run.string.id if run.string else None
+    for other in (at_hand or _runs_beside(content, folder)) if own else ():
+        if other.string and other.string.id and other.string.id != own:
+            return other.string.id, str(own)
     return None
+
+
+def _runs_beside(content: Simulated, folder: Path) -> Iterator[Run]:
+    """The runs of a diagnosis beside `folder`, as far as they can be read."""
+    runs = content.get("run")
+    for place in places_beside(folder, runs if isinstance(runs, list) else [runs]):
+        with suppress(BadInput):  # the diagnosis was made of it; what is wrong with it now is said where it is read
+            yield read_run(place)

@@ -15,6 +15,8 @@ from ..recording.recorded_run import RecordedRun
 from ..study.own_rate import at_own_rate
 from .simulation import tared
 
+KEEP = "keep the runs in one folder, and give a planned motion --after-recording"  # so that those before are at hand
+
 
 def names_before(content: Simulated, run: str) -> list[str]:
     """The runs before one in the diagnosis of several, in their order."""
@@ -56,8 +58,10 @@ def predicted_after(
     return tared(whole, content, source, recorded.run.run)[-len(problem.record) :]
 
 
-def said_of(content: Simulated, run: str, before: Sequence[RecordedRun], source: Path) -> list[str]:
-    """The remark on the runs before one in its joint diagnosis; nothing where there are none."""
+def said_of(
+    content: Simulated, run: str, before: Sequence[RecordedRun], source: Path | str, mend: str = KEEP
+) -> list[str]:
+    """The remark on the runs before one in the joint diagnosis `source`; nothing where there are none."""
     names = [key_name(name) for name in names_before(content, run)]
     if not names:
         return []
@@ -66,6 +70,5 @@ def said_of(content: Simulated, run: str, before: Sequence[RecordedRun], source:
         return [f"it is simulated after {listed}, as they were diagnosed together"]
     return [
         f"beware: {source} was made of {listed} and {run} together, and here {listed} does not go before. What goes on "
-        "over time or strokes begins anew, so the reading may be far off. Mend: keep the runs in one folder, and give "
-        "a planned motion --after-recording"
+        f"over time or strokes begins anew, so the reading may be far off. Mend: {mend}"
     ]
