@@ -8,9 +8,11 @@ from pickle import UnpicklingError
 
 import pandas as pd
 
+from ..diagnosis.words.language.quantity import listing
 from ..ground.errors import BadInput
 from ..ground.kinematics import Array
 from ..ground.stored import schemas
+from ..ground.words.counts import counted
 from ..models.interface import Model, names
 from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS
@@ -18,18 +20,24 @@ from ..stages.dataset import make_dataset
 from .as_arguments import as_arguments, settings_in_json
 from .recording import Recording
 
+MOST_NAMES = 3  # of strings, in the line that shows a model
+
 
 def model_names() -> tuple[str, ...]:
     """Names of all models, sorted, as `fit` and `load` take them."""
     return names()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class FittedModel:
-    """A model of a `name` that is fitted: it maps twist to contraction and back."""
+    """A model of a `name` that is fitted: it maps twist to contraction and back.
+
+    `origin`: what it was fitted to, or the file that it was read from, in words.
+    """
 
     name: str
     model: Model
+    origin: str
 
     def forward(self, points: pd.DataFrame) -> Array:
         """The contraction in mm of each point's twist and conditions; shape (points,).
@@ -54,6 +62,9 @@ class FittedModel:
         model = self.model
         model.save(Path(path))
 
+    def __repr__(self) -> str:
+        return f"<FittedModel {self.name}, {self.origin}>"
+
 
 @contextmanager
 def _all_columns() -> Iterator[None]:
@@ -65,6 +76,13 @@ def _all_columns() -> Iterator[None]:
         raise BadInput(
             "points", str(error.args[0]), "is no column of these points, and the model reads it", mend
         ) from None
+
+
+def _in_words(points: pd.DataFrame) -> str:
+    """To what a model was fitted: how many points, and of which strings."""
+    names = sorted(map(str, points["string"].unique()))
+    strings = listing(names) if len(names) <= MOST_NAMES else counted(len(names), "string")
+    return f"fitted to {counted(len(points), 'point')} of {strings}"
 
 
 def _unfitted(name: str, settings: dict[str, object]) -> Model:
@@ -111,7 +129,7 @@ def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> F
     model = _unfitted(name, settings)
     with as_arguments(), fitting(name):
         model.fit(points, seed)
-    return FittedModel(name, model)
+    return FittedModel(name, model, _in_words(points))
 
 
 def load(name: str, path: Path | str, **settings: object) -> FittedModel:
@@ -125,4 +143,4 @@ def load(name: str, path: Path | str, **settings: object) -> FittedModel:
     except (ValueError, KeyError, TypeError, UnpicklingError) as error:
         problem = f"is no saved {name} ({type(error).__name__})"
         raise BadInput(path, "model", problem, "give the name and the settings that it was fitted with") from error
-    return FittedModel(name, model)
+    return FittedModel(name, model, f"read from {path}")

@@ -200,6 +200,11 @@ def test_models_fit_answer_and_come_back_by_name(nylon: tb.Recording, tmp_path: 
     model.save(tmp_path / "p.model")
     again = tb.load("polynomial", tmp_path / "p.model")
     np.testing.assert_array_equal(again.forward(points), model.forward(points))
+    count = (points["within"] == "train").sum()
+    assert repr(model) == f"<FittedModel polynomial, fitted to {count} points of recording>"
+    assert repr(again) == f"<FittedModel polynomial, read from {tmp_path / 'p.model'}>"
+    several = pd.concat([points.assign(string=name) for name in "dacb"])
+    assert repr(tb.fit("polynomial", several, degree=2)).endswith(f"fitted to {4 * len(points)} points of 4 strings>")
     assert {"spline", "inn", "traditional"} <= set(tb.model_names())
     with pytest.raises(tb.BadInput, match="polynomial"):
         tb.fit("nothing", points)

@@ -2,11 +2,14 @@
 
 import dataclasses
 import re
+from pathlib import Path
 
 import pytest
 
 import pipeline as tb
 from pipeline.ground.stored import schemas
+
+API = Path(__file__).parents[2] / "docs" / "api.md"
 
 
 def named(text: str | None) -> set[str]:
@@ -17,6 +20,8 @@ def named(text: str | None) -> set[str]:
 def test_a_class_names_its_fields(kind: type) -> None:
     fields = {field.name for field in dataclasses.fields(kind)}  # type: ignore[arg-type]
     assert fields <= named(kind.__doc__), fields - named(kind.__doc__)
+    entry = re.search(rf"^- `twistbench\.{kind.__name__}`:(.+?)(?=^- |^$)", API.read_text("utf-8"), re.M | re.S)
+    assert entry and fields <= named(entry[1]), "the page of the reference names them too"
 
 
 def test_bad_input_names_what_it_holds() -> None:
