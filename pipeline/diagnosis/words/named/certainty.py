@@ -18,6 +18,7 @@ from . import coarse
 from .missing_signs import missing
 
 SURE, PROBABLE = 0.8, 0.5
+EVEN = 0.45  # probability below which an effect is more likely absent than at work
 NOT_RECORDED, AND = "a second {} {} not recorded", "and a second"
 ALSO_ELSEWHERE = "{} the sum over all explanations with {}; the best explanation alone has {}."
 NO_PROMISE = "Sure is that {} {}, not that the simulator predicts: something is still missing."

@@ -4,8 +4,7 @@ from ...document.content import Verdict
 from ..language.quantity import listing, percent, reaches
 from . import certainty
 
-EVEN = 0.45
-ABSENT = ("more likely absent than", "about as likely absent as")  # below EVEN, and from there on
+ABSENT = ("more likely absent than", "about as likely absent as")  # below `certainty.EVEN`, and from there on
 
 
 def lines(content: Verdict) -> list[str]:
@@ -21,5 +20,5 @@ def lines(content: Verdict) -> list[str]:
             instead = dict.fromkeys(other for swap in swapped for other in sorted(swap))
             lines.append(f"One of {listing([id_, *instead])} is needed; it is not known which.")
         else:
-            lines.append(f"{id_} is {ABSENT[share >= EVEN]} at work ({percent(share)}).")
+            lines.append(f"{id_} is {ABSENT[share >= certainty.EVEN]} at work ({percent(share)}).")
     return lines

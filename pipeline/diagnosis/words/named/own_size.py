@@ -61,7 +61,12 @@ def own_with_interval(entry: MechanismEntry, content: Verdict, words: Vocabulary
 
 
 def reportable(entry: MechanismEntry, content: Verdict, words: Vocabulary) -> bool:
-    """Whether an effect has a size to report: the whole, or the part that no dimension could imitate."""
+    """Whether an effect has a size to report: the whole, or the part that no dimension could imitate.
+
+    One that is more likely absent than at work has none.
+    """
+    if certainty.known(content).get(entry["id"], 1.0) < certainty.EVEN:
+        return False
     doubt = doubt_of(entry, content, words)
     narrow = not certainty.wide(interval(entry, f"rms_{words.ending}"))
     return narrow and (not doubt or own_part(entry, content, words) > 0.0)

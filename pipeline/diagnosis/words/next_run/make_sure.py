@@ -4,8 +4,10 @@ from pathlib import Path
 
 from ....ground.command import program_name
 from ...document.content import Verdict
+from ...document.made_keys import amount
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
+from ..explanations import rivals
 from ..foretold import expectation, loop_to_see
 from ..held_out import holdout, in_vain, unseen
 from ..language.explained_words import tells
@@ -40,6 +42,7 @@ RUN = "The run to make next"  # the heading of its steps and commands in the det
 LEAVE = "Leave what is still missing, unless it is too much for your use."
 NO_NAME = "No effect of the library is named for it."
 TIED = "The best explanation leaves it too, and no further effect of the library is named for it."
+TIED_LEAVES_NONE = "The best explanation leaves it; {} likely as well, leaves only the noise."
 MORE = "Other speeds and loads, diagnosed together, show more of it."
 ABOVE = " (commands: the step before)"
 AS_MANY = (
@@ -59,7 +62,7 @@ def of_what_is_missing(
     if to_settle(content, words):
         return []  # that recording shows it too
     if unseen.nothing_new(content, words):
-        return [[f"{LEAVE} {TIED if tie else NO_NAME} {MORE}"]]
+        return [[f"{LEAVE} {_of_tie(content, words) if tie else NO_NAME} {MORE}"]]
     strokes_again = as_many_again(content, words)
     run = content["next_run"]
     shown = tie and run is not None and not worth.first(run)  # the same commands stand in the details already
@@ -72,6 +75,17 @@ def of_what_is_missing(
     where = f" (commands: below, {RUN})" if shown else ABOVE if above else ""
     typed = [] if shown or above else [*(f"  {line}" for line in again), commands.remark(folders[-1], words)]
     return [[AS_MANY.format(where=where, again=strokes_again, strokes=holdout.strokes(content)), *typed]]
+
+
+def _of_tie(content: Verdict, words: Vocabulary) -> str:
+    """Whether what the best explanation leaves is explained by another one that is held."""
+    floor = amount(content["evidence"], f"floor_{words.ending}")
+    (best, *_), ties = rivals.entries(content, "named"), rivals.entries(content, "tied")
+    if rivals.left_of(best, content, words.ending) > unseen.STILL_MISSING * floor:
+        for tied in ties:
+            if rivals.left_of(tied, content, words.ending) <= unseen.STILL_MISSING * floor:
+                return TIED_LEAVES_NONE.format(f"{rivals.called(tied['ids'])},")
+    return TIED
 
 
 def of_the_name(content: Verdict, words: Vocabulary, short: bool) -> list[list[str]]:

@@ -55,7 +55,7 @@ def _taken(run: NextRun, words: Vocabulary) -> str:
 def _closest(content: Verdict) -> str:
     """The two explanations that the run was chosen for, and whether the best one is among them."""
     count = min(worth.COMPARED, 1 + len(content["alternatives"]))
-    which = [f"these two are the closest of the {count} likeliest explanations"] if count > 2 else []
+    which = [f"the two of the table are the closest of the {count} likeliest explanations"] if count > 2 else []
     best = ["the best one differs from both by at least as much"] if worth.aside(content) else []
     return f"{first_upper('; '.join([*which, *best]))}." if which or best else ""
 
@@ -100,9 +100,9 @@ def _decides(run: NextRun) -> str:
     wrong = "for a formula that is wrong by 10 % could make as much"
     if worth.decides(run):
         if now <= PLAIN:
-            return f"The run can decide: {apart}."
+            return f"The run can decide between these two: {apart}."
         more = f"In the run it would have to be wrong by {number(10.0 * then / now)} % for that."
-        return f"The run can decide. This recording does not, {wrong}. {more}"
+        return f"The run can decide between these two. This recording does not, {wrong}. {more}"
     other = "" if worth.raises(run) else f"; {NO_OTHER}"
     if now > PLAIN:
         return f"This recording does not decide, and the run need not either, {wrong}: {apart}{other}."

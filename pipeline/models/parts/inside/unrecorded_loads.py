@@ -39,11 +39,11 @@ def in_unrecorded_strokes(questions: pd.DataFrame, points: pd.DataFrame) -> Mask
     """
     apart = np.zeros(len(questions), bool)
     room_n = room(LOAD, float(points[LOAD].min()), float(points[LOAD].max()))
-    strings, asked = questions["string"].astype(str).to_numpy(), questions[[LOAD, "stroke"]].to_numpy(float)
+    strings, conditions = questions["string"].astype(str).to_numpy(), questions[[LOAD, "stroke"]].to_numpy(float)
     for string, own in points.groupby(points["string"].astype(str)):
         loads_n, strokes = own[LOAD].to_numpy(float), own["stroke"].to_numpy(float)
         for row in np.flatnonzero(strings == string):
-            load_n, stroke = asked[row]
+            load_n, stroke = conditions[row]
             under = strokes[np.abs(loads_n - load_n) <= room_n]
             if len(under) and stroke <= strokes.max():
                 apart[row] = not under.min() - BEFORE <= stroke <= under.max() + NEXT

@@ -18,9 +18,9 @@ def test_the_run_to_make_is_a_protocol_with_its_command():
         assert step in text
     assert "it is to tell apart\n  friction_hysteresis + creep\n  friction_hysteresis + thermal\n" in text
     assert (
-        "The run can decide: over all samples they differ by 73 standard deviations of noise in the run, by 2.2 in "
-        "this recording. Noise is not all that counts: in tests such runs settled 30 of 50 ties rightly and 5 wrongly, "
-        "and left 15 open. Without the run report the best explanation as one of 2."
+        "The run can decide between these two: over all samples they differ by 73 standard deviations of noise in the "
+        "run, by 2.2 in this recording. Noise is not all that counts: in tests such runs settled 30 of 50 ties rightly "
+        "and 5 wrongly, and left 15 open. Without the run report the best explanation as one of 2."
     ) in text
     assert "python -m pipeline.diagnose raw/nylon-3 raw/nylon-3-next --together --out DIR" in text
 

@@ -21,7 +21,7 @@ def test_a_proposed_run_says_how_probable_the_two_are_that_it_parts_and_whether_
     diagnosis["next_run"] |= {"gap_now": 9.0, "gap_then": 900.0}
     text = told(copy.deepcopy(diagnosis))
     assert re.search(r"\n  friction_hysteresis \+ creep +52 %\n  friction_hysteresis \+ thermal +31 %\n", text)
-    assert "These two are the closest of the 4 likeliest explanations." in text
+    assert "The two of the table are the closest of the 4 likeliest explanations." in text
     diagnosis["next_run"]["parts"][0].append("wear")
     text = told(copy.deepcopy(diagnosis))
     assert (
@@ -49,7 +49,8 @@ def test_a_run_that_hardly_parts_them_better_is_told_as_that():
     assert "no other run that was tried in simulation does better." in text and "Hardly worth making" in text
     text = " ".join(told(content(next_run__gap_now=900.0)).split())
     why = why.partition(":")[0]
-    assert f"The run can decide. This recording does not, {why}. In the run it would have to be wrong by 24 %" in text
+    unable = f"This recording does not, {why}. In the run it would have to be wrong by 24 %"
+    assert f"The run can decide between these two. {unable}" in text
     assert "73 standard deviations" not in text and "need not" not in text
 
 

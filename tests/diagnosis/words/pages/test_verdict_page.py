@@ -573,9 +573,12 @@ def test_what_is_still_missing_has_a_step_too_where_explanations_tie_or_were_ado
     assert "new_run nylon-3-next --like raw/nylon-3" in full_steps(idle), "a run that decides nothing has no commands"
     diagnosis = content(fit__heldout__explained_mm=0.06)
     diagnosis["evidence"]["explanations"][-1]["left_mm"] = 0.058
-    assert "Leave what is still missing, unless it is too much for your use. The best explanation" in full_steps(
-        diagnosis
-    )
+    leave = "Leave what is still missing, unless it is too much for your use. The best explanation leaves it"
+    assert f"{leave} too, and no further effect of the library is named for it." in full_steps(diagnosis)
+    tied = next(entry for entry in diagnosis["evidence"]["explanations"] if entry["standing"] == "tied")
+    tied["left_mm"] = diagnosis["evidence"]["floor_mm"]
+    noise_alone = f"{leave}; {' + '.join(tied['ids'])}, likely as well, leaves only the noise."
+    assert noise_alone in full_steps(diagnosis), "the page said that nothing is named for it"
     tied = {"effects": ["creep"], "verdict": "ambiguous", "tied": [["thermal"]], "runs": ["nylon-3"]}
     adopted = content(**NOTHING, mismatch=None, adopted=[tied], simulation=[{"id": "creep", "parameters": {}}])
     adopted["evidence"]["moved_sigma"] = NEAR
@@ -1011,7 +1014,9 @@ def test_what_changes_from_stroke_to_stroke_is_said_with_its_strokes_and_what_it
 
 
 def test_an_open_effect_has_an_upper_bound_and_of_several_parts_it_is_said_once_that_they_alone_count():
-    diagnosis = confident(0.93, 0.38, evidence__moved_sigma=NEAR)
+    absent = reported(confident(0.93, 0.38, evidence__moved_sigma=NEAR))
+    assert "of what is open" not in absent and "creep 0.41 mm" not in absent, "creep is more likely absent"
+    diagnosis = confident(0.93, 0.47, evidence__moved_sigma=NEAR)
     merged = "- TO REPORT, of what is open: creep 0.41 mm (0.37 to 0.45 mm), or 0 if it is not at work (rms"
     assert (
         merged in reported(diagnosis)
