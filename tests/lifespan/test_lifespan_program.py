@@ -28,7 +28,7 @@ from pipeline.lifespan.words import page_lines
 from pipeline.lifespan.words.calibration_advice import advice, recalibrate_after, rests_on
 from pipeline.lifespan.words.claims_held import HELD, measured
 from pipeline.lifespan.words.figure_words import WIDE, footnote, which_run
-from pipeline.lifespan.words.sentences import UNFORESEEN, sentence
+from pipeline.lifespan.words.sentences import UNFORESEEN, answered, sentence
 from pipeline.lifespan.words.so_far import beside_limit, so_far
 from pipeline.rig import __main__ as rig
 
@@ -463,6 +463,26 @@ def test_the_picture_says_why_its_shade_holds_fewer_futures_than_its_arrow_promi
     words_ = footnote([answer], 0.9).replace("\n", " ")
     assert "at most 10 % of the futures pass the limit before it begins, so 90 % stay below it until then" in words_
     assert "The shade leaves out 10 % above and 10 % below: the middle 80 %." in words_
+
+
+@pytest.mark.parametrize(
+    ("question", "unit", "said_so"),
+    [
+        (
+            "model_error",
+            "mm",
+            "off by 0.14 mm (median of the last 3 strokes). That has not grown since the first third",
+        ),
+        ("stroke_loss", "1", "This change is within the noise of the strokes."),
+    ],
+)
+def test_an_error_that_stays_is_no_change_within_the_noise(question, unit, said_so):
+    """A model that was off by 0.14 mm, nine times the noise, was "within the noise of the strokes"."""
+    n = np.arange(4.0, 19.0)
+    value = 0.14 + 0.001 * np.cos(n)
+    answer = Answer(question, "", unit, n, value, 0.015 + 0.0 * n, 1.0, Left("why", drifts=False))
+    text = " ".join(answered(answer, 0.9, True))
+    assert said_so in text and ("This change" in text) == (unit == "1"), text
 
 
 def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():

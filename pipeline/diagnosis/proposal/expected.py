@@ -19,7 +19,7 @@ from ..mechanisms.interface import physics
 from ..mechanisms.library import mechanisms
 from ..study.rivals import refitted
 from .foretold_spread import plus_minus
-from .legs import Leg, Rig
+from .legs import Leg, Rig, as_left
 from .next_runs import appended, counts, lengthened
 
 STROKES = {  # times as slow, of the load
@@ -52,7 +52,7 @@ def of_explanations(study: Study, run: Run, named: list[MechanismEntry], ending:
     """
     if study.random or not named:
         return {}
-    rig, record, tied = Rig(study.problem.record), study.problem.record, study.sets[:MOST]
+    rig, record, tied = as_left(study.problem.record), study.problem.record, study.sets[:MOST]
     others = [] if len(tied) > 1 else [study.search.explain(ids) for ids in _alike(study)]
     acting = [mechanisms()[id_] for explanation in (*tied, *others) for id_ in explanation.ids]
     expected: Expected = {"load": rig.load, "speed_per_s": rig.speed}

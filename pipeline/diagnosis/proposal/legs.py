@@ -10,6 +10,7 @@ from ..recording.working_samples import Record
 
 Leg = tuple[float, float, float]  # seconds, motion at its end, load at its end
 LAST = 50  # samples that tell the load at the end
+FELL = 0.25  # of the range of the loads: one that never fell by more only rose
 
 
 class Rig:
@@ -67,6 +68,18 @@ class Rig:
         """Three abrupt stops at half the range."""
         up, middle = 0.5 * self.stroke_s, self.place(0.5)
         return [(up, middle, self.load), (20.0, middle, self.load), (up, self.low, self.load)] * 3
+
+
+def as_left(record: Record) -> Rig:
+    """The rig as its recording left it: where the load only rose it goes on under the last one.
+
+    What a fit makes of a load that falls, no such recording has shown.
+    """
+    rig = Rig(record)
+    fell = float((np.maximum.accumulate(record.load) - record.load).max())
+    if fell <= FELL * float(np.ptp(record.load)):
+        rig.load = max(rig.load, rig.under)
+    return rig
 
 
 CANDIDATES: dict[str, Callable[[Rig], list[Leg]]] = {

@@ -42,6 +42,10 @@ SUDDEN = (
     f"A sudden end shows in no stroke before it; any string has a chance of {of_100(sudden(1.0))} until its strokes "
     "double."
 )
+STEADY = (  # an error that stays may be large; a change is none then
+    " That has not grown since the first third of the strokes, but for their noise.",
+    " This change is within the noise of the strokes.",
+)
 LIKE = " over the compared range of twist"
 
 
@@ -108,7 +112,7 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
 def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> list[str]:
     """The lines of one question: how far the limit is, how long it stays unpassed, and how far to trust that."""
     state = answer.left.span(level).state
-    within = "" if answer.left.drifts else " This change is within the noise of the strokes."
+    within = "" if answer.left.drifts else STEADY[answer.unit == "1"]
     claim, *more = sentence(answer, level, enough)
     lines = [f"  {so_far(answer, at_rest)}{within}", f"  {claim}"]
     if state in ("no claim", "passed"):

@@ -47,5 +47,6 @@ def test_the_load_before_a_plan_is_that_of_the_recordings_it_follows(
     assert done.returncode == 0, done.stderr
     assert (FALLS in done.stderr) is falls, done.stderr
     assert set(pd.read_csv(out)["outside"]) == {int(falls)}, done.stderr
-    answer = Recording.read(folders[simulated]).simulate(SimpleNamespace(content=content), pd.DataFrame(corners), late)
+    diagnosis = SimpleNamespace(content=content, recorded=())  # read from a file: the runs lie in folders
+    answer = Recording.read(folders[simulated]).simulate(diagnosis, pd.DataFrame(corners), late)
     assert list(answer["outside"].astype(int)) == list(pd.read_csv(out)["outside"]), "the Python call says the same"
