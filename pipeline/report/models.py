@@ -19,7 +19,7 @@ from .layout.titles import titles_of
 from .model_to_take import inverse_beside
 from .model_to_take.fitted import FLOOR_TITLES, SPLITS, lines_on_files, times_floor
 from .model_to_take.least_errors import on_simulator, sentences
-from .model_to_take.usual_model import RULE, RULES, weighed
+from .model_to_take.usual_model import RULE, RULES, ranked, weighed
 from .parts import jumps
 from .shown.strings_together import together
 from .shown.stroke_conditions import add_dataset, dataset_from, later_apart, otherwise
@@ -133,7 +133,7 @@ def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     rules = [f"{number}. {rule}" for number, rule in enumerate(RULES, start=1)]
     at_inverse = inverse_beside.sentences(chosen, titles, errors_turns, errors_mm)
     beside = weighed(titles, errors_mm, floor_of(row for _, row in table_of.iterrows()))
-    sentences = [f"Take the **{titles[chosen]}**.", beside, at_inverse]
+    sentences = [f"Take the **{titles[chosen]}**.", ranked(chosen, titles, errors_mm), beside, at_inverse]
     return [" ".join(filter(None, sentences)), "", RULE, "", *rules, ""]
 
 

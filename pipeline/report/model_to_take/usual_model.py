@@ -67,25 +67,31 @@ def weighed(titles: Mapping[str, str], errors_mm: Errors, floor_mm: float) -> st
     return f"{sentence} Take the {titles[best]} if only strokes like the recorded ones will come."
 
 
+def ranked(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
+    """The forward error by which a model was chosen, and how it ranks; empty where no errors are known."""
+    split = next((split for split in WHERE if (chosen, split) in errors_mm), "")
+    if not split:
+        return ""
+    exportable = set(models) - {WHOLE_MOTION}
+    least_mm = min(errors_mm[model, split] for model in exportable if (model, split) in errors_mm)
+    own_mm = errors_mm[chosen, split]
+    rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
+    return f"Its forward error {WHERE[split]} is {rank} of those that can be exported: {own_mm:.3f} mm."
+
+
 def why(chosen: str, models: Iterable[str], errors_mm: Errors, floor_mm: float) -> str:
     """Why a model is the one to take, in a line for a terminal; empty where no errors are known.
 
     Where another model errs less on the points that the tables show, the line says so; `floor_mm` is their noise.
     """
     exportable = sorted(set(models) - {WHOLE_MOTION})
-    split = next((split for split in ("later", "within") if (chosen, split) in errors_mm), "")
-    if not split:
+    rank = ranked(chosen, exportable, errors_mm)
+    if not rank:
         return ""
-    least_mm = min(errors_mm[model, split] for model in exportable if (model, split) in errors_mm)
-    own_mm = errors_mm[chosen, split]
-    rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
-    line = (
-        f"model to take: {chosen}. Its forward error {WHERE[split]} is {rank} of those that can be exported: "
-        f"{own_mm:.3f} mm."
-    )
+    line = f"model to take: {chosen}. {rank}"
     inside = [model for model in exportable if (model, "within") in errors_mm]
     best = min(inside, key=lambda model: errors_mm[model, "within"], default=chosen)
-    if split == "within" or best == chosen or (chosen, "within") not in errors_mm:
+    if (chosen, "later") not in errors_mm or best == chosen or (chosen, "within") not in errors_mm:
         return line
     if not is_told_apart(errors_mm[best, "within"], errors_mm[chosen, "within"]):
         return line
