@@ -39,7 +39,8 @@ def _filled(key: str, what: str, indent: int = 2) -> str:
 
 def _actuator(name: str, is_told: bool) -> str:
     """The kind of rig: no file tells it, so it is a guess unless a person gives it."""
-    check = "  # check: a guess; without a separator draft anew with --actuator twisted_pair"
+    mend = "without a separator write twisted_pair, and take both lengths out of rig (if nothing is left: rig: {})"
+    check = f"  # check: a guess; {mend}"
     return f"actuator: {name}{'' if is_told else check}"
 
 
