@@ -106,6 +106,18 @@ def test_no_legend_of_figure_4_lies_within_a_panel(dataset):
     assert legend.y1 < min(axes.get_tightbbox().y0 for axes in four.axes)
 
 
+def test_the_legend_of_figure_4_has_room_where_strings_differ_in_load_and_twist(dataset):
+    """Its first entries were cut off at the left edge, and its last at the right one."""
+    points = with_nominal(dataset).assign(load_n=20.0)
+    other = points.assign(string="B", run="B", load_n=30.0, motor_turns=0.8 * points["motor_turns"])
+    with plt.rc_context(STYLE):
+        four = figure_4(pd.concat([points, other], ignore_index=True), "m")
+        four.canvas.draw()
+        shown = four.legends[0].get_window_extent()
+    assert any("20 and 30 N" in text.get_text() for text in four.legends[0].get_texts())
+    assert len(four.legends) == 1 and shown.x0 >= 0 and shown.x1 <= four.bbox.x1
+
+
 def test_figure_4_shows_strokes_against_the_traditional_model(dataset):
     four = figure_4(with_nominal(dataset), "synthetic")
     labels = [text.get_text() for text in four.legends[0].get_texts()]

@@ -57,3 +57,18 @@ def save(figure: Figure, stem: Path, mark: MadeBy | None = None) -> None:
     for suffix in (".png", ".pdf"):
         write_figure(figure, stem.with_suffix(suffix), STYLE["savefig.dpi"], metadata.get(suffix))
     plt.close(figure)
+
+
+def legend_beneath(figure: Figure, axes: Axes, most: int, title: str) -> None:
+    """The legend of a panel's entries beneath all panels, in as many columns as the figure has room for, `most`."""
+    for columns in range(most, 0, -1):
+        legend = figure.legend(
+            *axes.get_legend_handles_labels(),
+            loc="outside lower center",
+            ncols=columns,
+            title=title,
+            title_fontsize=READING_SIZE,
+        )
+        if columns == 1 or legend.get_window_extent().width <= figure.bbox.width:
+            return
+        legend.remove()

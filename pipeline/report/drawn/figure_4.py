@@ -14,14 +14,14 @@ from ..shown.stroke_conditions import labels
 from .averaged import averaged, parts_of
 from .axis_of_means import axis_of_means
 from .clipped import clipped
-from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, lighter, name, wrapped
+from .drawing import COLOURS, MILLIMETRES, READING_SIZE, TURNS, legend_beneath, lighter, name, wrapped
 from .winding import SHOWN, strokes_of, winding
 from .zero_of_x import zero_of_x
 
 STROKES = (1, 3, 5, 7)  # the paper's
 MOST_STRINGS = 2  # strings that are drawn over each other
 NEUTRAL, NAME_LETTERS = "0.25", 20  # of the legend's entry of a string: its colour, and letters of the string's name
-LEGEND_COLUMNS = 5  # of the legend: four strokes and the model beside each other
+LEGEND_COLUMNS = 5  # of the legend at most: four strokes and the model beside each other
 FAINT: dict[str, Any] = {"lw": 0.5, "alpha": 0.3}
 THICK: dict[str, Any] = {"lw": 1.4, "marker": ".", "ms": 2.0, "mew": 0.0}  # a mean between two gaps is a dot
 MEANS = "(b), (d): faint every sample, thick the mean over each of {} equal parts of a stroke."
@@ -96,13 +96,7 @@ def figure_4(points: pd.DataFrame, material: str) -> Figure:
         axis_of_means(inverse_error, inverse_means, inverse_errors, "(d)") if parts else "",
     )
     if names:  # of all panels, beneath them: within one it lies over curves
-        figure.legend(
-            *forward.get_legend_handles_labels(),
-            loc="outside lower center",
-            ncols=LEGEND_COLUMNS,
-            title=reading,
-            title_fontsize=READING_SIZE,
-        )
+        legend_beneath(figure, forward, LEGEND_COLUMNS, reading)
     else:
         figure.supxlabel(reading, fontsize=READING_SIZE, multialignment="left")
     figure.suptitle(f"{material}: winding, every recorded sample{'' if shown else ' (no winding was recorded)'}")
