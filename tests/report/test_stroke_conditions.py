@@ -68,6 +68,17 @@ def test_later_strokes_like_the_others_need_no_word():
     assert "most others at" in later_apart(table)
 
 
+def test_a_later_stroke_is_measured_by_its_own_string():
+    """Of a string that was under 30 N in all strokes it said that few learnt strokes had that load."""
+    usual_n = NINE["load_n"].median()
+    other = NINE.assign(string="B", load_n=1.5 * usual_n, motor_turns=0.8 * NINE["motor_turns"])
+    other.loc[~other["stroke"].isin([4, 8, 9]), "later"] = ""
+    other.loc[other["stroke"] == 8, "later"] = "test"
+    assert later_apart(pd.concat([NINE, other], ignore_index=True)) == ""
+    other.loc[other["stroke"] == 9, "load_n"] = 3.0 * usual_n
+    assert later_apart(pd.concat([NINE, other], ignore_index=True)).startswith(f"{APART}: n=9 was recorded at ")
+
+
 def test_strokes_that_were_recorded_otherwise_than_most_are_said_if_they_are_shown():
     usual_n, top_turns = NINE["load_n"].median(), NINE["motor_turns"].max()
     other, usual = f"{1.5 * usual_n:.3g} N", f"{usual_n:.3g} N"

@@ -73,8 +73,7 @@ def later_apart(dataset: pd.DataFrame | None) -> str:
     seen, later = by_stroke[split == "train"], by_stroke[split == "test"]
     if seen.empty or later.empty:
         return ""
-    loads = later["load_n"].map(lambda load_n: _is_rare_load(load_n, seen["load_n"], later["load_n"]))
-    twists = later["top_turns"].map(lambda top_turns: _is_other_twist(top_turns, seen["top_turns"]))
+    loads, twists = _apart_of_own(later, seen)
     others = later[loads | twists]
     if others.empty:
         return ""
@@ -89,6 +88,21 @@ def later_apart(dataset: pd.DataFrame | None) -> str:
         f"{rest} {_in_words(usual, kinds)}. So the errors on later strokes are errors at {what} too, and do not decide "
         "which model to take."
     )
+
+
+def _apart_of_own(later: pd.DataFrame, seen: pd.DataFrame) -> tuple[pd.Series, pd.Series]:
+    """Which later strokes have a load, and which a twist, that few training strokes of their own string have.
+
+    Those of a string without training strokes are measured by all others.
+    """
+    loads, twists = (pd.Series(False, index=later.index) for _ in range(2))
+    for string, own_later in later.groupby(level="string", sort=False):
+        of_string = seen[seen.index.get_level_values("string") == string]
+        own_seen = seen if of_string.empty else of_string
+        for key, own in own_later.iterrows():
+            loads[key] = _is_rare_load(own["load_n"], own_seen["load_n"], own_later["load_n"])
+            twists[key] = _is_other_twist(own["top_turns"], own_seen["top_turns"])
+    return loads, twists
 
 
 def _usual(sizes: pd.Series) -> float:
