@@ -167,7 +167,7 @@ def _far_off(questions: Questions, dataset: pd.DataFrame, is_outside: Mask, mode
     for is_apart, where in ((at_unrecorded_loads(points, dataset), ""), (strokes_apart, " in such a stroke")):
         far_off = FAR_OFF.format(there=where, model=model)
         if rows := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
-            sentences.append(f"{numbered(rows).capitalize()}: {far_off} The equations answer by:")
+            sentences.append(f"{numbered(rows).capitalize()}: {far_off} To compare, what the equations answer:")
         if rows := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
             sentences.append(f"{numbered(rows).capitalize()}: {far_off} {NO_LOAD}")
     return sentences

@@ -76,7 +76,9 @@ def test_an_unrecorded_load_is_said_to_be_so_with_the_command_that_asks_the_equa
     words = [dataset, questions, "--out", answers, "--seed", "1"]
     done = programs.run("pipeline.predict", *words, "--model", "polynomial")
     note = "the string was not recorded under this load, and the numbers of polynomial may be far off."
-    line = re.search(rf"Rows 2 to 4: {re.escape(note)} The equations answer by:\n  (.*)\n", done.stdout)[1]
+    line = re.search(rf"Rows 2 to 4: {re.escape(note)} To compare, what the equations answer:\n  (.*)\n", done.stdout)[
+        1
+    ]
     typed = shlex.split(line)
     assert typed == ["python", "-m", "pipeline.predict", "--model", "calibrated", *map(str, words)]
     again = programs.run(*typed[2:])
@@ -87,7 +89,7 @@ def test_an_unrecorded_load_is_said_to_be_so_with_the_command_that_asks_the_equa
     questions.write_text("stroke,direction,motor_turns,load_n\n2,1,12,40\n12,1,12,8\n8,1,12,8\n7,1,12,8\n14,1,12,40\n")
     done = programs.run("pipeline.predict", *words, "--model", "polynomial")
     note = note.replace("load,", "load in such a stroke,")
-    assert f"Rows 1 to 3: {note} The equations answer by:\n  {line}\n" in done.stdout, done.stdout
+    assert f"Rows 1 to 3: {note} To compare, what the equations answer:\n  {line}\n" in done.stdout, done.stdout
     recorded = tmp_path / "recorded.csv"
     recorded.write_text("stroke,direction,motor_turns,load_n\n4,1,12,8\n9,1,12,40\n9,1,90,40\n")
     done = programs.run("pipeline.predict", dataset, recorded, "--out", answers, "--model", "polynomial")
@@ -107,7 +109,7 @@ def test_of_a_twisted_pair_nobody_is_sent_to_its_equation_which_knows_no_load(tm
         assert done.returncode == 0, done.stderr
         note = f"Row 2: the string was not recorded under this load, and the numbers of {model} may be far off."
         assert f"{note} The equation of a twisted pair knows no load: record the string under it." in done.stdout
-        assert "The equations answer by" not in done.stdout
+        assert "what the equations answer" not in done.stdout
 
 
 def test_under_a_recorded_load_the_interval_stays_as_narrow(tmp_path: Path) -> None:

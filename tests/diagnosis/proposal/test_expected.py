@@ -284,6 +284,9 @@ def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
     wider = "(speeds, holds and rests reach further than recorded)."
     band = f"A plan has an error band within {range_words} and reversals near"
     assert f"{band} recorded ones {wider}" in text, "an older file"
+    assert "Where its load falls" not in text
+    two_loads = " ".join(full(content(evidence__covered=COVERED | {"load": [20.0, 40.0]})).split())
+    assert f"{wider} Where its load falls it has one only as far as a recorded load fell." in two_loads
     turned = {"turned": {"top": [[14.9, 15.1], [30.0, 30.7]], "bottom": [[0.0, 0.0]]}}
     text = " ".join(full(content(evidence__covered=COVERED | turned)).split())
     assert f"{band} 14.9 to 15.1 turns and 30 to 30.7 turns at the top and 0 turns at the bottom {wider}" in text
