@@ -63,8 +63,7 @@ def _zero(source: Source) -> str:
         f"On the rest before a new string's first stroke, displacement_mm is what {law} gives at that twist: {value}. "
         f"Set your sensor's zero so, once a string, and never in between: what later rests read is wear.{runs} "
         "A run that says `tare: run` was set anew: to where the string had rested before it and what it took back, or, "
-        f"where the two rest under other loads or at other twists, to what {law} gives."
-        f"{jumped}"
+        f"where the two rest under other loads or at other twists, to what {law} gives.{jumped}"
     )
 
 

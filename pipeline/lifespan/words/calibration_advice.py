@@ -54,11 +54,11 @@ def advice(answers: list[Answer], done: int = 0, beside: bool = False, like: str
     asked_after, when = ask_again_after(answers), recalibrate_after(answers)
     again = f"Ask again after {after(asked_after)}."
     if done >= last + asked_after:
-        next_ = f"sk again once strokes{like} are recorded after stroke {done}"
+        anew = f"again once strokes{like} are recorded after stroke {done}"
         if when and due(answers) and done >= last + when:
             at = f"stroke {last + when}, at which the calibration was due, is among the {strokes(done)} done"
-            return f"Advice: calibrate your model again now, on the strokes recorded; a{next_}: {at}."
-        again = f"A{next_}: stroke {last + asked_after}, at which that was due, is done."
+            return f"Advice: calibrate your model again now, on the strokes recorded; ask {anew}: {at}."
+        again = f"Ask {anew}: stroke {last + asked_after}, at which that was due, is done."
     if when is None:
         return f"Advice: no reason to calibrate your model again is seen so far. {again}"
     if when == 0:

@@ -42,7 +42,7 @@ RUN = "The run to make next"  # the heading of its steps and commands in the det
 LEAVE = "Leave what is still missing, unless it is too much for your use."
 NO_NAME = "No effect of the library is named for it."
 TIED = "The best explanation leaves it too, and no further effect of the library is named for it."
-TIED_LEAVES_NONE = "The best explanation leaves it; {} likely as well, leaves only the noise."
+TIED_LEAVES_NONE = "The best explanation leaves it; {}, likely as well, leaves only the noise."
 MORE = "Other speeds and loads, diagnosed together, show more of it."
 ABOVE = " (commands: the step before)"
 AS_MANY = (
@@ -84,7 +84,7 @@ def _of_tie(content: Verdict, words: Vocabulary) -> str:
     if rivals.left_of(best, content, words.ending) > unseen.STILL_MISSING * floor:
         for tied in ties:
             if rivals.left_of(tied, content, words.ending) <= unseen.STILL_MISSING * floor:
-                return TIED_LEAVES_NONE.format(f"{rivals.called(tied['ids'])},")
+                return TIED_LEAVES_NONE.format(rivals.called(tied["ids"]))
     return TIED
 
 
