@@ -279,13 +279,13 @@ def test_the_table_of_corners_has_the_reading_without_effects_and_marks_what_is_
 
 
 def test_the_page_says_where_a_plan_has_a_band_and_which_string_a_plan_is_of():
-    text = " ".join(full(content(evidence__covered=COVERED)).split())
+    text = " ".join(full(content(evidence__covered=COVERED, evidence__loaded=False)).split())
     range_words = "0 to 30.7 turns, 1.52 to 2.1 turns/s, 20 N, holds of up to 6 s, rests of up to 2 min"
     wider = "(speeds, holds and rests reach further than recorded)."
     band = f"A plan has an error band within {range_words} and reversals near"
     assert f"{band} recorded ones {wider}" in text, "an older file"
     assert "Where its load falls" not in text
-    two_loads = " ".join(full(content(evidence__covered=COVERED | {"load": [20.0, 40.0]})).split())
+    two_loads = " ".join(full(content(evidence__covered=COVERED, evidence__loaded=True)).split())
     assert f"{wider} Where its load falls it has one only as far as a recorded load fell." in two_loads
     turned = {"turned": {"top": [[14.9, 15.1], [30.0, 30.7]], "bottom": [[0.0, 0.0]]}}
     text = " ".join(full(content(evidence__covered=COVERED | turned)).split())

@@ -21,7 +21,6 @@ from .adopted_doubts import against_advice, doubtful
 COMMAND = command("adopt")
 SIMULATE = command("simulate")
 FALLS = " Where its load falls it has one only as far as a recorded load fell."
-SAME = 0.95  # of the highest recorded load: a lower one is another load
 WEIGHED_ANEW = (
     "While it is in run.yaml its name is not weighed again, and new_run --like copies it. To try the name on another "
     "run of the {rig}, take it out of each run, and diagnose them together."
@@ -151,12 +150,6 @@ def columns_of_plan(words: Vocabulary, load: str | None) -> str:
     return f"{plan}, at your controller's rate{needs}"
 
 
-def _has_loads(content: Verdict) -> bool:
-    """Whether the recording had more than one load."""
-    covered = content["evidence"].get("covered")
-    return covered is not None and covered["load"][0] < SAME * covered["load"][1]
-
-
 def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | None) -> list[str]:
     """The command that adopts the named effects into run.yaml; `out` is the folder of the diagnosis."""
     if out is None or content["verdict"] not in ("explained", "ambiguous") or not content.get("simulation", [True]):
@@ -169,7 +162,8 @@ def how(content: Verdict, words: Vocabulary, folders: list[Path], out: Path | No
     lines += [f"  {line}" for line in predictions(source, folders, ids)]
     lines += of_staying(ids)
     where = answered.within(content, words)
-    lines += [f"A plan has an error band within {where}.{FALLS if _has_loads(content) else ''}"] if where else []
+    falls = FALLS if content["evidence"].get("loaded") else ""
+    lines += [f"A plan has an error band within {where}.{falls}"] if where else []
     lines.append(advice.of_adopting(content, words))
     if not advice.lets(content, words):
         return lines
