@@ -30,6 +30,7 @@ from .beside import clearer, with_stand_ins
 
 ADOPTED = 0.1  # of the mismatch before effects were adopted: a smaller rest comes from their inexact formulas
 SURPRISES = 0.3  # of the blocks of a recording, in which something unnamed may have happened
+GUESSED = 0.5  # of a noise, that the columns took: a noise of which more is taken is a guess
 TOO_LOUD = 1.2  # times an explanation's residual: a larger noise floor holds structure
 LEAST_SAMPLES, LEAST_STROKES = 200, 2  # least number of samples, and of whole strokes, for a diagnosis
 Progress = Callable[[str], None]
@@ -156,7 +157,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
             states = [search.linear.state_of(leader.fit, leader.keys) for leader in search.leaders(chosen)]
             refined = [calibrate.refine(problem, noise, state) for state in states]
             own = [noise_of(problem, state, smooth) for state in refined]
-            place = min(range(len(own)), key=lambda i: bic(problem, own[i], refined[i]))
+            place = clearest(problem, own, refined)
             best, noise = refined[place], own[place]
             catalogue = candidates.with_refined(problem, catalogue, refined)
             deviations = discrepancy.columns(problem, [best, *(state for state in refined if state is not best)])
@@ -176,6 +177,17 @@ def studied_once(problem: Problem, say: Progress) -> Study:
 def too_loud(noise: Noise, chosen: Explanation) -> bool:
     """Whether a noise is larger than the residual of the explanation: it was estimated with a state that fits worse."""
     return noise.floor > TOO_LOUD * float(np.sqrt(chosen.energy))
+
+
+def clearest(problem: Problem, own: list[Noise], refined: list[State]) -> int:
+    """Place of the likeliest of several states, each beside the noise that it leaves, in the reading's unit.
+
+    A state whose noise is a guess comes after those whose noise is seen: a slow misfit that the columns take in part
+    passes for noise with a long memory, which looks likelier than it is.
+    """
+    return min(
+        range(len(own)), key=lambda place: (own[place].swallowed > GUESSED, bic(problem, own[place], refined[place]))
+    )
 
 
 def bic(problem: Problem, noise: Noise, state: State) -> float:
