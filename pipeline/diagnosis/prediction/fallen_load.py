@@ -40,9 +40,16 @@ def with_fallen_load(
     if not rows.any():
         return beyond
     low, high = float(planned[rows].min()), max(float(planned.max()), begins_n)
-    recorded_fall = f"fell by {fell_n:.3g} at most" if fell_n > ROOM * (most - least) else "only rose"
+    fell = fell_n > ROOM * (most - least)
+    recorded_fall = f"fell by {fell_n:.3g} at most" if fell else "only rose"
     asks = f"{name} that falls from {high:.4g} to {low:.4g} (what was recorded {recorded_fall})"
-    mend = f"let {name} rise only, or record a low load after a high one and diagnose the runs together"
+    if not before:
+        mend = f"begin at the lowest {name} of the plan and let it rise only"
+    elif begins_n < most - ROOM * (most - least):
+        mend = f"let {name} rise only, from {begins_n:.4g}"
+    else:  # the highest that was recorded: a load that rises is outside too
+        mend = f"keep {name} {f'within {begins_n - fell_n:.4g} to' if fell else 'at'} {most:.4g}"
+    mend += ", or record a low load after a high one and diagnose the runs together"
     return replace(beyond, rows=beyond.rows | rows, asks=[*beyond.asks, asks], mends=[*beyond.mends, mend])
 
 
