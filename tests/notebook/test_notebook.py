@@ -149,6 +149,10 @@ def test_a_diagnosis_gives_its_parts_as_objects_and_shows_itself(diagnosis: tb.D
     size = diagnosis.mechanisms[0].size
     assert size.unit == "mm" and size.low <= size.value <= size.high
     assert diagnosis.parameters["radius_mm"].unit == "mm"
+    for mechanism, entry in zip(diagnosis.mechanisms, json_content["mechanisms"], strict=True):
+        still = {name for name, number in entry["parameters"].items() if number["low"] == number["high"]}
+        assert set(mechanism.constants) == still and still, "the made recording no longer names one with constants"
+        assert mechanism.fitted and mechanism.fitted | mechanism.constants == mechanism.parameters
     shown = diagnosis._repr_html_()
     assert diagnosis.mechanisms[0].id in shown and "data:image/png;base64," in shown
     diagnosis.save(tmp_path)
