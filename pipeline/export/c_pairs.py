@@ -1,6 +1,6 @@
-"""In C: whether a twist was recorded around a load, or another condition, and a stroke around a load.
+"""In C: whether a twist was recorded around a load, or another condition; a load around a size; a stroke around a load.
 
-Half-planes of the hull of condition and twist, quadrants of the strokes around a load.
+Half-planes of the hulls of condition and twist and of size and load, quadrants of the strokes around a load.
 """
 
 import math
@@ -9,18 +9,19 @@ from itertools import pairwise
 
 from ..ground.kinematics import Array
 from ..models.parts.inside.recorded_pairs import Paired
-from ..models.parts.inside.recorded_strokes import Under
+from ..models.parts.inside.recorded_strokes import LOAD, Under
 from ..models.parts.inside.strokes_around import StrokesAround
 from .c_text import function, real
 from .interface import Source
 
 CALL = "tsa_recorded(&state, motor_turns)"
 USAGE = (
-    f"{CALL} returns TSA_UNRECORDED where nothing was recorded around that twist",
-    "together with the state's other numbers; 0 where there was, and TSA_BAD_... as above. The two functions above",
-    "answer all the same: give it the twist that you asked with, or that you got. tsa_stroke_recorded(&state) asks",
-    "whether the stroke was recorded under the load at all, at whatever twist. Both return TSA_UNRECORDED too where",
-    "the stroke is further ahead than errors were measured.",
+    f"{CALL} returns TSA_UNRECORDED where that twist was not recorded around one of",
+    "the state's other numbers, or its load not around one of the string's sizes (a load that only a string of another",
+    "size was under); 0 where both were, and TSA_BAD_... as above. Which of several strings of one size is meant it",
+    "does not know. The two functions above answer all the same: give it the twist that you asked with, or that you",
+    "got. tsa_stroke_recorded(&state) asks whether the stroke was recorded under the load at all, at whatever twist.",
+    "Both return TSA_UNRECORDED too where the stroke is further ahead than errors were measured.",
 )
 
 
@@ -40,12 +41,16 @@ def checked_pairs(source: Source) -> str:
     lines += ["if (tsa_stroke_recorded(at) != TSA_OK) {", "    return TSA_UNRECORDED;", "}"]
     for paired in source.pairs:
         if paired.name in source.inputs.names:
-            lines += _refused_twists(paired)
+            lines += _refused_beyond(paired, "motor_turns")
+    for paired in source.loads:
+        if {paired.name, LOAD} <= set(source.inputs.names):
+            lines += _refused_beyond(paired, f"at->{LOAD}")
     if source.under and source.under.name in source.inputs.names:
         last = real(source.under.last)
         stroke = f"const tsa_real stroke = (tsa_real)at->stroke < {last} ? (tsa_real)at->stroke : {last};"
         under = [stroke, *_refused_strokes(source.under.around[0], source.under.name)]
-        lines = [stroke, *lines, *_refused_as_far(source.under)]
+        as_far = _refused_as_far(source.under)
+        lines = [*([stroke] if as_far else []), *lines, *as_far]
     else:
         under = []
     under += _refused_too_far(source) or ["(void)at;"]
@@ -82,10 +87,10 @@ def _refused_strokes(around: StrokesAround, load: str) -> list[str]:
     return _refused_where_any(quadrants)
 
 
-def _refused_twists(paired: Paired) -> list[str]:
-    """Lines that refuse a twist beyond an edge of the hull of a condition and the twist."""
+def _refused_beyond(paired: Paired, number: str) -> list[str]:
+    """Lines that refuse a number, by its name in C, beyond an edge of the hull of a condition and that number."""
     return _refused_where_any(
-        f"motor_turns {beyond} {_along(edge, f'at->{paired.name}')}"
+        f"{number} {beyond} {_along(edge, f'at->{paired.name}')}"
         for corners, beyond in zip(paired.corners, "<>", strict=True)
         for edge in _edges(corners, paired)
     )
@@ -98,14 +103,14 @@ def _refused_where_any(conditions: Iterable[str]) -> list[str]:
 
 
 def _edges(corners: Array, paired: Paired) -> list[tuple[float, float, float]]:
-    """Of each edge of a hull's side the first corner and the rise: condition in its unit, twist in turns."""
+    """Of each edge of a hull's side the first corner and the rise: condition in its unit, twist in turns, load in N."""
     edges = [(float(x), float(y), float((y_next - y) / (x_next - x))) for (x, y), (x_next, y_next) in pairwise(corners)]
     return edges or [(float(paired.values[0]), float(corners[0][1]), 0.0)]
 
 
 def _along(edge: tuple[float, float, float], condition: str) -> str:
-    """The twist of an edge at a condition."""
-    at, turns, rise = edge
+    """The twist, or the load, of an edge at a condition."""
+    at, number, rise = edge
     if rise == 0.0:
-        return real(turns)
-    return f"{real(turns)} + {real(rise)} * ({condition} - {real(at)})"
+        return real(number)
+    return f"{real(number)} + {real(rise)} * ({condition} - {real(at)})"

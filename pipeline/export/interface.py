@@ -25,9 +25,9 @@ class Source:
     As far as the dataset is there, `zeroed` says of each string in which run its zero was taken, `jumped` what that
     zero did later, `values` what was recorded of each column that differs, and `foreseen` how many strokes the longest
     string has, and how many ahead errors are measured. `pairs` are the twists that were recorded around each condition,
-    `under` the strokes around each load, and `trained` says which recordings these are; `on_unseen` tells, when asked,
-    what the model errs on points that it has not seen. `start` is a recorded state, by field. Of what is in `deaf` no
-    answer depends.
+    `loads` the loads around each size, `under` the strokes around each load, and `trained` says which recordings these
+    are; `on_unseen` tells, when asked, what the model errs on points that it has not seen. `start` is a recorded state,
+    by field. Of what is in `deaf` no answer depends.
     """
 
     name: str
@@ -41,6 +41,7 @@ class Source:
     foreseen: tuple[int, int] | None = None
     deaf: tuple[str, ...] = ()
     pairs: tuple[Paired, ...] | None = None
+    loads: tuple[Paired, ...] = ()
     under: Under | None = None
     trained: str = ""
     start: dict[str, float] = field(default_factory=dict)

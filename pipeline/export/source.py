@@ -17,6 +17,7 @@ from ..models.interface import names as models_there
 from ..models.parts.box import Box
 from ..models.parts.divided import SPLITS, divided
 from ..models.parts.inside.assumed_stiffness import is_never_measured
+from ..models.parts.inside.recorded_loads import loads_of
 from ..models.parts.inside.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
 from ..models.parts.saved_files import dataset_beside, in_words
@@ -116,6 +117,7 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
         values_recorded(points),
         foreseen,
         pairs=pairs_recorded(points),
+        loads=loads_of(points) if len(points) else (),
         under=Under.of(points, foreseen[1]) if foreseen else None,
         trained=" ".join(filter(None, (trained, alike))),
         start=start_values(dataset, inputs, string),

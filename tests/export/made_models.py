@@ -72,7 +72,18 @@ def hung_on() -> pd.DataFrame:
     return points
 
 
+def apart() -> pd.DataFrame:
+    """Two strings: that of 0.4 mm was under 10 N alone, and that of 0.6 mm under 20 N alone."""
+    parts = [
+        made_dataset(60, 6, seed=number).assign(string=string, run=string, radius_mm=radius_mm, load_n=load_n)
+        for number, (string, radius_mm, load_n) in enumerate([("thin", 0.4, 10.0), ("thick", 0.6, 20.0)])
+    ]
+    parts[1]["displacement_mm"] *= 1.5
+    return pd.concat(parts, ignore_index=True)
+
+
 DATASETS = {
+    "apart": apart,
     "hung": hung_on,
     "switched": switched,
     "back": back,

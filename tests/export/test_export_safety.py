@@ -178,6 +178,24 @@ def test_no_stroke_is_recorded_between_two_loads_that_only_one_of_them_came_near
     assert codes.tolist() == [UNRECORDED] * 2 + [0.0] * 5 + [UNRECORDED] * 2  # those beside a recorded one are near
 
 
+@pytest.mark.parametrize("real", ["float", "double"])
+def test_a_load_that_only_a_string_of_another_size_was_under_is_not_recorded(
+    source: Any, program: Any, real: str
+) -> None:
+    """The header called 20 N recorded of the radius that was under 10 N alone: each was, of one string or the other."""
+    inputs = source("spline", "apart").inputs
+    pairs = np.array([[0.4, 10], [0.6, 20], [0.4, 20], [0.6, 10], [0.5, 15], [0.5, 12], [0.4, 10.4], [0.4, 11]])
+    place = {name: 1 + at for at, name in enumerate(inputs.names)}
+    queries = np.zeros((len(pairs), 1 + len(place)))
+    queries[:, 0], queries[:, place["stroke"]], queries[:, place["direction"]] = 12.0, 2, 1
+    queries[:, [place["radius_mm"], place["load_n"]]] = pairs
+    codes = program("spline", "apart", real).recorded(queries)
+    assert codes.tolist() == [0.0, 0.0, UNRECORDED, UNRECORDED, 0.0, UNRECORDED, 0.0, UNRECORDED]
+    assert (program("spline", "apart", real).answers("forward", queries)[0] == 0.0).all(), "they are answered as before"
+    (usage,) = re.findall(r"its load not around one of the string's sizes", header(source("spline", "apart"), "tsa"))
+    assert usage
+
+
 def test_a_stroke_whose_last_rest_alone_was_under_a_load_is_not_recorded_under_it(source: Any, program: Any) -> None:
     """One sample of stroke 4 was under 30 N, at 0 turns: the header said strokes 4 to 5, and 12 turns were recorded."""
     hung_source = source("spline", "hung")
