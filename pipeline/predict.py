@@ -25,7 +25,6 @@ from .ground.command import HOUSE, command, make_command, quoted
 from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
-from .ground.kinematics import Mask, knows_load
 from .ground.model_errors import chosen_of, errors_in
 from .ground.model_names import EQUATIONS, USUAL
 from .ground.stored import schemas
@@ -33,14 +32,13 @@ from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, beside_answers
-from .models.interface import about
-from .models.parts.inside.unrecorded_loads import at_unrecorded_loads, beyond_all_loads, in_unrecorded_strokes
 from .models.parts.inside.why import Kind
-from .models.parts.questions.bad_rows import first_of, numbered, refusal
-from .models.parts.questions.question_points import Questions, read_questions
+from .models.parts.questions.bad_rows import first_of, refusal
+from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
+from .notebook.far_off import far_off
 from .stages.train import seed
 
 ALONE = f"--each-string, or --model {EQUATIONS}"  # the options that answer for one string alone
@@ -48,12 +46,6 @@ NOTED = {  # of answers with an interval, how many are said to be so
     Kind.BETWEEN: "between what was recorded",
     Kind.ERRS_MORE: "in a stroke that errs more than others",
 }
-FAR_OFF = "the string was not recorded under this load{there}, and the numbers of {model} may be far off."
-BEYOND = (
-    "no string was recorded under such a load, and the numbers of {model} may be far off. The equations answer about "
-    "recorded strings alone: record one under it."
-)
-NO_LOAD = "The equation of a twisted pair knows no load: record the string under it."
 ZERO = (
     "Contractions have the model's zero, not the sensor's: the rest before a string's first stroke is set to what the "
     "paper's equation gives there."
@@ -134,6 +126,8 @@ def main() -> None:
     noted = {kind: sum(each.tells(kind) for each in table["why"][table["inside"]]) for kind in NOTED}
     counts = [f"{outside} of them {less}"] * (outside > 0)
     counts += [f"{noted[kind]} {words}" for kind, words in NOTED.items() if noted[kind]]
+    none = sum(each.tells(Kind.IMPOSSIBLE) for each in table["why"])
+    counts += [f"{none} of them without a number, for the model's cannot be"] * bool(none)
     counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
     print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
     refused = {entry.row for entry in questions.bad}  # said once, at the end
@@ -144,33 +138,15 @@ def main() -> None:
     for sentence in sentences:
         print(f"  {sentence}")
     typed = parser.typed_without(("--model", "--saved", "--settings"))
-    equations = " ".join([command("predict"), "--model", EQUATIONS, *map(quoted, typed)])
-    for sentence in _far_off(questions, dataset, ~table["inside"].to_numpy()[questions.rows], arguments.model):
-        print(f"{sentence}\n  {equations}" if sentence.endswith(":") else sentence)
-    if beyond := (questions.rows[beyond_all_loads(questions.points, dataset)] + 1).tolist():
-        print(f"{numbered(beyond).capitalize()}: {BEYOND.format(model=arguments.model)}")
+    for sentence, compare in far_off(questions, dataset, table, arguments.model):
+        print(sentence)
+        if compare:
+            print(f"  {' '.join([command('predict'), '--model', compare, *map(quoted, typed)])}")
     print(ZERO)
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")
     if questions.bad:
         raise refusal(arguments.questions, questions.bad, len(questions.points), arguments.out)
-
-
-def _far_off(questions: Questions, dataset: pd.DataFrame, is_outside: Mask, model: str) -> list[str]:
-    """Which rows ask about a load that their string did not have, and what answers them; `is_outside`: (questions,).
-
-    A sentence that ends with a colon goes before the command that asks the equations.
-    """
-    points, by_equations = questions.points, about(model).by_equations
-    has_load, sentences = knows_load(points), []
-    strokes_apart = in_unrecorded_strokes(points, dataset) & is_outside
-    for is_apart, where in ((at_unrecorded_loads(points, dataset), ""), (strokes_apart, " in such a stroke")):
-        far_off = FAR_OFF.format(there=where, model=model)
-        if rows := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
-            sentences.append(f"{numbered(rows).capitalize()}: {far_off} To compare, what the equations answer:")
-        if rows := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
-            sentences.append(f"{numbered(rows).capitalize()}: {far_off} {NO_LOAD}")
-    return sentences
 
 
 def _tell_of_zero(path: Path, dataset: pd.DataFrame, asked_points: pd.DataFrame, apart: bool, alone: str = "") -> None:

@@ -679,7 +679,8 @@ def test_a_load_beyond_all_recorded_ones_is_said_to_be_far_off_of_a_new_string_t
     done = ask(loads, f"stroke,direction,motor_turns,string,radius_mm,load_n\n{rows}", "--model", "polynomial")
     assert done.returncode == 0, done.stderr
     far_off = "no string was recorded under such a load, and the numbers of polynomial may be far off."
-    assert f"\nRows 3, 4: {far_off} The equations answer about recorded strings alone" in done.stdout
+    compare = "Record one under it. To compare, what the equations answer:\n  "
+    assert f"\nRows 3, 4: {far_off} {compare}" in done.stdout and "--model traditional" in done.stdout
     assert "\nRow 5: the string was not recorded under this load" in done.stdout
 
 
@@ -694,7 +695,8 @@ def test_a_saved_model_of_each_string_answers_about_all_of_them(of_two: Path) ->
         table = answered(of_two)
         assert done.returncode == 2 and not table["inside"][1] and table["displacement_mm"][0] and len(table) == 2
         reason = "string is made-03, which has no recording; recorded are made-01, made-02"
-        assert table["why"][1] == f"no question: {reason}" and "string: is made-03 in row 2" in done.stderr
+        takers = "a new string is answered by the models cinn, inn, mlp, polynomial, spline, traditional"
+        assert table["why"][1] == f"no question: {reason}; {takers}" and "string: is made-03 in row 2" in done.stderr
         assert "--string" not in done.stderr, "predict has no such option"
     file = saved_model(of_two, pd.read_parquet(of_two), "spline", "within-0")
     done = ask(of_two, TWO.replace("made-02", "made-03"), "--saved", str(file))

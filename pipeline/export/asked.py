@@ -20,6 +20,7 @@ from ..models.parts.inside.beyond_range import also, beyond, held, with_unit
 from ..models.parts.inside.measure import Measure
 from ..models.parts.inside.why import Kind, Why
 from ..models.parts.questions.foreseen import MAPS
+from ..models.parts.questions.question_table import string_meant
 from ..models.parts.questions.reached_contraction import reached_mm, unreached
 from ..models.parts.rolling_origin import too_far
 from .inputs import ANSWER, SAME, WIDE, Field
@@ -75,7 +76,8 @@ def answers(
     refused = why != ""
     for row, string in enumerate(points["string"].astype(str)):
         if string not in strokes:
-            why[row] = why[row] or f"string {string} is none that it was fitted to; {NAMELESS}"
+            new = f"string {string} is none that it was fitted to{string_meant(string, list(strokes))}"
+            why[row] = why[row] or f"{new}; {NAMELESS}"
     for sentences in measure.never(points, turns).values():
         for row, reason in enumerate(sentences):
             why[row] = why[row] or (f"{reason}; {UNCHECKED}" if reason else "")

@@ -50,7 +50,8 @@ def saved_answers(file: Path, dataset: pd.DataFrame, questions: Questions, datas
         measure = by_name.get(string, by_name[""])
         return lambda part, from_column: answers(source, part, from_column, file, measure, last)
 
-    table = beside_questions(questions, by_string(answer_of))
+    by_equations = model_of(file) in names() and about(model_of(file)).by_equations
+    table = beside_questions(questions, by_string(answer_of), fitted, by_equations)
     if is_apart:
         return table
     return with_whom(table, strings.set_axis(questions.rows, axis=0), strings_alike(fitted))

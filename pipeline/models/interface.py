@@ -1,5 +1,6 @@
 """The interface of a kinematic model: it is fitted on points, and maps twist to contraction and back."""
 
+import ast
 import importlib
 from functools import cache
 from pathlib import Path
@@ -7,7 +8,7 @@ from typing import Protocol
 
 import pandas as pd
 
-from ..ground.code.modules import holding
+from ..ground.code.modules import holding, said_true
 from ..ground.kinematics import Array
 from .about import About
 
@@ -44,6 +45,17 @@ class StringsApart(Protocol):
 def names() -> tuple[str, ...]:
     """Names of all models: of the files in this folder that define MODEL."""
     return holding(Path(__file__).parent, r"MODEL\b")
+
+
+@cache
+def names_for_new_strings() -> tuple[str, ...]:
+    """Names of the models that answer single questions about a string that nobody recorded, as `ABOUT` declares.
+
+    None is imported: some take seconds, or need a package that is not installed.
+    """
+    texts = {name: Path(__file__).with_name(f"{name}.py").read_text("utf-8") for name in names()}
+    declared = {name: said_true(ast.parse(text), "ABOUT") for name, text in texts.items()}
+    return tuple(name for name, own in declared.items() if not own & {"each_string_apart", "needs_motion"})
 
 
 def settings_of(name: str) -> type | None:

@@ -81,10 +81,13 @@ class Fitted:
 
     def answered(self, questions: Questions) -> pd.DataFrame:
         """Questions beside their answers, with a `Why` each; raises BadInput where too few points tell how it errs."""
+        recorded = self.dataset, about(self.name).by_equations
         if self.apart:
-            return beside_questions(questions, by_string(lambda string: self._answer(self._fitted_to(string))))
+            answer = by_string(lambda string: self._answer(self._fitted_to(string)))
+            return beside_questions(questions, answer, *recorded)
         intervals = self._fitted_to()
-        answers = beside_questions(questions, by_string(lambda string: self._answer(intervals.of_string(string))))
+        answer = by_string(lambda string: self._answer(intervals.of_string(string)))
+        answers = beside_questions(questions, answer, *recorded)
         strings = questions.points["string"].set_axis(questions.rows, axis=0)
         return with_whom(answers, strings, strings_alike(self.dataset))
 

@@ -24,3 +24,11 @@ def literal(tree: ast.Module, name: str, otherwise: Said) -> Said:
             value: Said = ast.literal_eval(node.value)
             return value
     return otherwise
+
+
+def said_true(tree: ast.Module, name: str) -> frozenset[str]:
+    """The arguments that are True in the call that a module gives to a name at its top; none where it gives none."""
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == name and isinstance(node.value, ast.Call):
+            return frozenset(each.arg for each in node.value.keywords if each.arg and ast.unparse(each.value) == "True")
+    return frozenset()

@@ -12,6 +12,8 @@ class Kind(Enum):
     OUTSIDE = auto()  # it was not recorded so
     BETWEEN = auto()  # it lies between recorded values of a condition
     ERRS_MORE = auto()  # its stroke errs more than others
+    TOGETHER = auto()  # of a new string: what sets it apart changed together with something else
+    IMPOSSIBLE = auto()  # the model's number cannot be, and is not given
     ASSUMED = auto()  # its stiffness is the usual one of its size
     NO_QUESTION = auto()  # the row asks nothing that can be answered
 

@@ -6,6 +6,8 @@ from collections.abc import Callable
 import pandas as pd
 
 from ..inside.assumed_stiffness import STIFFNESS
+from ..inside.changed_together import changed_together
+from ..inside.impossible import impossible
 from ..inside.why import Kind, Why
 from .bad_rows import reason
 from .foreseen import GIVEN, MAPS
@@ -29,17 +31,33 @@ def with_intervals(intervals: Intervals, points: pd.DataFrame, from_column: str,
     return answered.assign(why=why)
 
 
-def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str], pd.DataFrame]) -> pd.DataFrame:
+def beside_questions(
+    questions: Questions,
+    answer: Callable[[pd.DataFrame, str], pd.DataFrame],
+    recorded: pd.DataFrame,
+    by_equations: bool = False,
+) -> pd.DataFrame:
     """The questions beside their answers; other columns, such as the load, only if the questions give them.
 
+    `recorded` are the points that the model was fitted to: a contraction that cannot be beside them is left out, and of
+    a new string it is said what changed together among them, unless the model answers `by_equations`.
     Where some rows ask for the twist and others for the contraction, the column `asked_for` says which. A row that is
     no question stays in its place, without an answer: its reason is in `why`, of which each is a `Why`.
     """
     points = questions.points
     others = [name for name in points if name not in (*EITHER, *ASKED) and name in questions.columns]
+    together, strings = "" if by_equations else changed_together(recorded), set(recorded["string"].astype(str))
     tables = {}
     for from_column, rows, part in by_known(points):
-        answers = answer(part, from_column)
+        answers = (
+            _possible(answer(part, from_column), part, recorded)
+            if from_column == "motor_turns"
+            else answer(part, from_column)
+        )
+        is_new = ~part["string"].astype(str).isin(strings)
+        answers["why"] = [
+            why.also(Kind.TOGETHER, together * new) for why, new in zip(answers["why"], is_new, strict=True)
+        ]
         whys = zip(answers["why"], part[STIFFNESS], questions.is_assumed[rows], strict=True)
         answers["why"] = [
             why.also(Kind.ASSUMED, ASSUMED.format(stiffness) * bool(assumed)) for why, stiffness, assumed in whys
@@ -54,6 +72,17 @@ def beside_questions(questions: Questions, answer: Callable[[pd.DataFrame, str],
     first = ["asked_for", *EITHER, *ASKED, *others]
     last = ["inside", "why"]
     return _with_bad(whole[[*first, *(name for name in whole if name not in (*first, *last)), *last]], questions)
+
+
+def _possible(answers: pd.DataFrame, points: pd.DataFrame, recorded: pd.DataFrame) -> pd.DataFrame:
+    """Answers without the contractions that cannot be, each with its reason in place of the number."""
+    reasons_why_not = impossible(points, answers["displacement_mm"].to_numpy(float), recorded)
+    is_possible = pd.Series([not sentence for sentence in reasons_why_not], answers.index)
+    numbers = [name for name in answers if str(name).startswith("displacement_mm")]
+    whys = [why.also(Kind.IMPOSSIBLE, sentence) for why, sentence in zip(answers["why"], reasons_why_not, strict=True)]
+    possible = answers.assign(inside=answers["inside"] & is_possible, why=whys)
+    possible[numbers] = answers[numbers].where(is_possible, math.nan)
+    return possible
 
 
 def _with_bad(table: pd.DataFrame, questions: Questions) -> pd.DataFrame:

@@ -12,6 +12,7 @@ from ....ground.command import command
 from ....ground.errors import BadInput
 from ....ground.input.cell_numbers import cell_numbers
 from ....ground.kinematics import Mask
+from ...interface import names_for_new_strings
 from ..box import COLUMNS
 from ..conditions import Conditions
 from ..settings import shown
@@ -159,7 +160,8 @@ def _bad_rows(path: Path, questions: pd.DataFrame, points: pd.DataFrame, dataset
 def _unrecorded(strings: pd.Series, dataset: pd.DataFrame) -> list[BadRow]:
     """The rows about a string without a recording, where no model answers for that string alone."""
     strange = (strings.notna() & ~strings.astype(str).isin(set(dataset["string"].astype(str)))).to_numpy()
-    is_untold, mend = (strings == NEW).to_numpy(bool), recorded_values(dataset["string"])
+    is_untold, takers = (strings == NEW).to_numpy(bool), ", ".join(names_for_new_strings())
+    mend = f"{recorded_values(dataset['string'])}; a new string is answered by the models {takers}"
     names = sorted(set(dataset["string"].astype(str)))
     others = [str(string) for string in strings[strange & ~is_untold]]
     each = [f"is {shown(string)}" for string in others]
