@@ -386,6 +386,7 @@ def test_a_question_of_another_load_than_the_one_that_is_baked_in_is_no_answer_o
     assert table["inside"].tolist() == [True, False] and table["why"][1] == "load 45 N: the export has 20 baked in"
 
 
+@pytest.mark.long
 def test_a_limit_that_is_named_is_itself_inside(dataset: Path) -> None:
     done = ask(dataset, "stroke,direction,motor_turns\n3,1,90\n3,1,-90\n", "--model", "polynomial")
     limits = re.findall(r"is (?:above|below) (-?[\d.]+),", done.stdout)

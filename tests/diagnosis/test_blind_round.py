@@ -45,7 +45,8 @@ def named(content):
     return content["verdict"], [entry["id"] for entry in content["mechanisms"]], content["alternatives"]
 
 
-@pytest.mark.parametrize("run", [pytest.param(RUNS[0], marks=pytest.mark.long), RUNS[1]])
+@pytest.mark.parametrize("run", RUNS)
+@pytest.mark.long
 def test_a_verdict_is_given_again(run, tmp_path):
     """Code that has changed since still says the same of these two."""
     diagnose([RECORDINGS / run], tmp_path / run)

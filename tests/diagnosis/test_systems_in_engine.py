@@ -10,6 +10,7 @@ import pandas as pd
 import programs
 import pytest
 import yaml
+from first_few import first_few
 from scipy.signal import lfilter
 
 from pipeline.diagnosis.fit.linear import Linear
@@ -101,7 +102,7 @@ def program(module, *arguments):
     return programs.run(f"pipeline.{module}", *arguments)
 
 
-@pytest.mark.parametrize("case", ["cable-friction-stretch", "mass-three"])
+@pytest.mark.parametrize("case", first_few(["mass-three", "cable-friction-stretch"]))
 def test_what_is_diagnosed_can_be_adopted_and_simulated(tmp_path, case):
     """The simulator that a diagnosis gives leaves little, and with it in run.yaml nothing is missing."""
     folder = tmp_path / "raw/a-01"

@@ -13,6 +13,7 @@ import pandas as pd
 import programs
 import pytest
 from compiled import C99, ROOT, UNTOUCHED, WARNINGS, built, compiled, need
+from first_few import first_few
 from made_models import saved
 
 from pipeline.export.c_header import CODES, header
@@ -116,7 +117,7 @@ def test_twist_comes_back_through_contraction(source: Any, program: Any, name: s
         )
 
 
-@pytest.mark.parametrize("real", ["float", "double"])
+@pytest.mark.parametrize("real", first_few(["float", "double"]))
 @pytest.mark.parametrize("kind", ["short", "campaign", "one", "hung", "back"])
 def test_the_header_says_which_twists_were_recorded_around_which_load_as_python_does(
     source: Any, program: Any, kind: str, real: str

@@ -10,6 +10,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from first_few import first_few
 from made_recording import recording
 from models.made_dataset import made_dataset
 
@@ -130,7 +131,7 @@ def test_lifespan_and_a_campaign_show_theirs(make_run, tmp_path: Path) -> None:
         )
 
 
-@pytest.mark.parametrize("program", ["predict", "stages.train"])
+@pytest.mark.parametrize("program", first_few(["predict", "stages.train"]))
 def test_a_program_shows_its_progress_on_a_terminal_and_nothing_in_a_log(program: str, tmp_path: Path) -> None:
     schemas.write(made_dataset(60, 4), schemas.DATASET, tmp_path / "dataset.parquet")
     (tmp_path / "questions.csv").write_text("stroke,direction,motor_turns\n1,1,3\n")

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from first_few import first_few
 from made_dataset import LOAD_N, STRING, ZONE, made_dataset
 
 from pipeline.diagnosis.recording.working_samples import PHASES
@@ -35,7 +36,7 @@ def packed(per_phase: int = 60) -> pd.DataFrame:
     return points.assign(displacement_mm=string.contraction_mm(points["motor_turns"], LOAD_N) + noise_mm)
 
 
-@pytest.fixture(scope="module", params=["within", "later"])
+@pytest.fixture(scope="module", params=first_few(["within", "later"]))
 def case(request: pytest.FixtureRequest) -> tuple[Diagnosed, pd.DataFrame, pd.DataFrame]:
     """The model of the made string with a play, a bundle that compacts and a growth; training and held-out points."""
     points = made_dataset(per_phase=150)

@@ -62,6 +62,7 @@ def test_an_answer_beyond_all_that_was_recorded_is_not_inside(tmp_path: Path) ->
     assert float(table["why"].str.extract(reason)[0][0]) == pytest.approx(most, rel=0.02)
 
 
+@pytest.mark.long
 def test_between_two_loads_a_stroke_is_inside_only_where_strokes_under_both_came_near(tmp_path: Path) -> None:
     """A string under 20 N, then 35 N, then 20 N: at 28 N the answer for an early stroke was 7 mm off, and inside."""
     path = tmp_path / "dataset.parquet"

@@ -186,6 +186,7 @@ def test_recordings_may_stay_away_and_must_then_be_there(finished, tmp_path):
     assert "reports/nylon/table.csv" not in snakemake(lab, "--dry-run", "reports/nylon/table.csv").partition("rule ")[2]
 
 
+@pytest.mark.long
 def test_what_is_not_finished_or_not_there_is_not_packed(finished, tmp_path):
     folder = tmp_path / "project"
     shutil.copytree(finished, folder, symlinks=True)

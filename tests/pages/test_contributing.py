@@ -163,14 +163,17 @@ def test_the_pages_method_corrects_a_recording(house: Path, make_run: object) ->
     run(house, METHOD, make_run("method-01"))  # type: ignore[operator]
 
 
+@pytest.mark.long
 def test_the_pages_effect_is_concealed(house: Path) -> None:
     run(house, EFFECT)
 
 
+@pytest.mark.long
 def test_the_pages_black_box_learns_and_stands_in_figures(house: Path) -> None:
     run(house, BLACK_BOX)
 
 
+@pytest.mark.long
 def test_the_pages_format_is_imported_and_refused_in_words_where_it_is_damaged(house: Path) -> None:
     logged = np.zeros(len(GOOD), [(name, "f8") for name in SERIES])
     for name, values in SERIES.items():

@@ -187,6 +187,7 @@ def test_a_file_that_is_no_judge_is_refused(tmp_path) -> None:
         judge(tmp_path / "judge.json")
 
 
+@pytest.mark.long
 def test_the_program_keeps_its_lessons_and_writes_judges(tmp_path) -> None:
     wanted = curriculum(list(names()), 1, 50_000)
     lessons = made_lessons(len(wanted))

@@ -56,6 +56,7 @@ def ancestors(rules, files):
 ASKING = ("verdicts", "settle")
 
 
+@pytest.mark.long
 def test_nothing_before_a_verdict_opens_an_answer(rules):
     before = ancestors(rules, {name for rule in ASKING for name in rules[rule].outputs})
     assert before == {"conceal_batch", "verdicts", "carry_on", "settle"}

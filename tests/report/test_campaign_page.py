@@ -137,6 +137,7 @@ def written(few_shot, floor, coverage, tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.long
 def test_the_program_writes_page_tables_and_figures(written, few_shot, coverage):
     names = {f"{name}.{suffix}" for name in ("few_shot", "coverage") for suffix in ("csv", "png", "pdf")}
     names |= {"campaign.md", "campaign.html", "few_shot.csv-metadata.json", "coverage.csv-metadata.json"}

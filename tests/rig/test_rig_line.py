@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 import ready
+from first_few import first_few
 
 from pipeline.ground.names import own_material
 from pipeline.new_run import main as new_run
@@ -236,7 +237,7 @@ def test_two_rigs_at_once_have_two_strings_and_one_that_is_started_again_has_its
     assert seeds[:2] == ["0", "0"] and int(seeds[2]) >= 1000 and len(seeds) == 3
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", first_few([signal.SIGINT, signal.SIGTERM]))
 def test_a_rig_in_the_background_of_a_shell_ends_by_either_signal_and_takes_its_link_with_it(tmp_path, number):
     """A shell starts such a job deaf to SIGINT, and a Python that is started so has no handler of its own."""
     link = tmp_path / "port"

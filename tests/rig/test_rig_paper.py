@@ -79,6 +79,7 @@ def test_the_paper_rig_is_recorded_by_the_real_programs(tmp_path):
     assert "run.yaml" not in done.stdout
 
 
+@pytest.mark.long
 def test_record_fails_where_the_capture_program_fails(tmp_path):
     folder = tmp_path / "synthetic-01"
     folder.mkdir()

@@ -328,6 +328,7 @@ def test_a_column_that_is_there_twice_is_asked_for_by_index(make_run):
         read_samples(folder)
 
 
+@pytest.mark.long
 def test_a_packed_file_without_end_is_stopped(make_run):
     numbers, blank = b"1," * 400 + b"1\n", b" " * 999 + b"\n"  # long lines are read sooner than short ones
     for number, content in enumerate((b"\0", numbers, blank)):
@@ -371,6 +372,7 @@ def test_a_recording_that_is_no_plain_file_is_no_hang(make_run):
         (folder / "recording.csv").rmdir() if make is os.mkdir else (folder / "recording.csv").unlink()
 
 
+@pytest.mark.long
 def test_reading_text_takes_little_more_than_the_text(make_run):
     folder = make_run("a-01", suffix=".csv")
     many = pd.concat([GOOD] * 150, ignore_index=True)

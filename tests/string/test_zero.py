@@ -333,6 +333,7 @@ def test_where_a_jump_is_said_the_tare_is_not_said_again() -> None:
     assert jumps(runs(JUMP_MM, tare="run")) and not tare_notes(rests)
 
 
+@pytest.mark.long
 def test_lifespan_names_the_runs_of_the_string_that_were_not_given(tmp_path: Path) -> None:
     first_folder, two = folders(tmp_path / "raw", 0.0)
     text = program("lifespan", first_folder, "--out", tmp_path / "life")

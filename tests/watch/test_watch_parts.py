@@ -79,6 +79,7 @@ def snakemake(place: Path, *words: str) -> int:
     return subprocess.run(command, cwd=place, capture_output=True, timeout=300).returncode
 
 
+@pytest.mark.long
 def test_jobs_are_told_as_the_workflow_did_them(tmp_path):
     jobs = Jobs(tmp_path)
     jobs.poll()

@@ -110,6 +110,7 @@ def test_numbers_that_cannot_be_are_not_counted_as_losses():
     st.lists(st.integers(1, 4000), min_size=1, max_size=4),
     st.binary(max_size=30),
 )
+@pytest.mark.long
 def test_the_account_is_the_same_in_pieces_of_any_size(lost, moves, sizes, garbage):
     sent = [number for number in range(63) if number not in lost]
     for at, to in moves:  # some come late, or early, or again

@@ -4,12 +4,14 @@ import os
 import subprocess
 import sys
 
+import pytest
 from made_recording import content, recording
 
 from pipeline.workflow import handed_plan
 from pipeline.workflow.dag import Plan
 
 
+@pytest.mark.long
 def test_a_node_goes_by_the_plan_that_it_is_handed(bare_project, make_run):
     run = make_run("nylon-1", recording(2), string={**content("nylon-1")["string"], "material": "nylon"})
     (bare_project.folder / "raw").symlink_to(run.parent)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import tanks
+from first_few import first_few
 
 from pipeline.diagnosis.choice.outcome import rms
 from pipeline.diagnosis.fit import calibrate, gauss_newton
@@ -16,7 +17,7 @@ def left(problem, state):
     return rms(problem.measured - problem.simulate(state))
 
 
-@pytest.mark.parametrize("seed", [2, 5, 6])
+@pytest.mark.parametrize("seed", first_few([2, 5, 6]))
 def test_calibration_reaches_the_noise_where_whole_steps_diverge(seed):
     """Whole steps leave .50, .89 and .89 V; the second is more than the nominal simulator leaves."""
     guess = np.exp(np.random.default_rng(seed).normal(0.0, 0.25, 6))

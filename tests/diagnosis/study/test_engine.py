@@ -80,12 +80,14 @@ def test_a_swaying_floor_is_no_physics_of_the_string(conceal) -> None:
 
 
 @pytest.mark.parametrize("kind", [pytest.param("u_clock", marks=pytest.mark.long), "u_swelling"])
+@pytest.mark.long
 def test_clocks_that_part_and_damp_air_are_never_called_physics_of_the_string(kind: str, conceal) -> None:
     verdict_word, ids = verdict(conceal(kind, kappa=3.0, seed=5)[0])
     helper = {"u_clock": "x_clock", "u_swelling": "x_swelling"}[kind]
     assert verdict_word == "unknown" and helper in ids
 
 
+@pytest.mark.long
 def test_nothing_acts_twice_in_an_explanation_whose_jerks_are_seen_as_well(conceal) -> None:
     run, samples = read_samples(conceal("stick_slip", kappa=3.0, seed=5)[0])
     outcome = study(make_problem([RecordedRun.cut(run, samples)]))
@@ -93,6 +95,7 @@ def test_nothing_acts_twice_in_an_explanation_whose_jerks_are_seen_as_well(conce
     assert len(outcome.best.acts) == len({act.id for act in outcome.best.acts})
 
 
+@pytest.mark.long
 def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
     select, calls = Search.select, []
 

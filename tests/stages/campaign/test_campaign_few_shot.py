@@ -33,6 +33,7 @@ def test_every_new_string_is_asked_about_after_each_number_of_strokes(tables, ca
         assert sorted(table["shots"].unique()) == sorted(SHOTS)
 
 
+@pytest.mark.long
 def test_what_is_asked_is_never_shown(campaign, monkeypatch):
     """With every asked answer replaced by poison no model and no correction changes: only the errors do."""
     asked_mask = (campaign["strings"] == "test") & (campaign["stroke"] > ASKED_AFTER)
