@@ -17,6 +17,7 @@ PROGRAMS = {  # in the order of the work
     "diagnose": "say where simulation and recording differ, and which physics is missing",
     "settle": "make the runs that decide what a diagnosis left open, one after the other",
     "simulate": "write what the simulator alone gives, improved by a diagnosis or not",
+    "mend": "set a value of a run's run.yaml that a message names, or exchange two columns",
     "adopt": "put what a diagnosis found into a run's simulator, or take it out",
     "lifespan": "foretell how many strokes a string has left",
     "predict": "answer questions by a model, with intervals",

@@ -1,7 +1,6 @@
 """Adopt a diagnosis: its `simulation` goes into a run's `run.yaml`, and the other text of that file stays as it is."""
 
 import shlex
-import shutil
 import sys
 from pathlib import Path
 
@@ -24,7 +23,7 @@ from .ground.input.complaint import short
 from .ground.input.parser import Parser
 from .ground.input.strict_yaml import LARGEST, parse_yaml
 from .ground.names import SYNTHETIC
-from .ground.stored.files import whole
+from .ground.stored.files import write_over
 from .ground.stored.regular_file import read_regular
 from .ground.words.wrapped_lines import wrapped
 from .run.description import Adopted, Run
@@ -77,13 +76,6 @@ def taken_out(folder: Path) -> str:
     return f"  {command('adopt')} --remove {shlex.quote(str(folder))}"
 
 
-def write(path: Path, text: str) -> None:
-    """Write a run.yaml whole or not at all, with the rights that it had."""
-    with whole(path) as temporary:
-        temporary.write_text(text, encoding="utf-8", newline="")
-        shutil.copymode(path, temporary)
-
-
 def remove(folder: Path) -> str:
     """Take out of a run's `run.yaml` what was adopted, and say what that was. Raises BadInput."""
     run, path = read_run(folder), (folder / "run.yaml").resolve()
@@ -91,7 +83,7 @@ def remove(folder: Path) -> str:
     new_text = bare(text, path)
     if new_text == text:
         return f"{folder / 'run.yaml'} holds nothing that was adopted; it stays as it is"
-    write(path, new_text)
+    write_over(path, new_text)
     names = listing(list(dict.fromkeys(entry["id"] for entry in run.simulation))) or "no effect"
     return (
         f"{folder / 'run.yaml'}: {KEY} and {ORIGIN} are taken out (they held {names}); all else in it stays as it was"
@@ -163,7 +155,7 @@ def adopt(source: Path, folder: Path, sure: bool = False) -> None:
         same = f"{folder / 'run.yaml'} holds {names} already, as {source} gives them; it stays as it is."
         print("\n".join(wrapped(f"{same}{'' if named else nothing}", "")))
         return
-    write(path, new_text)
+    write_over(path, new_text)
     doubt = before_after.against_advice(content, words, taken_out(folder))
     changed = [f"{folder / 'run.yaml'}: {KEY} holds {names} now; all that you wrote into it stays as it was"]
     changed += [*sentences(content), *dimensions]

@@ -121,7 +121,7 @@ def main() -> None:
     others = others_recorded(folder, run, arguments.like)
     print(f"{folder} is there{'' if recorded else '; nothing is recorded in it yet'}.")
     print("\n".join(following(folder, recorded, others)))
-    print(read_back(run) + (f"\n{tares(run, others)}" if others else ""))
+    print(read_back(run) + (f"\n{tares(folder, run, others)}" if others else ""))
     if arguments.recording is None and (load := load_taken(run)):
         print(load)
     if "tolerance" not in content:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..ground.command import recover_command
 from ..ground.errors import BadInput
 from ..run.capture_json import CaptureJson
+from ..run.mend_command import without_command
 from .text.copied_mend import copied_mends, is_by_columns
 from .text.lines_to_csv import CSV
 from .text.live_faults import WHEN, LiveFaults
@@ -26,8 +27,10 @@ def tell_refused(error: BadInput, folder: Path, info: CaptureJson) -> bool:
     An impossible time hides what else is wrong with printed lines: those faults and their mends are told too.
     """
     about = "" if info["exit_status"] == "fault" else "warning: "
+    of_lines = "lines" in info
+    error = without_command(error) if of_lines else error  # of lines it is told below
     print(f"{about}{error} {UNTIL}")
-    if "lines" not in info:
+    if not of_lines:
         return False
     sentences = _seen_besides(folder, info, " to '" not in error.mend) if error.field == "time_s" else []
     for sentence in sentences:

@@ -49,21 +49,16 @@ def import_command(content: RunYaml, recording: Path, name: str, out: Path) -> s
     return f"echo {quoted(write_yaml(mapping, flow=True))} > {file} && {command('import_run')} {words}{place}"
 
 
-def in_file(mend: str, content: RunYaml, path: Path) -> str:
-    """The command or the line of text that changes `content`, the run.yaml at `path`, as a mend asks.
+def values_told(mend: str) -> list[tuple[str, Any]]:
+    """The keys of run.yaml that a mend names, each with the value that it is to be set to, `…` where none is told."""
+    return [(match[0], _value(mend, match)) for match in KEY.finditer(mend)]
 
-    Empty where the mend asks for no value of a key. A section that is there is written anew, with all it has.
-    """
-    change = _section(mend, content)
-    if change is None or GAP in str(change[1]):
-        return ""
-    section, whole, _, _ = change
-    line, text = f"{section}: {write_yaml(whole, flow=True)}", path.read_text(encoding="utf-8")
-    is_there = re.search(rf"^{section}\s*:", text, re.MULTILINE)
-    if is_there or not text.endswith("\n"):
-        place = f"in the place of its {section}" if is_there else "as a line of its own"
-        return f"write into {path}, {place}: {line}"
-    return f"echo {quoted(line)} >> {shlex.quote(str(path))}"
+
+def _value(mend: str, key: re.Match[str]) -> Any:
+    to = VALUE.match(mend, key.end())
+    if to is None or (to[2] and DOUBT in mend and len(KEY.findall(mend)) > 1):
+        return GAP
+    return to[2] or ast.literal_eval(to[1])
 
 
 def _section(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str] | None:
@@ -78,15 +73,12 @@ def _section(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str
     for match in KEY.finditer(mend):
         key, *own = match[2].split(".")
         if match[1] == section:
-            to = VALUE.match(mend, match.end())
-            if to and to[2] and DOUBT in mend:
-                to = None
-            value = (to[2] or ast.literal_eval(to[1])) if to else GAP
-            whole[key] = _with_value(own, value, whole.get(key) or {}, key)
+            value = _value(mend, match)
+            whole[key] = entry_with(own, value, whole.get(key) or {}, key)
     return section, whole, mend, rest
 
 
-def _with_value(own: list[str], value: Any, old_entry: Any, key: str) -> Any:
+def entry_with(own: list[str], value: Any, old_entry: Any, key: str) -> Any:
     """The entry of a key with a new value: as the whole entry, or under the entry's own key `own`."""
     new_entry = written_out(key, old_entry) if own else {}
     if own == ["column"] and not new_entry.keys() - {"column"}:

@@ -21,6 +21,7 @@ from .doubts.plausible import check_string, doubts
 from .doubts.wild_samples import wild_samples
 from .doubts.wrapping import wrapped
 from .folder import checked_info, read_run, recording_path
+from .mend_command import commanded
 from .strokes import segment
 from .table.file_lines import FileLines, Where, by_row
 from .table.rate import STEP_S
@@ -115,9 +116,10 @@ def read_strokes(folder: Path | str) -> tuple[Run, pd.DataFrame, pd.DataFrame]:
     folder = Path(folder)
     run = read_run(folder)
     checked_info(folder)
-    samples = read_recording(run, folder)
-    path = recording_path(folder)
-    return run, *check(run, samples, path, FileLines(path, run.file))
+    with commanded(folder):
+        samples = read_recording(run, folder)
+        path = recording_path(folder)
+        return run, *check(run, samples, path, FileLines(path, run.file))
 
 
 def stored_strokes(folder: Path, temporary: Path) -> tuple[Run, Stored, pd.DataFrame]:
@@ -125,6 +127,11 @@ def stored_strokes(folder: Path, temporary: Path) -> tuple[Run, Stored, pd.DataF
 
     However long the recording, no more than a few row groups are held. Raises BadInput.
     """
+    with commanded(folder):
+        return _stored(folder, temporary)
+
+
+def _stored(folder: Path, temporary: Path) -> tuple[Run, Stored, pd.DataFrame]:
     run = read_run(folder)
     checked_info(folder)
     pieces = recording_pieces(run, folder)

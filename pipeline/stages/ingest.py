@@ -14,6 +14,7 @@ from ..ground.words.counts import counted
 from ..ground.words.left_out import noted
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import recording_path
+from ..run.mend_command import with_command
 from ..run.read_ahead import forget, taken_over
 from ..run.samples import questions, stored_strokes
 
@@ -39,7 +40,7 @@ def main() -> None:
         run, samples, strokes = kept or stored_strokes(arguments.run_dir, temporary)
         odd = dimension_questions(run, arguments.run_dir / "run.yaml")
         for question in [*odd, *questions(run, samples, recording_path(arguments.run_dir))]:
-            print(f"warning: {question}", file=sys.stderr)
+            print(f"warning: {with_command(question, arguments.run_dir)}", file=sys.stderr)
         begin_s, end_s = samples.at("time_s", np.array([0, len(samples) - 1]))
         if arguments.out_strokes:
             schemas.write(strokes, schemas.STROKES, arguments.out_strokes)

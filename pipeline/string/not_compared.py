@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from ..ground.words.jump_notes import NOT_COMPARED
+from ..run.mend_command import tare_command
 from .history import in_order
 from .recovered import alike
 from .rests import Rests
@@ -58,7 +59,8 @@ def _sentence(before: Rests, after: Rests) -> str:
     # a run without a rest after its strokes has none but the one that it begins with
     rests = f"rests last at {last}" if before.after[-1] else f"begins at {last} and rests no more"
     why = f"{before.run.run} {rests}, {after.run.run} begins at {first}"
-    mend = f"write `tare: run` in run.yaml of {after.run.run}: its first rest is then set to the model's value"
+    by, by_checked = tare_command(after.folder, "run"), tare_command(after.folder, "checked")
+    mend = f"write `tare: run` in run.yaml of {after.run.run} ({by}): its first rest is then set to the model's value"
     between = f"{NOT_COMPARED} {before.run.run} and {after.run.run}"
-    checked = "If they were checked and did not move, write `tare: checked`"
+    checked = f"If they were checked and did not move, write `tare: checked` ({by_checked})"
     return f"{between}: {why}. If the sensor or a clamp was moved in between, {mend}. {checked}."

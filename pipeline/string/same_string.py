@@ -6,6 +6,7 @@ from pathlib import Path
 from ..ground.errors import BadInput
 from ..run.description import Run
 from ..run.folder import has_recording, read_run, unfinished
+from ..run.mend_command import tare_command
 from .history import natural
 from .jumps_beside import runs_naming
 
@@ -34,7 +35,7 @@ def next_name(folder: Path) -> str:
     return f"{head}{number:0{len(digits)}}"
 
 
-def tares(run: Run, others: list[Path]) -> str:
+def tares(folder: Path, run: Run, others: list[Path]) -> str:
     """The statements of a new run and the others of its string on their zero, and what to do if they are wrong."""
     by_tare: dict[str, list[str]] = {}
     anew: list[str] = []
@@ -55,7 +56,8 @@ def tares(run: Run, others: list[Path]) -> str:
     likely = f", as that of {anew[-1]} was" if anew else ""
     own = f"{run.run} has {_tare(run)}: its sensor still has the zero of the run before"
     return (
-        f"The zero, by run.yaml: {each}; {own}. If it was set to zero since{likely}, add `tare: run` to its run.yaml."
+        f"The zero, by run.yaml: {each}; {own}. If it was set to zero since{likely}, add `tare: run` to its run.yaml: "
+        f"{tare_command(folder, 'run')}"
     )
 
 

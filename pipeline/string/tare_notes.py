@@ -7,6 +7,7 @@ the string says `tare: run`, its sensor is likely set to zero at each start, and
 from itertools import pairwise
 
 from ..ground.words.jump_notes import KNOWN_IN_PART, MODEL_VALUE, SET_ANEW
+from ..run.mend_command import tare_command
 from .history import in_order
 from .recovered import recovered
 from .rests import Rests
@@ -51,7 +52,8 @@ def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
             notes.append((name, f"run.yaml of {name} says `tare: run`: {reads}. {off}"))
         else:
             others = f"{own_zero[0]}, of the same string, says `tare: run`, and {name} does not"
-            mend = f"If its sensor was set to zero again, write `tare: run` in run.yaml of {name} too"
-            checked = "if it was checked and did not move, `tare: checked`"
+            by, by_checked = tare_command(after.folder, "run"), tare_command(after.folder, "checked")
+            mend = f"If its sensor was set to zero again, write `tare: run` in run.yaml of {name} too ({by})"
+            checked = f"if it was checked and did not move, `tare: checked` ({by_checked})"
             notes.append((name, f"{others}: {reads}. {mend}; {checked}."))
     return notes

@@ -8,11 +8,13 @@ can say that neither was: by `tare: checked` the change is the string's own.
 
 from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 
 from ..ground.words.counts import counted
 from ..ground.words.jump_notes import OFF
+from ..run.mend_command import tare_command
 from .history import Recorded, in_order, tare_mm
 from .recovered import NOTHING, Recovered, alike, recovered
 from .rests import Rests
@@ -39,6 +41,7 @@ class Jump:
     taken_off: bool = False  # by `tare: run` in the run's run.yaml
     own: Recovered = NOTHING
     checked: bool = False  # by `tare: checked` in the run's run.yaml
+    folder: Path = Path()  # of the run
 
     @property
     def entry(self) -> dict[str, str | float]:
@@ -79,13 +82,16 @@ class Jump:
             return f"{self.sentence} run.yaml of {self.run} says `tare: checked`: so the change is the string's own."
         own, and_own = "", ""
         if self.own.mm:
-            moved = f"So the zero was moved by {self.moved_mm:+.2g} mm, if at all: on simulated strings that was {OFF}."
-            own = f" {self.own.sentence} {moved}"
+            moved_so = (
+                f"So the zero was moved by {self.moved_mm:+.2g} mm, if at all: on simulated strings that was {OFF}."
+            )
+            own = f" {self.own.sentence} {moved_so}"
             and_own = " and what the string took back"
+        moved, stayed = (tare_command(self.folder, tare) for tare in ("run", "checked"))
         return (
             f"{self.sentence}{own} If the sensor or a clamp was moved or set to zero, write `tare: run` in run.yaml of "
-            f"{self.run}: it is then tared on its own rest, from where {self.before} ended{and_own}. If they were "
-            "checked and did not move, write `tare: checked`: the change is then the string's own."
+            f"{self.run} ({moved}): it is then tared on its own rest, from where {self.before} ended{and_own}. If they "
+            f"were checked and did not move, write `tare: checked` ({stayed}): the change is then the string's own."
         )
 
 
@@ -144,7 +150,7 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
         return None
     names = before.run.run, after.run.run
     tare, own = after.run.tare, recovered(before, after)
-    return Jump(*names, change, floor_mm, unrecorded, tare == "run", own, tare == "checked")
+    return Jump(*names, change, floor_mm, unrecorded, tare == "run", own, tare == "checked", after.folder)
 
 
 def change_mm(before: Rests, after: Rests) -> float | None:

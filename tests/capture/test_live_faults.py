@@ -4,7 +4,6 @@ import os
 import re
 import shlex
 import signal
-import subprocess
 import threading
 import time
 from pathlib import Path
@@ -83,6 +82,13 @@ def assert_mended(folder: Path) -> None:
     assert done.returncode == 0 and "there is nothing to recover" in done.stdout and "Next:" in done.stdout, done
 
 
+def assert_mended_by(command: str, folder: Path) -> None:
+    """The command makes the finished run usable."""
+    done = ready.run("pipeline.mend", *shlex.split(command)[3:])
+    assert done.returncode == 0 and "It can be used: " in done.stdout, done
+    assert_mended(folder)
+
+
 def test_a_good_recording_is_not_complained_of(rig, tmp_path):
     done = Recorded(rig, tmp_path / "run-1", printed())
     assert done.status == 0 and "warning" not in done.said, done.said
@@ -95,7 +101,7 @@ def test_a_wrong_sign_is_said_while_it_records_and_mended_by_a_command(rig, tmp_
     folder, table = tmp_path / "run-1", printed()
     done = Recorded(rig, folder, table.assign(displacement_mm=-table["displacement_mm"]))
     assert done.live.count(f"warning: {FALLS}set channels.displacement_mm.scale to -1") == 1, done.live
-    command = f"echo 'channels: {{displacement_mm: {{scale: -1}}}}' >> {folder}/run.yaml"
+    command = f"python -m pipeline.mend {folder} channels.displacement_mm.scale=-1"
     assert f"When the recording has ended: {command}\n" in done.live
     assert done.status == 0 and "Until then nothing can use this run." in done.said
     assert done.next[0] == f"Next: mend it, and record nothing anew: {command}"
@@ -105,19 +111,16 @@ def test_a_wrong_sign_is_said_while_it_records_and_mended_by_a_command(rig, tmp_
     assert end.index("Next: mend it") < end.index("run-1: ended,"), "the mend stands before all else"
     again = ready.run("pipeline.capture", "--recover", folder)
     assert again.returncode == 2 and f"anew: {command}\n" in again.stdout, "said again, not only that it is finished"
-    subprocess.run(command, shell=True, check=True)
-    assert_mended(folder)
+    assert_mended_by(command, folder)
 
 
-def test_the_sign_of_a_run_with_channels_is_a_line_with_all_of_them(rig, tmp_path):
+def test_the_sign_of_a_run_with_channels_is_changed_in_them(rig, tmp_path):
     folder, table = tmp_path / "run-1", printed(2)
     turned = table.assign(displacement_mm=-table["displacement_mm"])
     done = Recorded(rig, folder, turned, ["t", "theta", "disp", "cell"], NAMED)
-    line = re.search(r"in the place of its channels: (channels: .*)\n", done.live)[1]
-    assert line.count("scale: -1") == 1 and f"write into {folder}/run.yaml, in the place" in done.next[0]
-    text = yaml.safe_load((folder / "run.yaml").read_text())
-    (folder / "run.yaml").write_text(yaml.safe_dump(text | yaml.safe_load(line)))
-    assert_mended(folder)
+    command = re.search(r"(python -m pipeline\.mend .*)\n", done.live)[1]
+    assert command in done.next[0]
+    assert_mended_by(command, folder)
 
 
 @pytest.mark.parametrize("noise_mm", [0.0, 0.03])
@@ -248,17 +251,16 @@ def test_a_time_in_a_wrong_unit_hides_no_other_fault_at_the_end(rig, tmp_path, w
     unit_warning = (
         "warning: time_s is read in s: a sample every 40 s is no rate of a rig; set channels.time_s.unit to 'ms'"
     )
-    assert live[reads + 1].startswith(f"{unit_warning}. When the recording has ended: write into {folder}/run.yaml"), (
-        live
-    )
+    assert live[reads + 1].startswith(
+        f"{unit_warning}. When the recording has ended: python -m pipeline.mend {folder} "
+    ), live
     if wrong == "sign":
-        both = yaml.safe_load(re.findall(r"in the place of its channels: (channels: .*)", done.live)[-1])["channels"]
-        assert both["time_s"]["unit"] == "ms" and both["displacement_mm"]["scale"] == -1, "no mend undoes another"
+        both = re.findall(r"pipeline\.mend \S+ (.*)", done.live)[-1].split()
+        assert {*both} == {"channels.time_s.unit=ms", "channels.displacement_mm.scale=-1"}, "one command makes both"
     assert "is no rate of a rig. Mend: set channels.time_s.unit to 'ms', or record" in end, end
     assert f"\nwarning: {FALLS if wrong == 'sign' else LOAD}" in end, end
-    line = re.search(r"in the place of its channels: (channels: .*)", done.next[0])[1]
-    text = yaml.safe_load((folder / "run.yaml").read_text())
-    (folder / "run.yaml").write_text(yaml.safe_dump(text | yaml.safe_load(line)))
+    command = re.search(r"pipeline\.mend (.*)", done.next[0])[1]
+    ready.run("pipeline.mend", *shlex.split(command))
     if wrong == "columns":
         assert done.next[1].startswith("Then: mend it further: ")
         again = ready.run("pipeline.capture", *shlex.split(done.next[1].partition("pipeline.capture ")[2]))

@@ -36,6 +36,11 @@ def commands(text: str) -> list[str]:
     return re.findall(r"pipeline\.capture (--recover \S+ --columns [\w,]+)", text)
 
 
+def mend_words(text: str) -> list[str]:
+    """The words of the command in it that changes run.yaml."""
+    return shlex.split(re.search(r"Next: mend it, .*pipeline\.mend (.*)", text)[1])
+
+
 @pytest.mark.parametrize("order", ["t_ms,turns,disp", "t_ms,disp,turns"])
 def test_the_order_of_unnamed_columns_goes_by_their_numbers_where_these_tell_it(folder, order):
     """The order of run.yaml was told, which exchanged the columns of a rig that prints another one."""
@@ -100,11 +105,10 @@ def test_an_exchange_in_run_yaml_is_mended_there(folder, header, channels):
     described(folder, channels, ROWS, header)
     done = recover(folder)
     assert "exchange the columns of motor_turns and displacement_mm" in done.stdout and not commands(done.stdout)
-    line = re.search(r"Next: mend it, .* in the place of its channels: (channels: .*)", done.stdout)[1]
+    mended = ready.run("pipeline.mend", *mend_words(done.stdout))
+    assert mended.returncode == 0 and "It can be used: 800 samples" in mended.stdout, mended
     right = {"motor_turns": channels["displacement_mm"], "displacement_mm": channels["motor_turns"]}
-    assert yaml.safe_load(line)["channels"] == {**channels, **right}
-    text = yaml.safe_load((folder / "run.yaml").read_text()) | yaml.safe_load(line)
-    (folder / "run.yaml").write_text(yaml.safe_dump(text))
+    assert yaml.safe_load((folder / "run.yaml").read_text())["channels"] == {**channels, **right}
     assert len(read_strokes(folder)[1]) == 800
     again = recover(folder)
     assert again.returncode == 0 and "there is nothing to recover" in again.stdout and "Next:" in again.stdout
@@ -117,13 +121,12 @@ def test_an_exchange_in_the_names_that_a_person_gave_is_mended_by_their_names(fo
 
 
 def test_a_run_whose_sign_was_mended_is_said_to_be_usable_and_what_comes_next(folder):
-    """The person had pasted the line, and `--recover` ended with "nothing to recover" and exit status 2."""
+    """The person had mended it, and `--recover` ended with "nothing to recover" and exit status 2."""
     turned = "".join(f"{t},{b},-{c}\n" for t, b, c in (line.split(",") for line in ROWS.splitlines()))
     described(folder, NAMED, turned, "t_ms,turns,disp")
-    line = re.search(r"in the place of its channels: (channels: .*)", recover(folder).stdout)[1]
+    words = mend_words(recover(folder).stdout)
     assert recover(folder).returncode == 2, "nobody has mended it yet"
-    text = yaml.safe_load((folder / "run.yaml").read_text()) | yaml.safe_load(line)
-    (folder / "run.yaml").write_text(yaml.safe_dump(text))
+    assert ready.run("pipeline.mend", *words).returncode == 0
     done = recover(folder)
     words = f"{folder}: there is nothing to recover: the recording is finished, and run.yaml as it is now reads it"
     assert done.returncode == 0 and words in done.stdout and "Next:" in done.stdout and not done.stderr, done.stdout
@@ -135,7 +138,7 @@ def test_a_clock_in_ms_that_is_read_in_s_is_mended_whatever_its_step(folder, ste
     printed = "".join(f"{step_ms * at},{row.partition(',')[2]}\n" for at, row in enumerate(ROWS.splitlines()))
     described(folder, {**NAMED, "time_s": "t"}, printed, "t,turns,disp")
     done = recover(folder)
-    line = re.search(r"Next: mend it, .* in the place of its channels: (channels: .*)", done.stdout)[1]
-    assert yaml.safe_load(line)["channels"]["time_s"] == {"column": "t", "unit": "ms"}, done.stdout
-    (folder / "run.yaml").write_text(yaml.safe_dump({**content("run-1"), **yaml.safe_load(line)}))
+    assert ready.run("pipeline.mend", *mend_words(done.stdout)).returncode == 0
+    mended = yaml.safe_load((folder / "run.yaml").read_text())["channels"]["time_s"]
+    assert mended == {"column": "t", "unit": "ms"}, done.stdout
     assert recover(folder).returncode == 0

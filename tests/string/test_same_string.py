@@ -90,15 +90,17 @@ def test_the_next_run_has_the_next_free_number(tmp_path: Path, name: str, follow
 
 def test_what_the_runs_say_of_their_zero_is_told(runs: list[Path]) -> None:
     two, ten, first_run = runs
-    text = tares(read_run(two), [first_run, ten])
+    text = tares(two, read_run(two), [first_run, ten])
     assert "`tare: string` (the default) in a-1; `tare: run` in a-10; a-2 has `tare: string` (the default): its" in text
-    assert "If it was set to zero since, as that of a-10 was, add `tare: run` to its run.yaml." in text
-    assert tares(read_run(two), [first_run]).endswith("If it was set to zero since, add `tare: run` to its run.yaml.")
+    assert "If it was set to zero since, as that of a-10 was, add `tare: run` to its run.yaml: python -m" in text
+    alone = tares(two, read_run(two), [first_run])
+    mend = f"add `tare: run` to its run.yaml: python -m pipeline.mend {two} tare=run"
+    assert alone.endswith(f"If it was set to zero since, {mend}")
     checked = made(two.parent / "there", "a-3", "checked")
-    text = tares(read_run(checked), [first_run])
+    text = tares(checked, read_run(checked), [first_run])
     assert text.endswith("a-3 has `tare: checked`: its sensor was checked and has the zero of the run before.")
     assert "a-10 has `tare: run`: its sensor was set to zero since the run before." in tares(
-        read_run(ten), [first_run, two]
+        ten, read_run(ten), [first_run, two]
     )
     many = [made(two.parent / "more", f"m-{number}") for number in range(1, 8)]
-    assert "`tare: string` (the default) in m-4, m-5, m-6, m-7 and 3 more;" in tares(read_run(two), many)
+    assert "`tare: string` (the default) in m-4, m-5, m-6, m-7 and 3 more;" in tares(two, read_run(two), many)

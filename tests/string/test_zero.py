@@ -10,6 +10,7 @@ import numpy as np
 import pandas as pd
 import programs
 import pytest
+import ready
 from made_recording import content, recording
 from stages.nine_strokes import recorded, string
 
@@ -245,7 +246,8 @@ def test_of_a_zero_that_was_checked_nothing_more_is_asked() -> None:
     pair = [Rests.of(two[0]), other_load(Rests.of(two[1]))]
     assert not_compared(pair) == [] and to_confirm(pair) == []
     open_pair = [pair[0], replace(pair[1], run=two[1].run.model_copy(update={"tare": "string"}))]
-    assert not_compared(open_pair)[0].endswith("If they were checked and did not move, write `tare: checked`.")
+    by = f"python -m pipeline.mend {two[1].folder} tare=checked"
+    assert not_compared(open_pair)[0].endswith(f"If they were checked and did not move, write `tare: checked` ({by}).")
 
 
 def test_a_zero_at_the_models_value_is_not_said_to_be_known_as_one_that_was_compared() -> None:
@@ -325,7 +327,8 @@ def test_a_small_jump_is_asked_about_where_another_run_was_zeroed(whole: pd.Data
     )
     if tares[2] is None and expected_notes:
         assert "mm" in notes[1][1] and notes[1][0] == "c" and "write `tare: run` in run.yaml of c too" in notes[1][1]
-        assert notes[1][1].endswith("; if it was checked and did not move, `tare: checked`.")
+        by = f"python -m pipeline.mend {rests[2].folder} tare=checked"
+        assert notes[1][1].endswith(f"; if it was checked and did not move, `tare: checked` ({by}).")
 
 
 def test_where_a_jump_is_said_the_tare_is_not_said_again() -> None:
@@ -379,6 +382,10 @@ def test_of_many_runs_of_a_string_the_last_ones_before_the_new_one_are_read(tmp_
     ]  # fmt: skip
     (sentence,) = advice_on(two)
     assert "write `tare: run` in run.yaml of a-2" in sentence and advice_on(first_folder) == []
+    assert f"(python -m pipeline.mend {two} tare=run)" in sentence
+    assert ready.run("pipeline.mend", two, "tare=run").returncode == 0
+    (confirmed,) = advice_on(two)
+    assert "run.yaml of a-2 says `tare: run`. " in confirmed and "pipeline.mend" not in confirmed
 
 
 def of_other_loads(place: Path) -> list[Path]:

@@ -1,34 +1,23 @@
 """The mends of wrongly read columns as complete commands, so that a person can copy them."""
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 
 from ...ground.command import recover_command
-from ...ground.errors import BadInput
-from ...ground.input.strict_yaml import parse_yaml
 from ...run.description import Channel, Run
-from ...run.option_mend import in_file
-from ...run.run_yaml import RunYaml
+from ...run.mend_command import EXCHANGE, mend_command
 from .likely_names import says
 from .read_channels import ReadChannels
 
-EXCHANGE = re.compile(r"exchange the columns of (\w+) and (\w+)")
-
 
 def copied_mends(mends: Sequence[str], folder: Path, columns: Sequence[str], named_by_rig: bool) -> list[str]:
-    """The commands, or lines of run.yaml, that carry out mends for the run in a folder: one for run.yaml, one a name.
+    """The commands that carry out mends for the run in a folder: one for run.yaml, one a name.
 
     Two columns are exchanged in run.yaml where it reads them wrongly, else by `--columns`. A mend that no command
     carries out is left out. `named_by_rig`: the rig itself printed the names of the columns.
     """
     channels = ReadChannels(folder, columns)
     if channels.run is None:
-        return []
-    path = folder / "run.yaml"
-    try:
-        content: RunYaml = parse_yaml(path.read_text(encoding="utf-8"), path)
-    except (OSError, ValueError, BadInput):
         return []
     to_write, commands = [], []
     for mend in mends:
@@ -37,9 +26,8 @@ def copied_mends(mends: Sequence[str], folder: Path, columns: Sequence[str], nam
             to_write.append(mend)
         else:
             commands.append(_called_anew(channels, pair[1], pair[2]))
-    to_write = [mend for mend in to_write if in_file(mend, _with_units(mend, content, channels), path)]
-    joined = ", and ".join(to_write)
-    return list(filter(None, [in_file(joined, _with_units(joined, content, channels), path), *commands]))
+    joined = ", and ".join(mend for mend in to_write if mend_command(mend, folder))
+    return list(filter(None, [mend_command(joined, folder), *commands]))
 
 
 def is_by_columns(command: str) -> bool:
@@ -81,12 +69,3 @@ def _called_anew(channels: ReadChannels, first: str, second: str) -> str:
     changed = {column_of[first]: column_of[second], column_of[second]: column_of[first]}
     names = [changed.get(name, name) for name in channels.columns]
     return f"{recover_command(channels.folder)} --columns {','.join(names)}"
-
-
-def _with_units(mend: str, content: RunYaml, channels: ReadChannels) -> RunYaml:
-    """The content with an entry for each channel of the mend that only its column's name and unit told so far."""
-    entries = {**content.get("channels", {})}
-    for column, place in channels.places.items():
-        if f"channels.{place.channel}." in mend and place.channel not in entries and column != place.channel:
-            entries[place.channel] = {"column": column, "unit": place.unit}
-    return {**content, "channels": entries}

@@ -10,6 +10,7 @@ import yaml
 
 from ...ground.errors import BadInput
 from ...ground.input.strict_yaml import parse_yaml
+from ...ground.input.yaml_value import end_of
 from ...run.description import Included, parse_run
 from ..document.content import Adoption
 from ..fit.adopt import block
@@ -34,21 +35,13 @@ def with_block(text: str, entries: Sequence[Included | Adoption], named: str = K
     indent = " " * root.value[0][0].start_mark.column
     lines = textwrap.indent(block(entries, named).rstrip("\n"), indent).replace("\n", newline)
     if nodes:
-        return text[: nodes[0].start_mark.index] + lines.lstrip() + text[_end(nodes[1]) :]
-    end = _end(root.value[-1][1])
+        return text[: nodes[0].start_mark.index] + lines.lstrip() + text[end_of(nodes[1]) :]
+    end = end_of(root.value[-1][1])
     if not text[:end].endswith("\n"):
         end = text.find("\n", end) + 1 or len(text)
     if not text[:end].endswith("\n"):  # the last line ends without one, and so does what comes after it
         return text[:end] + newline + lines
     return text[:end] + lines + newline + text[end:]
-
-
-def _end(node: yaml.Node) -> int:
-    """Where the text of a node ends, without the comments and empty lines after it."""
-    if isinstance(node, yaml.CollectionNode) and not node.flow_style and node.value:
-        last = node.value[-1]
-        return _end(last[1] if isinstance(last, tuple) else last)
-    return int(node.end_mark.index)
 
 
 def adopted(text: str, entries: Sequence[Included], path: Path, origin: list[Adoption] | None = None) -> str:
@@ -78,11 +71,11 @@ def without_block(text: str, named: str) -> str:
     if place is None:
         return text
     key, value = root.value[place]
-    start, end = key.start_mark.index, _end(value)
+    start, end = key.start_mark.index, end_of(value)
     if root.flow_style:
         if place + 1 < len(root.value):
             return text[:start] + text[root.value[place + 1][0].start_mark.index :]
-        before = _end(root.value[place - 1][1]) if place else start
+        before = end_of(root.value[place - 1][1]) if place else start
         return text[:before] + text[end:]
     start -= key.start_mark.column
     line, newline, rest = text[end:].partition("\n")

@@ -3,6 +3,7 @@
 import errno
 import hashlib
 import os
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -67,6 +68,13 @@ def write_text(path: Path | str, text: str, new: bool = False) -> None:
     """Write `text` as UTF-8, whole or not at all; with `new` FileExistsError where a file is there."""
     with whole(path, new) as temporary:
         temporary.write_text(text, encoding="utf-8")
+
+
+def write_over(path: Path, text: str) -> None:
+    """Write a file that is there anew, whole or not at all, with its rights and with the ends of lines of `text`."""
+    with whole(path) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="")
+        shutil.copymode(path, temporary)
 
 
 def sha256(path: Path) -> str:

@@ -50,8 +50,8 @@ class Channels:
                 mend = f"use one of {', '.join(run.system.columns)}"
                 raise BadInput(mapping, f"channels.{key_name(name)}", "is not a known channel", mend)
 
-    def _channel(self, table: pd.DataFrame, name: str) -> Channel | None:
-        """The place of a channel; None for one that is missing and not needed."""
+    def entry(self, table: pd.DataFrame, name: str) -> Channel | None:
+        """The entry by which a channel is read from such a table; None for one that is missing and not needed."""
         if name in self.run.channels:
             return self.run.channels[name]
         named = [channel.column for channel in self.run.channels.values()]
@@ -72,7 +72,7 @@ class Channels:
 
     def _check_columns(self, table: pd.DataFrame) -> None:
         """Raise BadInput that names all missing columns at once, where several are missing."""
-        channels = {name: self._channel(table, name) for name in self.run.system.columns}
+        channels = {name: self.entry(table, name) for name in self.run.system.columns}
         wanted = {name: channel for name, channel in channels.items() if channel and channel.step_s is None}
         check_columns(table, wanted, self.path, self.run.channels, self.mapping)
 
@@ -87,7 +87,7 @@ class Channels:
         """Note the time stamps of a piece if they are dates or times; returns whether it needs the next piece too."""
         table, self._looked = self._asked(table, self._looked), self._looked + len(table)
         self._check_columns(table)
-        channel = self._channel(table, "time_s")
+        channel = self.entry(table, "time_s")
         if channel is None or channel.step_s is not None:
             return False
         column = table.iloc[:, self._placed(table, "time_s", channel)]
@@ -106,7 +106,7 @@ class Channels:
         samples: dict[str, pd.Series] = {}
         taken: dict[int, str] = {}
         for name in self.run.system.columns:
-            channel = self._channel(table, name)
+            channel = self.entry(table, name)
             if channel is None:
                 continue
             if channel.step_s is not None:
