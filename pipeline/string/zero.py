@@ -22,6 +22,9 @@ from .rests import Rests
 FLOORS = 6.0  # noise floors that a jump is larger than
 STROKES = 3.0  # times the usual change of the rest from stroke to stroke, that it is larger than too
 LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
+KNOWN_MM = (
+    0.05  # how far off the zero is where a string took something back, in the median: less than so much is no move
+)
 
 
 @dataclass(frozen=True)
@@ -150,6 +153,8 @@ def _jump(before: Rests, after: Rests, unrecorded: int) -> Jump | None:
         return None
     names = before.run.run, after.run.run
     tare, own = after.run.tare, recovered(before, after)
+    if own.mm and abs(change - own.mm) <= KNOWN_MM:
+        return None  # all of it, as far as is known, is what the string took back
     return Jump(*names, change, floor_mm, unrecorded, tare == "run", own, tare == "checked", after.folder)
 
 

@@ -19,7 +19,7 @@ from pipeline.string.recovered import NOTHING, Recovered
 from pipeline.string.recovered import recovered as taken_back
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import tare_notes
-from pipeline.string.zero import change_mm, jumps_among, offsets_mm
+from pipeline.string.zero import KNOWN_MM, change_mm, jumps_among, offsets_mm
 
 SETUP = read_setup("paper").model_copy(update={"rate_hz": 25.0})
 QUANTUM_MM = SETUP.sensors["displacement_mm"].quantum
@@ -104,6 +104,22 @@ def test_what_comes_back_over_many_strokes_is_told_whole() -> None:
         slow["displacement_mm"] -= lost * (slow["time_s"] > 130.0 + 30.0 * number)
     own = taken_back(*rests_of([first_half, slow]))
     assert own.mm == pytest.approx(sum(lost_mm), abs=0.02) and own.strokes == 3
+
+
+@pytest.mark.parametrize(
+    ("moved_mm", "is_alarm"), [(0.0, False), (0.03, False), (-0.03, False), (0.3, True), (-0.9, True)]
+)
+def test_a_zero_that_moved_by_less_than_is_known_of_it_is_no_alarm(moved_mm: float, is_alarm: bool) -> None:
+    """ "The zero was moved by +0.038 mm, if at all" was told of a string that had only taken something back."""
+    first_half, two = halves()
+    back = two.assign(displacement_mm=two["displacement_mm"] + moved_mm + 0.4 * (two["time_s"] <= 130.0))
+    rests = rests_of([first_half, back])
+    assert change_mm(*rests) == pytest.approx(moved_mm + 0.4, abs=0.03), "what is asked about without the string's own"
+    jumps = jumps_among(rests)
+    assert bool(jumps) is is_alarm
+    if is_alarm:
+        assert jumps[0].moved_mm == pytest.approx(moved_mm, abs=KNOWN_MM)
+        assert "if at all" in replace(jumps[0], taken_off=False).advice
 
 
 def test_what_is_left_in_is_said() -> None:

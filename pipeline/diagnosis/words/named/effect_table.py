@@ -1,6 +1,5 @@
 """The table of acting effects: each effect's name, how sure it is, how large it is, and what it does."""
 
-from ....ground.words.wrapped_lines import WIDE
 from ...document.content import Verdict, mismatch_of
 from ...document.effects_named import MechanismEntry
 from ...document.made_keys import Interval, amount, by_name, interval
@@ -16,9 +15,9 @@ from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_int
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
-OF_IT = ("part that no wrong", "dimension can make")  # the head of a column, on two lines where that is too wide
+OWN_PART = "its own part"  # the head of a column
+OF_OWN_PART = "Its own part is the part that no wrong dimension can make."
 AT_A_STAND = ", and is gone as soon as the motor stands"  # of a loss, by its law
-INDENT = 2  # of a section's lines
 WHOSE = "Sizes are those of the best explanation."
 NO_PERCENTAGE = "No percentage is known on this rig."
 NO_SIZE = "–"  # of an effect that the best explanation has not
@@ -59,17 +58,16 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     entries = sorted(content["mechanisms"], key=lambda entry: -shares.get(entry["id"], 0.0))
     parts = any(own_part(entry, content, words) for entry in entries)
     sizes = {entry["id"]: in_columns(entry, content, words, parts, short) for entry in entries}
-    columns = [*HEAD, *([" ".join(OF_IT)] if parts else [])]
+    columns = [*HEAD, *([OWN_PART] if parts else [])]
     rows = [[id_, how_sure(content, id_, words), *cells] for id_, cells in sizes.items()]
     elsewhere = only_elsewhere(content)
     rows += [[id_, how_sure(content, id_, words), *[NO_SIZE] * (len(columns) - 2)] for id_ in elsewhere]
     head, *table = aligned([columns, *rows])
-    heads = [head] if len(head) <= WIDE - INDENT else _on_two_lines(head)
     does = {
         each["id"]: in_a_line.of_named(each, content, words) if short else _sentence(each, content) for each in entries
     }
     between = {} if short else {entry["id"]: effect_sentence.between_runs(entry, words) for entry in entries}
-    table_lines = heads
+    table_lines = [head]
     for (id_, *_), row in zip(rows, table, strict=True):
         what = does.get(id_) or in_a_line.of_open(id_, content, words)
         table_lines += [row, f"    {what}{'' if short else _of_strokes(content, id_, words)}{between.get(id_, '')}"]
@@ -77,10 +75,11 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
     larger = to_report(content, entries, words, _in_its_place(content))
     if short:
         against = cancelling.lines(content, entries, words)
+        note = [OF_OWN_PART] if parts else []
         return [
             *table_lines,
             *([] if certainty.known(content) else [NO_PERCENTAGE]),
-            *_in_one([*needed.lines(content), *larger, *([WHOSE] if several else []), *against]),
+            *_in_one([*needed.lines(content), *note, *larger, *([WHOSE] if several else []), *against]),
             *_in_one([*certainty.than_the_explanation(content), *certainty.no_promise(content, words)]),
             *([] if far_moved(content) else certainty.to_write(content, words, short)),  # else it is said first
         ]
@@ -110,12 +109,6 @@ def _sentence(entry: MechanismEntry, content: Verdict) -> str:
     tried = content["evidence"].get("not_kept")
     never = tried is not None and bool(tried) and not tried[0]["stands"]
     return str(entry["sentence"]).replace(AT_A_STAND, "") if never else str(entry["sentence"])
-
-
-def _on_two_lines(head: str) -> list[str]:
-    """The heads of a table, the last one broken."""
-    start = head.index(OF_IT[0])
-    return [head[: start + len(OF_IT[0])], " " * start + OF_IT[1]]
 
 
 def _in_all(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) -> list[str]:
