@@ -1,5 +1,6 @@
 import re
 import sys
+from itertools import pairwise
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -7,13 +8,15 @@ import pandas as pd
 import programs
 import pytest
 from matplotlib.lines import Line2D
+from stages.nine_strokes import NINE
 
 from pipeline.ground.stored import schemas
 from pipeline.report import figures
 from pipeline.report.drawn.averaged import PARTS, averaged, parts_of
 from pipeline.report.drawn.drawing import STYLE, save
+from pipeline.report.drawn.error_row import as_bars, by_range, foot_of
 from pipeline.report.drawn.figure_4 import MEANS, SAMPLES, figure_4
-from pipeline.report.drawn.figure_5 import as_bars, by_range, figure_5, foot_of
+from pipeline.report.drawn.figure_5 import figure_5
 from pipeline.report.drawn.winding import with_median, with_nominal
 from pipeline.report.drawn.zero_of_x import zero_of_x
 from pipeline.report.figures import best_other
@@ -37,8 +40,6 @@ def made_metrics():
 @pytest.fixture(scope="module")
 def material(tmp_path_factory):
     """A dataset, metrics and the models' predictions of two seeds, as the DAG leaves them."""
-    from stages.nine_strokes import NINE
-
     folder = tmp_path_factory.mktemp("processed") / "UHMWPE"
     schemas.write(NINE, schemas.DATASET, folder / "dataset.parquet")
     schemas.write(made_metrics(), schemas.METRICS, folder / "metrics.parquet")
@@ -416,3 +417,37 @@ def test_figure_4_says_where_an_untwisted_string_stands(dataset):
     assert zero_of_x(again).endswith(f"at that twist.{last}")
     apart = pd.concat([dataset, dataset.assign(run="second")])
     assert zero_of_x(apart).endswith(f"since the separator spreads the string.{last}")
+
+
+def with_errors(size_mm):
+    """Held-out points of a model that errs by about such a size, forward and inverse."""
+    size = size_mm * np.random.default_rng(1).standard_normal(len(NINE))
+    return NINE.assign(forward_mm=NINE["displacement_mm"] + size, inverse_turns=NINE["motor_turns"] + size)
+
+
+def test_no_bar_of_figure_5_hides_another_or_lies_under_the_axis():
+    """Of two models that erred alike the second one was not to be seen, nor a bar on the lower axis."""
+    learned = {"INN": with_errors(0.05), "Spline": with_errors(0.05), "MLP": with_errors(0.0004)}
+    with plt.rc_context(STYLE):
+        five = figure_5(with_nominal(NINE), learned, "m")
+        five.canvas.draw()
+    below = five.axes[3]
+    bars = [next(line for line in below.get_lines() if line.get_label().startswith(title)) for title in learned]
+    wide, order = ([each(line) for line in bars] for each in (lambda line: line.get_lw(), lambda line: line.zorder))
+    assert wide == sorted(wide) and np.diff(wide).min() >= 1.5 and order == sorted(order, reverse=True)
+    assert min(order) > max(spine.zorder for spine in below.spines.values())
+    assert "the wider bar lies beneath the narrower one" in " ".join(five.legends[0].get_title().get_text().split())
+
+
+def test_the_numbers_of_an_axis_over_many_decades_do_not_overlap():
+    with plt.rc_context(STYLE):
+        five = figure_5(with_nominal(NINE), {"INN": with_errors(0.05), "MLP": with_errors(0.0004)}, "m")
+        five.canvas.draw()
+    for below in (five.axes[3], five.axes[9]):
+        low, high = below.get_ylim()
+        numbers = [
+            label.get_window_extent()
+            for at, label in zip(below.get_yticks(), below.get_yticklabels(), strict=True)
+            if low <= at <= high
+        ]
+        assert len(numbers) >= 3 and all(lower.y1 < upper.y0 for lower, upper in pairwise(numbers))

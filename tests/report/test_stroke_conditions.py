@@ -1,5 +1,6 @@
 """What strokes were recorded under: later ones of another load or twist are said, and a figure names a stroke by it."""
 
+import numpy as np
 import pandas as pd
 import programs
 import pytest
@@ -115,6 +116,29 @@ def test_a_figure_names_a_stroke_by_its_load_where_loads_differ_and_by_a_smaller
     assert words in figure_5(recorded, {}, "m").axes[2].get_title(loc="left")
     few = recorded[recorded["stroke"].isin([1, 2, 9])]
     assert words in [text.get_text() for text in figure_4(few, "m").legends[0].get_texts()]
+
+
+def with_changing(stroke, low_n, high_n):
+    """The nine strokes, one of them under a load that rises within it."""
+    points = NINE.copy()
+    of_it = points["stroke"] == stroke
+    points.loc[of_it, "load_n"] = np.linspace(low_n, high_n, of_it.sum())
+    return points
+
+
+def test_a_load_that_changes_within_a_stroke_is_named_by_its_range():
+    """`n=9 at 29.9 N` was told of a load that went from 10 to 50 N."""
+    points = with_changing(LAST, 10.0, 50.0)
+    named = labels(points, {number: [points["string"].iloc[0]] for number in (1, LAST)})
+    assert named[LAST] == "n=9 (12 to 48 N)" and " to " not in named[1]
+    assert "n=9 was recorded at 12 to 48 N (changing within a stroke), the others at 20 N" in later_apart(points)
+
+
+def test_strokes_under_about_the_same_changing_load_are_alike():
+    every = NINE.assign(load_n=20.0 + 10.0 * np.sin(np.arange(len(NINE))))
+    every.loc[every["stroke"] == LAST, "load_n"] *= 1.08
+    assert later_apart(every) == "" and otherwise(every) == ""
+    assert labels(every, {1: [every["string"].iloc[0]], LAST: [every["string"].iloc[0]]}) == {1: "n=1", LAST: "n=9"}
 
 
 @pytest.mark.parametrize("program", ["models", "comparison"])

@@ -3,21 +3,19 @@
 from typing import Any
 
 import matplotlib.pyplot as plt
-import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.legend_handler import HandlerTuple
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
-from ...ground.kinematics import Array
 from ..layout import paper
 from ..shown.shown_strokes import drawn, in_figure
 from ..shown.strings_drawn import of_one, strings_drawn, which_strings
 from ..shown.stroke_conditions import labels
 from .clipped import clipped
 from .drawing import MILLIMETRES, READING_SIZE, TURNS, name, wrapped
+from .error_row import BINS, as_bars, by_range, footed
 from .winding import strokes_of, windings
 
 Ends = tuple[float, float]
@@ -28,83 +26,23 @@ LEARNED: tuple[dict[str, Any], ...] = (
     {"color": "#00684c", "ls": "", "marker": "x", "ms": 3.0, "mew": 0.7},
     {"color": "#8a3f78", "ls": "", "marker": "+", "ms": 3.5, "mew": 0.7},
 )
-BAR: dict[str, Any] = {"ls": "-", "lw": 2.2, "marker": "", "solid_capstyle": "butt"}
-FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an axis may begin within its decade
-CLEAR = 0.8  # of the least error: where an axis begins that has none below its foot
-BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
-BARS = f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out."
+BAR: dict[str, Any] = {"ls": "-", "marker": "", "solid_capstyle": "butt"}
+BARS_WIDE = (1.6, 3.4, 5.2)  # points, in the order of the models: of errors that are alike each bar has edges that show
+ON_THE_AXIS = 3.0  # zorder: over the axis, on which small errors stand
+BARS = (
+    f"A bar: the rms error over one of {BINS} equal parts of the stroke, where points of that part were held out. "
+    "Where errors are alike, the wider bar lies beneath the narrower one."
+)
 FOOTED = "An error that stands on the lower axis is {} or less."
 BEST = "{}: beside INN and traditional, the least forward error over all held-out strokes together."
 TAKEN = "{}: the model to take, by the rule on the page of the models."
 WAYS = (("motor_turns", "displacement_mm", "forward_mm"), ("displacement_mm", "motor_turns", "inverse_turns"))
 
 
-def by_range(x: Array, error: Array, low: float, high: float) -> tuple[Array, Array]:
-    """Middles of equal ranges from `low` to `high`, and the root mean square of the errors there.
-
-    NaN where a range holds few points, so that a line breaks between blocks that were held out.
-    From shape (points,) to shape (ranges,), each in its own unit.
-    """
-    is_finite = np.isfinite(error) & np.isfinite(x)
-    edges = np.linspace(low, high, BINS + 1)
-    place = np.clip(np.digitize(x[is_finite], edges) - 1, 0, BINS - 1)
-    count = np.bincount(place, minlength=BINS)
-    squares = np.bincount(place, weights=np.square(error[is_finite]), minlength=BINS)
-    is_enough = count >= LEAST
-    return 0.5 * (edges[1:] + edges[:-1]), np.sqrt(np.where(is_enough, squares, np.nan) / np.maximum(count, 1))
-
-
-def _logarithmic(axes: Axes) -> None:
-    """Plain numbers on a logarithmic axis: 0.02, 0.05, 0.1."""
-    axes.set_yscale("log")
-    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axes.yaxis.set_minor_locator(NullLocator())
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-
-
-def as_bars(middle: Array, size: Array, width: float) -> tuple[Array, Array]:
-    """Each size as a level line over its range, with a gap behind it, so that no line joins two ranges.
-
-    `middle` and `width` in the unit of what is given, `size` in that of the error; from shape (ranges,) to shape
-    (3 · ranges,).
-    """
-    gap = np.full_like(middle, np.nan)
-    ends = np.column_stack([middle - 0.5 * width, middle + 0.5 * width, gap])
-    return ends.ravel(), np.column_stack([size, size, gap]).ravel()
-
-
-def foot_of(sizes: list[Array]) -> float:
-    """The lowest size that an axis shows: only by luck is a range below a quarter of the best model's usual size.
-
-    Errors in the unit of the axis, each of shape (ranges,).
-    """
-    usual = [float(np.nanmedian(size)) for size in sizes if np.isfinite(size).any()]
-    least = FOOT * min((size for size in usual if size > 0.0), default=1.0)
-    decade = 10.0 ** np.floor(np.log10(least))
-    return float(max(step * decade for step in STEPS if step * decade <= least * (1.0 + 1e-9)))
-
-
-def _footed(row: list[Axes], unit: str) -> str:
-    """Smaller errors are drawn on the foot of their row of axes; returns the foot with its unit, if any are."""
-    lines = [line for axes in row for line in axes.get_lines()]
-    by_model: dict[str, list[Array]] = {}
-    for line in lines:
-        by_model.setdefault(str(line.get_label()), []).append(np.asarray(line.get_ydata(), float))
-    foot = foot_of([np.concatenate(sizes) for sizes in by_model.values()])
-    is_below = False
-    for line in lines:
-        size = np.asarray(line.get_ydata(), float)
-        is_below = is_below or bool((size < foot).any())
-        line.set_ydata(np.where(size < foot, foot, size))
-        line.set_clip_on(False)
-    least = min(
-        (float(np.nanmin(size)) for sizes in by_model.values() for size in sizes if np.isfinite(size).any()),
-        default=foot,
-    )
-    for axes in row:
-        axes.set_ylim(bottom=max(foot, CLEAR * least))
-    row[0].set_ylabel(f"rms error ({unit})")
-    return f"{foot:g} {unit}" if is_below else ""
+def _bar(style: dict[str, Any]) -> dict[str, Any]:
+    """How the bars of a model with such points are drawn: those of the first models narrower, and on top."""
+    place = [each["color"] for each in LEARNED].index(style["color"])
+    return {**BAR, "lw": BARS_WIDE[place], "zorder": ON_THE_AXIS + 0.1 * (len(LEARNED) - place)}
 
 
 def _drawn(
@@ -118,7 +56,7 @@ def _drawn(
     if style.get("ls"):
         below.plot(middle, size, **{**style, "lw": 1.1})
     else:
-        below.plot(*as_bars(middle, size, (ends[1] - ends[0]) / BINS), **{**style, **BAR})
+        below.plot(*as_bars(middle, size, (ends[1] - ends[0]) / BINS), **{**style, **_bar(style)})
 
 
 def _legend(figure: Figure, styles: dict[str, dict[str, Any]], columns: int, reading: str) -> None:
@@ -126,7 +64,7 @@ def _legend(figure: Figure, styles: dict[str, dict[str, Any]], columns: int, rea
     handles: list[Any] = [Line2D([], [], **MEASURED), Line2D([], [], **TRADITIONAL)]
     words = ["measured", "traditional model, and its error"]
     for title, style in styles.items():
-        handles.append((Line2D([], [], **style), Line2D([], [], **{**style, **BAR})))
+        handles.append((Line2D([], [], **style), Line2D([], [], **{**style, **_bar(style)})))
         words.append(f"{title}: held-out points, and their error")
     figure.legend(
         handles,
@@ -177,11 +115,11 @@ def figure_5(
             for title, own in shown.items():
                 style = {**styles[title], "label": f"{title}, held-out points"}
                 _drawn(curve, below, own[column], way, style, ends)
-            _logarithmic(below)
+            below.set_yscale("log")
             letter = "abcdef"[columns * row + column]
             name(curve, f"({letter}) {label[0]}, {named[stroke]}", "", curve_label if column == 0 else "")
             name(below, f"error of ({letter}) along the stroke", label[1], "")
-        feet.append(_footed(list(grid[2 * row + 1]), unit))
+        feet.append(footed(list(grid[2 * row + 1]), unit))
     if strokes:
         why = [BEST.format(best) if best else "", TAKEN.format(taken) if taken else ""]
         reading = wrapped(

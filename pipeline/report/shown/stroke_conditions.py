@@ -7,14 +7,12 @@ from pathlib import Path
 import pandas as pd
 
 from ...ground.stored import schemas
+from .recorded_conditions import KINDS, NEAR, Kind, between, conditions, in_words, is_other_load
 from .shown_strokes import listed, ranges
 
 APART = "Later strokes under other conditions"
 OTHERWISE = "Recorded under other conditions"
-Kind = tuple[str, str, str, str]  # column, and in words: what stands before a size, its unit, what it is
-KINDS: tuple[Kind, ...] = (("load_n", "at ", "N", "load"), ("top_turns", "to ", "turns", "twist"))
 MOST = 4  # conditions that a sentence tells one by one
-NEAR = 0.05  # of a load or a twist: what differs by less is the same
 FEW, MORE = 0.25, 2.0  # a load of fewer of the learnt strokes, and so many times more of the later ones, is another one
 
 
@@ -26,27 +24,6 @@ def add_dataset(parser: argparse.ArgumentParser) -> None:
 def dataset_from(path: Path | None) -> pd.DataFrame | None:
     """The points named on a command line, if any."""
     return schemas.read(path, schemas.DATASET) if path else None
-
-
-def conditions(points: pd.DataFrame) -> pd.DataFrame:
-    """The median load in N and the largest twist in turns, `load_n` and `top_turns`, by string and stroke."""
-    strokes = points.groupby(["string", "stroke"], sort=False)
-    return pd.DataFrame({"load_n": strokes["load_n"].median(), "top_turns": strokes["motor_turns"].max()})
-
-
-def _between(values: Iterable[float], unit: str) -> str:
-    """Some sizes in words: 20 N, 16 to 20 turns."""
-    low, high = (f"{size(values):.3g}" for size in (min, max))
-    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
-
-
-def _in_words(by_stroke: pd.DataFrame, kinds: Iterable[Kind]) -> str:
-    """A load and a twist in words: at 20 N and to 16 turns."""
-    return " and ".join(f"{word}{_between(by_stroke[column], unit)}" for column, word, unit, _ in kinds)
-
-
-def _is_other_load(load_n: float, loads_n: Iterable[float]) -> bool:
-    return all(abs(load_n - other) > NEAR * max(abs(load_n), abs(other)) for other in loads_n)
 
 
 def _share(load_n: float, loads_n: pd.Series) -> float:
@@ -79,13 +56,13 @@ def later_apart(dataset: pd.DataFrame | None) -> str:
         return ""
     strokes = sorted({int(stroke) for _, stroke in others.index})
     kinds = [kind for kind, are_others in zip(KINDS, (loads.any(), twists.any()), strict=True) if are_others]
-    is_like = seen["load_n"].map(lambda load_n: not _is_other_load(load_n, set(others["load_n"])))
+    is_like = seen["load_n"].map(lambda load_n: not is_other_load(load_n, set(others["load_n"])))
     usual = seen[~is_like] if loads.any() and not is_like.all() else seen
     rest = "most others" if len(usual) < len(seen) else "the others"
     what = " and ".join(f"another {kind}" for *_, kind in kinds)
     return (
-        f"{APART}: n={ranges(strokes)} {'was' if len(strokes) == 1 else 'were'} recorded {_in_words(others, kinds)}, "
-        f"{rest} {_in_words(usual, kinds)}. So the errors on later strokes are errors at {what} too, and do not decide "
+        f"{APART}: n={ranges(strokes)} {'was' if len(strokes) == 1 else 'were'} recorded {in_words(others, kinds)}, "
+        f"{rest} {in_words(usual, kinds)}. So the errors on later strokes are errors at {what} too, and do not decide "
         "which model to take."
     )
 
@@ -116,7 +93,7 @@ def otherwise(dataset: pd.DataFrame | None, strokes: Sequence[int] | None = None
         return ""
     by_stroke = conditions(dataset)
     usual_n, usual_turns = _usual(by_stroke["load_n"]), _usual(by_stroke["top_turns"])
-    loads = by_stroke["load_n"].map(lambda load_n: _is_other_load(load_n, [usual_n]))
+    loads = by_stroke["load_n"].map(lambda load_n: is_other_load(load_n, [usual_n]))
     twists = by_stroke["top_turns"].map(lambda top_turns: _is_other_twist(top_turns, [usual_turns]))
     number = by_stroke.index.get_level_values("stroke")
     is_shown = number.isin(list(number if strokes is None else strokes))
@@ -135,15 +112,15 @@ def otherwise(dataset: pd.DataFrame | None, strokes: Sequence[int] | None = None
         return f"{OTHERWISE}: {'; '.join(_by_condition(others, kinds))}."
     named = _by_condition(others, kinds)
     if len(named) > MOST:
-        named = [f"n={ranges(sorted({int(at) for _, at in others.index}))} {_in_words(others, kinds)}"]
-    return f"{OTHERWISE}: {'; '.join(named)}; the others{shown} {_in_words(rest, kinds)}."
+        named = [f"n={ranges(sorted({int(at) for _, at in others.index}))} {in_words(others, kinds)}"]
+    return f"{OTHERWISE}: {'; '.join(named)}; the others{shown} {in_words(rest, kinds)}."
 
 
 def _by_condition(others: pd.DataFrame, kinds: Iterable[Kind]) -> list[str]:
     """Strokes and their condition in words, those of one condition together."""
     strokes: dict[str, list[int]] = {}
     for at, condition in others.groupby(level="stroke"):
-        strokes.setdefault(_in_words(condition, kinds), []).append(int(at))
+        strokes.setdefault(in_words(condition, kinds), []).append(int(at))
     return [f"n={ranges(numbers)} {words}" for words, numbers in strokes.items()]
 
 
@@ -156,13 +133,13 @@ def _by_string(every: pd.DataFrame, shown: pd.DataFrame, rest: pd.DataFrame, kin
     for string in dict.fromkeys(shown.index.get_level_values("string")):
         own = every.xs(string, level="string", drop_level=False)
         if string not in rest.index.get_level_values("string"):
-            named.append(f"all strokes of string {string} {_in_words(own, kinds)}")
+            named.append(f"all strokes of string {string} {in_words(own, kinds)}")
         else:
             strokes = _by_condition(shown.xs(string, level="string", drop_level=False), kinds)
             named.append(f"of string {string} {' and '.join(strokes)}")
     if len(named) > MOST:
-        named = [f"strokes of {len(named)} strings {_in_words(shown, kinds)}"]
-    return f"{'; '.join(named)}; all others{which} {_in_words(rest, kinds)}"
+        named = [f"strokes of {len(named)} strings {in_words(shown, kinds)}"]
+    return f"{'; '.join(named)}; all others{which} {in_words(rest, kinds)}"
 
 
 def labels(points: pd.DataFrame, strokes: Mapping[int, Sequence[str]]) -> dict[int, str]:
@@ -172,16 +149,24 @@ def labels(points: pd.DataFrame, strokes: Mapping[int, Sequence[str]]) -> dict[i
     """
     by_stroke = conditions(points)
     loads = by_stroke["load_n"]
-    has_loads = any(_is_other_load(load_n, [loads.median()]) for load_n in loads)
+    has_loads = any(is_other_load(load_n, [loads.median()]) for load_n in loads)
     most_turns = by_stroke["top_turns"].max()
     words = {}
     for stroke, strings in strokes.items():
         own = by_stroke.loc[[(string, stroke) for string in strings]]
-        more = [f"{_each(own['load_n'])} N"] * has_loads
+        more = [f"{_each_load(own)} N"] * has_loads
         if (own["top_turns"] < (1.0 - NEAR) * most_turns).any():
             more.append(f"to {_each(own['top_turns'])} turns")
         words[stroke] = f"n={stroke}" + (f" ({', '.join(more)})" if more else "")
     return words
+
+
+def _each_load(own: pd.DataFrame) -> str:
+    """Loads in words as `_each`, one that changes within a stroke with its range: 15 to 40."""
+    if (own["high_n"] > own["low_n"]).any():
+        ranges_n = [between(low, high, "").strip() for low, high in zip(own["low_n"], own["high_n"], strict=True)]
+        return listed(list(dict.fromkeys(ranges_n)))
+    return _each(own["load_n"])
 
 
 def _each(sizes: pd.Series) -> str:
