@@ -22,9 +22,8 @@ from .rests import Rests
 FLOORS = 6.0  # noise floors that a jump is larger than
 STROKES = 3.0  # times the usual change of the rest from stroke to stroke, that it is larger than too
 LEAST_FLOOR_MM = 1e-4  # no sensor's is smaller
-KNOWN_MM = (
-    0.05  # how far off the zero is where a string took something back, in the median: less than so much is no move
-)
+# How far off the zero is, in the median, where a string took something back: less than that is no move.
+KNOWN_MM = 0.05
 
 
 @dataclass(frozen=True)
