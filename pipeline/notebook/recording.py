@@ -14,6 +14,7 @@ from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.simulated_plan import simulated_plan
 from ..diagnosis.simulated_recording import SimulatedRecording
 from ..diagnosis.simulator import Simulator
+from ..ground.input.index_labels import by_index
 from ..ground.input.strict_yaml import write_yaml
 from ..ground.stored import schemas
 from ..ground.stored.folders import whole_folder
@@ -66,8 +67,9 @@ class Recording:
         with as_parts(folder):
             run = parse_run(content, folder / "run.yaml")
             table = samples.reset_index(drop=True)
-            own_samples = to_samples(run, table, folder / "samples", folder / "run.yaml")
-            checked, strokes = check(run, own_samples, folder / "samples")
+            where = by_index(samples.index[slice(*(run.file.rows or (None, None)))])
+            own_samples = to_samples(run, table, folder / "samples", folder / "run.yaml", where=where)
+            checked, strokes = check(run, own_samples, folder / "samples", where)
         return cls(run, checked, folder, _strokes=strokes)
 
     @cached_property
@@ -129,7 +131,8 @@ class Recording:
             table = pd.DataFrame({"time_s": self.samples["time_s"].to_numpy(), **columns})
         else:
             path = self.folder / "motion"
-            plan = simulated_plan(self.run, self.folder, recorded, simulator, motion, path, after_recording, at_hand)
+            more = after_recording, at_hand, by_index(motion.index)
+            plan = simulated_plan(self.run, self.folder, recorded, simulator, motion, path, *more)
             table, before = plan.table(planned_columns(plan, simulator).columns), plan.before
         for words in doubts(recorded, before, simulator, diagnosis):
             warnings.warn(words, stacklevel=3)  # said of the line that called simulate

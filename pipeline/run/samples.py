@@ -23,7 +23,7 @@ from .doubts.wrapping import wrapped
 from .folder import checked_info, read_run, recording_path
 from .mend_command import commanded
 from .strokes import segment
-from .table.file_lines import FileLines, Where, by_row
+from .table.file_lines import FileLines, Where, by_row, called
 from .table.rate import STEP_S
 from .table.recorded_table import read_recording, recording_pieces
 
@@ -48,7 +48,7 @@ def check_numbers(samples: pd.DataFrame | Rows, path: Path, where: Where = by_ro
             first = next(
                 begin + int(places[0]) for (begin, _), places in zip(rows.spans, bad, strict=True) if len(places)
             )
-            what = where(first).partition(" ")[0]
+            what = called(where(first))
             mend = f"remove the {what}s without a reading; missing {what}s are no harm"
             problem = f"is not a number in {count} of {counted(len(rows), what)}, first in {where(first)}"
             raise BadInput(path, name, problem, mend)

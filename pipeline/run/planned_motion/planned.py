@@ -15,6 +15,7 @@ from ...ground.words.counts import counted
 from ..checked_clock import check_clock
 from ..description import STRING_ACTUATORS, Run
 from ..samples import LEAST_SAMPLES, check_numbers
+from ..table.file_lines import Where, by_row
 from ..table.recorded_table import to_samples
 
 STILL = 0.05  # of a load that hangs still: what its cell may read more and less
@@ -31,7 +32,7 @@ def read_plan(path: Path) -> pd.DataFrame:
 
 
 def planned(
-    run: Run, plan_table: pd.DataFrame, path: Path, recorded: pd.DataFrame | None = None
+    run: Run, plan_table: pd.DataFrame, path: Path, recorded: pd.DataFrame | None = None, where: Where = by_row
 ) -> tuple[pd.DataFrame, bool]:
     """The samples of a planned motion for a run's rig, and whether the table gives only its corners.
 
@@ -39,9 +40,10 @@ def planned(
     them, load and temperature, under these names and in these units, or under the names that run.yaml gives to the
     columns of the recording, and in the units that it gives to them. Points of a string that lie further apart than
     samples do are joined by straight lines. Other columns are left out. A load that it lacks is that of what was
-    `recorded` if it stood still, or `rig.load_n`. Raises BadInput, also where nothing tells the load.
+    `recorded` if it stood still, or `rig.load_n`; `where` says where a row stands. Raises BadInput, also where nothing
+    tells the load.
     """
-    system, table = run.system, _by_own_names(run, plan_table, path)
+    system, table = run.system, _by_own_names(run, plan_table.reset_index(drop=True), path, where)
     lacking = [name for name in ("time_s", system.driver) if name not in table.columns]
     if lacking:
         columns_there = ", ".join(map(str, plan_table.columns[:12]))
@@ -54,8 +56,8 @@ def planned(
     samples = table[kept].apply(cell_numbers).astype(float)
     if system.load and system.load not in samples:
         samples[system.load] = _load(run, recorded, path)
-    check_numbers(samples, path)
-    _check_times(samples["time_s"].to_numpy(), path)
+    check_numbers(samples, path, where)
+    _check_times(samples["time_s"].to_numpy(), path, where)
     joined = _joined(samples) if run.actuator in STRING_ACTUATORS else samples
     if len(joined) < LEAST_SAMPLES:
         problem = f"holds {counted(len(joined), 'sample')}, too few for a stroke"
@@ -65,21 +67,22 @@ def planned(
     if system.differentiates and float(np.diff(joined["time_s"]).max()) > SPARSE_S:
         apart = f"has rows {float(np.diff(joined['time_s']).max()):.3g} s apart, and these are corners of a motion"
         raise BadInput(path, "time_s", apart, f"give the motion{RATE}")
-    check_clock(joined, path, float("inf"))
+    check_clock(joined, path, float("inf"), where)
     return joined.assign(**{system.channel: 0.0}), joined is not samples
 
 
-def _check_times(time_s: Array, path: Path) -> None:
+def _check_times(time_s: Array, path: Path, where: Where) -> None:
     """Raise BadInput where two times of a plan, shape (rows,), in s, are equal, or run backwards."""
     wrong = np.flatnonzero(np.diff(time_s) <= 0.0)
     if not len(wrong):
         return
     row = int(wrong[0]) + 1
+    both = f"in {where(row - 1)} and {where(row)}"
     if time_s[row] < time_s[row - 1]:
-        problem = f"runs backwards from {time_s[row - 1]:g} s to {time_s[row]:g} s in rows {row} and {row + 1}"
+        problem = f"runs backwards from {time_s[row - 1]:g} s to {time_s[row]:g} s {both}"
         raise BadInput(path, "time_s", problem, "put the rows in the order of their times")
-    problem = f"is {time_s[row]:g} s in rows {row} and {row + 1}: a motor takes time for a step"
-    raise BadInput(path, "time_s", problem, f"give row {row + 1} the time at which the motor is to be there")
+    problem = f"is {time_s[row]:g} s {both}: a motor takes time for a step"
+    raise BadInput(path, "time_s", problem, f"give {where(row)} the time at which the motor is to be there")
 
 
 def _own_column(run: Run, name: str) -> str | None:
@@ -88,7 +91,7 @@ def _own_column(run: Run, name: str) -> str | None:
     return column if isinstance(column, str) and column != name else None
 
 
-def _by_own_names(run: Run, table: pd.DataFrame, path: Path) -> pd.DataFrame:
+def _by_own_names(run: Run, table: pd.DataFrame, path: Path, where: Where) -> pd.DataFrame:
     """A table whose channels have the recording's column names, in our names and units."""
     own = {
         name: run.channels[name]
@@ -100,7 +103,7 @@ def _by_own_names(run: Run, table: pd.DataFrame, path: Path) -> pd.DataFrame:
     raw = table[list(dict.fromkeys(channel.column for channel in own.values()))]
     absent = {name: 0.0 for name in run.system.columns if name not in own}
     reader = run.model_copy(update={"channels": own, "file": TextFile.model_validate({})})
-    read = to_samples(reader, raw.assign(**absent), path, Path("run.yaml"))
+    read = to_samples(reader, raw.assign(**absent), path, Path("run.yaml"), where=where)
     return table.assign(**{name: read[name] for name in own})
 
 

@@ -15,7 +15,7 @@ from ...ground.input.complaint import key_name, short
 from ...ground.units import conversion
 from ..description import STRING_ACTUATORS, Channel, Run
 from .column_places import check_columns, place_of
-from .file_lines import FileLines
+from .file_lines import FileLines, Where, by_row, called
 from .named_units import in_its_unit
 from .no_number import are_few, no_number
 
@@ -36,11 +36,13 @@ class Channels:
 
     The first piece is looked at before it is told; where that says so, all others are looked at before that too.
     Where a recording is read `again`, nothing is said a second time. With `bear` few cells that are no numbers are
-    taken as empty ones.
+    taken as empty ones. Of a table in memory `where` says where a row stands.
     """
 
-    def __init__(self, run: Run, path: Path, mapping: Path, again: bool = False, bear: bool = False) -> None:
-        self.run, self.path, self.mapping, self._bear = run, path, mapping, bear
+    def __init__(
+        self, run: Run, path: Path, mapping: Path, again: bool = False, bear: bool = False, where: Where | None = None
+    ) -> None:
+        self.run, self.path, self.mapping, self._bear, self._where = run, path, mapping, bear, where
         self._rows = self._looked = 0  # of the pieces that were told so far, and of those that were looked at
         self._sample = 0  # of those that were told, that file.rows asks for
         self._stamps: Stamps | None = None
@@ -164,9 +166,10 @@ class Channels:
         wrong = (seconds.isna() & column.notna()).to_numpy()
         if self._refuses(wrong):
             wrong_cell, good = short(column.iloc[int(np.argmax(wrong))]), short(stamps.example)
-            where = FileLines(self.path, self.run.file)(self._sample + int(np.argmax(wrong)))
+            by = self._where or FileLines(self.path, self.run.file)
+            where = by(self._sample + int(np.argmax(wrong)))
             problem = f"{where} holds {wrong_cell}, not a time of day like {good}"
-            mend = f"write it as the others, or remove that {where.partition(' ')[0]}"
+            mend = f"write it as the others, or remove that {called(where)}"
             raise BadInput(self.path, "time_s", problem, mend)
         return seconds
 
@@ -187,5 +190,6 @@ class Channels:
         numbers = cell_numbers(column)
         wrong = (numbers.isna() & column.notna()).to_numpy()
         if self._refuses(wrong):
-            raise no_number(column, wrong, self._sample + (layout.rows or (0, 0))[0], layout, self.path, name)
+            first = self._sample + (layout.rows or (0, 0))[0]
+            raise no_number(column, wrong, first, layout, self.path, name, self._where or by_row)
         return numbers.astype(float)

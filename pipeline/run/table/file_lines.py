@@ -27,6 +27,11 @@ def by_row(row: int) -> str:
     return f"row {row + 1}"
 
 
+def called(where: str) -> str:
+    """What a place is called alone: "line" of "line 504", "row" of any other."""
+    return "line" if where.startswith("line ") else "row"
+
+
 def lines_of(path: Path, layout: TextFile, rows: Iterable[int]) -> dict[int, tuple[int, str]]:
     """Number in the file, from 1, and text of the lines of rows, counted from 0; empty for other formats.
 

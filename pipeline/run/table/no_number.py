@@ -11,7 +11,7 @@ from ...ground.errors import BadInput
 from ...ground.input.complaint import short
 from ...ground.input.text_file import TextFile
 from ...ground.words.counts import counted
-from .file_lines import by_row, line_or_row, lines_of, named
+from .file_lines import Where, by_row, line_or_row, lines_of, named
 
 MOST = 0.01  # of all rows: more that are damaged are no accident
 SIGNED = re.compile(r"[+-]?\d+([.,' ]\d+)+([eE][+-]?\d+)?")  # digits with signs among them
@@ -30,10 +30,12 @@ def _mend(cell: str, layout: TextFile) -> str:
     return ""
 
 
-def no_number(column: pd.Series, wrong: np.ndarray, first: int, layout: TextFile, path: Path, name: str) -> BadInput:
+def no_number(
+    column: pd.Series, wrong: np.ndarray, first: int, layout: TextFile, path: Path, name: str, by: Where = by_row
+) -> BadInput:  # fmt: skip
     """The message on a raw column whose cells `wrong`, of shape (rows,) and without a unit, are no numbers.
 
-    `first` is the number of its first row in the file's table, from 0.
+    `first` is the number of its first row in the file's table, from 0; `by` names a row of no file's line.
     """
     place, count = int(np.argmax(wrong)), int(wrong.sum())
     cell = column.iloc[place]
@@ -41,7 +43,7 @@ def no_number(column: pd.Series, wrong: np.ndarray, first: int, layout: TextFile
     what = "line" if lines else "row"
     more = f"; so do {counted(count - 1, f'more {what}')}" if count > 1 else ""
     mend = f"remove these {what}s, or name the column that is meant" if count > 1 else f"remove that {what}"
-    where = f"line {lines[first + place][0]}" if lines else by_row(first - (layout.rows or (0, 0))[0] + place)
+    where = f"line {lines[first + place][0]}" if lines else by(first - (layout.rows or (0, 0))[0] + place)
     problem = f"{where} holds {short(cell)}, not a number{more}"
     return BadInput(path, name, problem, _mend(str(cell).strip(), layout) or mend)
 

@@ -11,6 +11,7 @@ from ..description import Channel, Run
 from ..folder import recording_path
 from .captured import check_lines, frame_pieces, read_frames, say_mended
 from .channels import Channels
+from .file_lines import Where
 from .mended_time import MendedTime
 
 __all__ = ["asked_columns", "check_lines", "read_frames", "read_recording", "recording_pieces", "to_samples"]
@@ -28,13 +29,15 @@ def asked_columns(run: Run) -> list[str]:
     return [column for column in columns if isinstance(column, str)]
 
 
-def to_samples(run: Run, table: pd.DataFrame, path: Path, mapping: Path, bear: bool = False) -> pd.DataFrame:
+def to_samples(
+    run: Run, table: pd.DataFrame, path: Path, mapping: Path, bear: bool = False, where: Where | None = None
+) -> pd.DataFrame:  # fmt: skip
     """A raw table from `path` as `time_s` and the run's channels in our units, by the channels of file `mapping`.
 
     A string without a `load_n` channel gets `rig.load_n`, or 0 N, as one. With `bear` few cells that are no numbers
-    are NaN, as empty ones are. Raises BadInput.
+    are NaN, as empty ones are. Of a table in memory `where` says where a row stands. Raises BadInput.
     """
-    (samples,) = _samples(run, lambda: iter([table]), path, mapping, bear=bear)
+    (samples,) = _samples(run, lambda: iter([table]), path, mapping, bear=bear, where=where)
     return samples
 
 
@@ -45,9 +48,10 @@ def _samples(
     mapping: Path,
     again: bool = False,
     bear: bool = False,
+    where: Where | None = None,
 ) -> Iterator[pd.DataFrame]:
     """The result of `to_samples` for a raw table that comes in pieces, and may come twice; raises BadInput."""
-    channels, tables = Channels(run, path, mapping, again, bear), pieces()
+    channels, tables = Channels(run, path, mapping, again, bear, where), pieces()
     first = next(tables)
     if channels.look(first):
         any(not channels.look(table) for table in tables)

@@ -124,10 +124,13 @@ STEP = pd.DataFrame({"time_s": [0.0, 0.0, 5.0], "motor_turns": [0.0, 10.0, 0.0],
             lambda plan: plan[:3],
             "holds 3 samples, too few for a stroke. Mend: give corners that lie more than 0.2 s apart",
         ),
-        (lambda plan: STEP, "time_s: is 0 s in rows 1 and 2: a motor takes time for a step. Mend: give row 2 the time"),
+        (
+            lambda plan: STEP,
+            "time_s: is 0 s in row 1 and row 2: a motor takes time for a step. Mend: give row 2 ",
+        ),
         (
             lambda plan: STEP.assign(time_s=[0.0, 5.0, 2.0]),
-            "time_s: runs backwards from 5 s to 2 s in rows 2 and 3. Mend: put the rows in the order of their times",
+            "time_s: runs backwards from 5 s to 2 s in row 2 and row 3. Mend: put the rows in the order of their times",
         ),
         (
             lambda plan: STEP.assign(time_s=[0.0, 5.0, 10.0], load_n=[15.0, np.nan, 15.0]),

@@ -54,10 +54,13 @@ def read_questions(path: Path, dataset: pd.DataFrame, each_string: bool = False)
 
 
 def questions_of(table: pd.DataFrame, dataset: pd.DataFrame, each_string: bool = False) -> Questions:
-    """Questions of a table about a dataset, a row each, as those of a csv; raises BadInput as for a csv."""
+    """Questions of a table about a dataset, a row each, as those of a csv; raises BadInput as for a csv.
+
+    Its complaints name a row by its label in the table's index.
+    """
     source = Path("questions")
     known_table = known_columns(table.reset_index(drop=True), source, _known(dataset))
-    return _questions(EvenRows(known_table, [], []), source, dataset, each_string)
+    return _questions(EvenRows(known_table, [], []), source, dataset, each_string, table.index)
 
 
 def _known(dataset: pd.DataFrame) -> list[str]:
@@ -65,8 +68,10 @@ def _known(dataset: pd.DataFrame) -> list[str]:
     return [name for name in (*COLUMNS, *LABELS) if name in dataset]
 
 
-def _questions(rows: EvenRows, path: Path, dataset: pd.DataFrame, each_string: bool) -> Questions:
-    """Questions of rows whose columns are known; `path` is where they are from, for complaints."""
+def _questions(
+    rows: EvenRows, path: Path, dataset: pd.DataFrame, each_string: bool, index: pd.Index | None = None
+) -> Questions:  # fmt: skip
+    """Questions of rows whose columns are known; `path` is where they are from, `index` theirs, for complaints."""
     labels = {name: rows.table[name].map(_bare) for name in LABELS if name in rows.table}
     questions = rows.table.assign(**labels)
     from_columns = [name for name in EITHER if name in questions.columns]
@@ -104,7 +109,7 @@ def _questions(rows: EvenRows, path: Path, dataset: pd.DataFrame, each_string: b
     lacking = [entry for entry in rows.shorter if entry.row in wrong_rows]  # others leave out what may be empty
     bad = first_of_each([*rows.longer, *lacking, *wrong])
     if len(bad) == len(points):
-        raise refusal(path, bad, answered=0)
+        raise refusal(path, bad, answered=0, index=index)
     is_bad = np.isin(np.arange(len(points)), [entry.row - 1 for entry in bad])
     good = points[~is_bad].reset_index(drop=True)
     good["stroke"] = good["stroke"].astype(np.int64)
