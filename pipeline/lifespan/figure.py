@@ -1,5 +1,6 @@
 """The page of a string's life: each indicator over strokes, its law with a band, the limit and the interval."""
 
+from collections.abc import Collection
 from pathlib import Path
 from textwrap import fill
 from typing import Any
@@ -16,6 +17,8 @@ from ..ground.stored.figure_file import write_figure
 from .forecast.band import until
 from .forecast.life_questions import Answer
 from .forecast.strokes_left import LEAST_STROKES
+from .legend import legend
+from .stroke_axis import farthest, span_of_strokes
 from .stroke_health.health import Health
 from .stroke_health.indicators import REFERENCE
 from .words.figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of, which_run
@@ -24,7 +27,6 @@ from .words.stroke_counts import at_least, strokes, strokes_at_least, strokes_at
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 TITLE_LETTERS = 80  # of a line of the title: more do not fit the width
-ABOVE_LEGEND = 30.0  # points over a panel: its head, over the two rows of its legend
 BEGINS = "0.4"  # where another recording begins
 OTHERS = (
     ("rest_mm", "displacement\nat rest (mm)"),
@@ -50,8 +52,9 @@ def page(health: Health, answers: list[Answer], level: float, path: Path) -> Non
             grid, figsize=(7.2, 8.2), layout="constrained", height_ratios=heights[: len(grid)]
         )
         shown = span_of_strokes(answers, level)
+        named = list[str]()
         for answer, name in zip(answers, ("loss", "drift"), strict=True):
-            question(panels[name], answer, level, shown)
+            named += question(panels[name], answer, level, shown, named)
         for name, label in others:
             axes, table = panels[name], health.strokes
             axes.errorbar(table["stroke"], table[name], table[f"{name}_error"], fmt=".", ms=3, lw=0.6, color=SEEN)
@@ -91,26 +94,19 @@ def mark(axes: Axes, begins: list[tuple[str, float]], named: bool) -> None:
             )  # fmt: skip
 
 
-def span_of_strokes(answers: list[Answer], level: float) -> tuple[float, float] | None:
-    """The first and the last stroke that both questions show, so that one stroke stands in one line.
+def question(
+    axes: Axes, answer: Answer, level: float, strokes_shown: tuple[float, float] | None = None,
+    named: Collection[str] = (),
+) -> list[str]:  # fmt: skip
+    """Indicator, law with its band, limit and interval of one question, over its own strokes or those given.
 
-    None where nothing is foretold.
+    Returns what its legend names; what is `named` above is left out there, but for the limit and the law.
     """
-    foretold = [answer for answer in answers if answer.left.choice and answer.left.band is not None]
-    ends = [
-        float(answer.n[-1]) + farthest(answer.left.span(level).high, float(answer.n[-1]), answer.left.horizon)
-        for answer in foretold
-    ]
-    first = min((float(answer.n[0]) for answer in answers if len(answer.n)), default=0.0)
-    return (first, max(ends)) if ends else None
-
-
-def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[float, float] | None = None) -> None:
-    """Indicator, law with its band, limit and interval of one question, over its own strokes or those given."""
     shown = strokes_shown or span_of_strokes([answer], level)
     forecast, span, scale = answer.left, answer.left.span(level), 100.0 if answer.unit == "1" else 1.0
     if not len(answer.n):
-        return nothing(axes, answer)
+        nothing(axes, answer)
+        return []
     axes.errorbar(
         answer.n, scale * answer.values, scale * answer.errors, fmt=".", ms=5.0, lw=0.6, color=SEEN, label="measured"
     )
@@ -126,7 +122,6 @@ def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[floa
     top = scale * 1.6 * max(answer.limit, float(np.nanmax(answer.values, initial=0.0)))
     is_open = span.state == "no claim"
     head = HEADS[answer.question] + (f"\n{no_claim(forecast.reason)}" if is_open else "")
-    axes.set_title(head, fontsize=9, loc="left", pad=6.0 if is_open else ABOVE_LEGEND)
     if forecast.choice and forecast.band is not None:
         seen = float(answer.n[-1])
         end = shown[1] if shown else seen + farthest(span.high, seen, forecast.horizon)
@@ -150,8 +145,9 @@ def question(axes: Axes, answer: Answer, level: float, strokes_shown: tuple[floa
         axes.set_xlim(shown[0] - 0.02 * shown[1], shown[1])
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.axvline(answer.n[-1], color="0.7", lw=0.8, label="last stroke seen")
-    # beside the axes: on them it would lie over lines
-    axes.legend(fontsize=7.5, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.1)
+    names_here, above = legend(axes, named)
+    axes.set_title(head, fontsize=9, loc="left", pad=6.0 if is_open else above)
+    return names_here
 
 
 def nothing(axes: Axes, answer: Answer) -> None:
@@ -163,11 +159,6 @@ def nothing(axes: Axes, answer: Answer) -> None:
     axes.text(0.5, 0.5, words, ha="center", va="center", transform=axes.transAxes)
     axes.set(xticks=[], yticks=[])
     axes.spines[:].set_visible(False)
-
-
-def farthest(high: float, seen: float, horizon: float) -> float:
-    """How many strokes ahead are drawn: the whole interval if it ends, else to the horizon of the forecast."""
-    return max(1.15 * high, 0.375 * seen) if np.isfinite(high) else horizon
 
 
 def interval(axes: Axes, answer: Answer, level: float, end: float, height: float) -> None:

@@ -224,6 +224,10 @@ def test_the_picture_says_what_each_panel_asks_and_no_head_lies_on_a_legend(tmp_
         first = head.y0 + 0.5 * head.height * (count < 12)  # without a forecast its last line stands beside the legend
         assert first >= legend.y1 - 2.0 or head.x1 < legend.x0
         assert head.x1 < figure.bbox.x1
+    upper, lower = ([text.get_text() for text in axes.get_legend().get_texts()] for axes in figure.axes[:2])
+    assert {"measured", "last stroke seen"} <= {*upper} and "limit, 4 mm" in lower
+    assert all(name.startswith(("limit, ", "law fitted, ")) for name in {*upper} & {*lower}), "six names stood twice"
+    assert not {"measured", "last stroke seen", "median of the futures"} & {*lower}
     plt.close("all")
 
 
@@ -611,7 +615,7 @@ def test_a_stroke_that_the_string_has_passed_is_not_advised_as_one_to_come():
     assert "after about 22 strokes, at stroke 46. Ask" in text, "this stroke is still to come"
     assert "Ask again once strokes are recorded after stroke 39: stroke 35, at which that was due, is done." in text
     text = advice(answers, done=24, beside=True)
-    assert "Ask again after 11 strokes from stroke 24 on, those of the runs not given among them." in text
+    assert "Ask again after 11 strokes, counted from stroke 24. Strokes of runs that were not given count too." in text
     assert "at stroke 35" not in text and "is done" not in text
 
 

@@ -48,11 +48,12 @@ def advice(answers: list[Answer], done: int = 0, beside: bool = False, like: str
     last = max((int(answer.n[-1]) for answer in answers if len(answer.n)), default=0)
 
     def after(count: int) -> str:
-        at = f"{strokes(count)}, at stroke {last + count}"
-        return f"{strokes(count)} from stroke {last} on, those of the runs not given among them" if beside else at
+        at = f"counted from stroke {last}" if beside else f"at stroke {last + count}"
+        return f"{strokes(count)}, {at}"
 
     asked_after, when = ask_again_after(answers), recalibrate_after(answers)
-    again = f"Ask again after {after(asked_after)}."
+    too = " Strokes of runs that were not given count too." if beside else ""
+    again = f"Ask again after {after(asked_after)}.{too}"
     if done >= last + asked_after:
         anew = f"again once strokes{like} are recorded after stroke {done}"
         if when and due(answers) and done >= last + when:
