@@ -13,7 +13,18 @@ from ..ground.input.parser import Parser
 from .commanded import Commanded
 from .device import Device
 from .kept_string import Standing
-from .options import again, base_of, command, free_name, number_of, seed_of
+from .options import (
+    again,
+    base_of,
+    command,
+    free_name,
+    material_of,
+    number_of,
+    record_into,
+    seed_of,
+    string_of,
+    waiting,
+)
 from .recorded_at_once import simulate
 from .serial_line import line, serve
 from .setup import names, read_setup
@@ -99,8 +110,11 @@ def main() -> int:
         ends = f"Ctrl-C ends it, in the background kill {os.getpid()}"
         print(f"rig: {arguments.setup} is at {arguments.link}, {pace}; {ends}")
         base = base_of(arguments.link)
-        first = name = free_name(RAW, base)
-        print(f"rig: before recording 1 describe its string by: {command(setup, first, arguments.setup)}")
+        material = material_of(arguments.setup)
+        waits = waiting(RAW, base, 1, material)
+        first = name = waits or free_name(RAW, base)
+        describe = f"rig: before recording 1 describe its string by: {command(setup, first, arguments.setup)}"
+        print(f"rig: recording 1 {record_into(RAW, first, arguments.link)}" if waits else describe)
         print((STAYS if standing else ANEW) + others(seed) * (arguments.seed is None))
         if standing:
             print(ZEROED if zeroed else KEPT)
@@ -112,7 +126,11 @@ def main() -> int:
             if number == arguments.recordings:
                 return 0 if served else 1
             number += 1
-            if standing is None:
+            string_id = string_of(RAW, first) if standing else ""
+            if waits := waiting(RAW, base, number_of(name) + 1, material, string_id):
+                name = waits
+                print(f"rig: recording {number} {record_into(RAW, name, arguments.link)}", flush=True)
+            elif standing is None:
                 name = free_name(RAW, base, number_of(name) + 1)
                 described = command(setup, name, arguments.setup)
                 print(f"rig: before recording {number} describe its string, another one, by: {described}", flush=True)

@@ -2,12 +2,15 @@
 
 import os
 import re
+import shlex
 import zlib
 from itertools import count
 from pathlib import Path
 from typing import Any
 
 from ..ground import command as called
+from ..ground.errors import BadInput
+from ..run.folder import has_recording, read_run, unfinished
 from .setup import SetUp
 
 MATERIAL = "example"  # its own, `synthetic`, is kept for the runs that the pipeline records itself
@@ -39,6 +42,37 @@ def free_name(raw: Path, base: str = MATERIAL, number: int = 1) -> str:
     """The first free name from `base`-`number` on in the folder `raw`, which need not exist."""
     names = (f"{base}-{at}" for at in count(number))
     return next(name for name in names if not os.path.lexists(raw / name))
+
+
+def waiting(raw: Path, base: str, number: int, material: str, string_id: str = "") -> str:
+    """The first run from `base`-`number` on in the folder `raw` that is described and has no recording; empty for none.
+
+    It is of a string of the `material`, and where `string_id` is given, of that string.
+    """
+    names = (path.name for path in raw.glob(f"{base}-*") if path.name.removeprefix(f"{base}-").isdecimal())
+    for name in sorted((name for name in names if number_of(name) >= number), key=number_of):
+        try:
+            run = read_run(raw / name)
+        except (BadInput, OSError):
+            continue  # it waits for a person
+        is_meant = run.string and run.string.material == material and string_id in ("", run.string_id)
+        if is_meant and not has_recording(raw / name) and not unfinished(raw / name):
+            return name
+    return ""
+
+
+def record_into(raw: Path, name: str, link: Path) -> str:
+    """What to do with a run that waits, in words with the command."""
+    port, folder = (shlex.quote(str(path)) for path in (link, raw / name))
+    return f"goes into {folder}, which is described and waits: {called.command('capture')} {port} {folder}"
+
+
+def string_of(raw: Path, name: str) -> str:
+    """The string of a run; empty where its run.yaml does not tell it."""
+    try:
+        return read_run(raw / name).string_id
+    except (BadInput, OSError):
+        return ""
 
 
 def number_of(name: str) -> int:

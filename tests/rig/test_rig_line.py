@@ -15,7 +15,7 @@ from first_few import first_few
 
 from pipeline.ground.names import own_material
 from pipeline.new_run import main as new_run
-from pipeline.rig.options import again, base_of, command, free_name, material_of, number_of
+from pipeline.rig.options import again, base_of, command, free_name, material_of, number_of, waiting
 from pipeline.rig.setup import described as described_as
 from pipeline.rig.setup import dimensions, read_setup
 from pipeline.run.folder import read_run
@@ -199,6 +199,40 @@ def test_the_line_that_the_rig_says_names_a_run_that_is_not_there_yet_and_works_
         new_run()
     assert not ended.value.code and read_run(tmp_path / "raw" / "example-2").string_id == "example-2"
     assert free_name(tmp_path / "raw") == "example-4" and free_name(tmp_path / "nowhere") == "example-1"
+
+
+def test_a_run_that_is_described_and_waits_is_proposed_before_a_new_one(tmp_path, monkeypatch):
+    """example-2 was described and not recorded, and the rig asked for example-3."""
+    setup, raw = read_setup("small"), tmp_path / "raw"
+
+    def describe(name, *more, which="small"):
+        run(*shlex.split(command(setup, name, which))[2:], *more, "--out", raw)
+
+    describe("example-1")
+    (raw / "example-1" / "recording.csv").write_text("")
+    describe("example-2")
+    rig = start(tmp_path / "port", "--pace", "inf", "--recordings", "2", "--strokes", "5", folder=tmp_path)
+    try:
+        first = [rig.stdout.readline().rstrip("\n") for _ in range(4)][1]
+        capture = f"python -m pipeline.capture {tmp_path / 'port'} raw/example-2"
+        assert first == f"rig: recording 1 goes into raw/example-2, which is described and waits: {capture}"
+        describe("example-4")
+        run(*shlex.split(capture)[2:], folder=tmp_path)
+        assert rig.stdout.readline() == "rig: recording 1 is recorded\n"
+        assert rig.stdout.readline().startswith(
+            "rig: recording 2 goes into raw/example-4, which is described and waits: python -m"
+        )
+    finally:
+        rig.kill()
+        rig.communicate()
+    material = material_of("small")
+    assert waiting(raw, "example", 3, material) == "example-4" and waiting(raw, "example", 5, material) == ""
+    assert waiting(raw, "example", 1, "example") == "", "one of another string's material is not this rig's"
+    assert waiting(raw, "example", 1, material, "example-1") == "", "it is of another string"
+    describe("example-9", "--string-id", "example-1")
+    assert waiting(raw, "example", 1, material, "example-1") == "example-9"
+    (raw / "example-4" / "recording.lines").write_text("")
+    assert waiting(raw, "example", 1, material) == "example-9", "one that is being recorded does not wait"
 
 
 def test_each_set_up_has_a_material_of_its_own():
