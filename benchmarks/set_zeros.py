@@ -1,12 +1,13 @@
 """How far the zero of a run with `tare: run` is off, on simulated strings whose true zero is known.
 
-    python benchmarks/set_zeros.py          # a table of docs/models.md, in a few seconds
+    python benchmarks/set_zeros.py          # tables of docs/models.md, in a few seconds
 
 Only rests are simulated, by formulas of this file alone: elements that creep and recover with times of their own, and
 a growth that stays. Half of the strings hang without load in a break, a third were hung up just before the first run.
 """
 
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -20,6 +21,7 @@ from pipeline.string.rests import Rests
 RUN = described(read_setup("paper"), Path("raw/a-1/run.yaml"))
 STRINGS, RUNS, SEED = 200, 3, 11
 LOAD_N, WOUND = 20.0, 1.8  # the tension at rest, and how many times as high it is in a stroke
+SIZES_MM = (0.0, 0.1, 0.2, 0.4, np.inf)  # of estimates, that are told apart in the second table
 STROKES = {"5 to 24": (5, 25), "3 to 5": (3, 6)}
 
 
@@ -73,8 +75,17 @@ def rests_of(levels_mm: np.ndarray, noise_mm: float) -> Rests:
     return Rests(RUN, Path(), "", (0.0, 1.0), count - 1, after, turns, load_n, levels, 20.0, noise_mm)
 
 
+def by_size(told_mm: np.ndarray, off_mm: np.ndarray) -> None:
+    """Print how far estimates of a size are off, both of the shape (breaks,), in mm."""
+    print("\n| estimate (mm) | breaks | off: median, 90 % |\n| --- | --- | --- |")
+    for low, high in pairwise(SIZES_MM):
+        off = off_mm[(told_mm > low) & (told_mm <= high)]
+        print(f"| {low:g} to {high:g} | {len(off)} | {np.median(off):.3f}, {np.quantile(off, 0.9):.2f} mm |")
+
+
 def main() -> None:
     """Print the errors of both zeros: with what the string took back left in, and without it."""
+    sizes, errors = [], []
     print("| strings that creep by | strokes a run | breaks | left in: median, 90 %, worst | told by the strokes |")
     print("| --- | --- | --- | --- | --- |")
     for kind in ("two times", "logarithm of time", "power of time", "none"):
@@ -87,6 +98,10 @@ def main() -> None:
                 f"{np.median(off):.3f}, {np.quantile(off, 0.9):.2f}, {off.max():.2f} mm" for off in (left_in, told)
             ]
             print(f"| {kind} | {name} | {len(pairs)} | {' | '.join(cells)} |")
+            if kind != "none":
+                sizes.append(np.array([recovered(before, after).mm for before, after, _ in pairs]))
+                errors.append(told)
+    by_size(np.concatenate(sizes), np.concatenate(errors))
 
 
 if __name__ == "__main__":

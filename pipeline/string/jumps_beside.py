@@ -7,9 +7,10 @@ from ..ground.errors import BadInput
 from ..run.folder import find_runs, read_run, started_utc
 from .from_raw import read
 from .history import Recorded
+from .jump import Jump
 from .rests import Rests
 from .tare_notes import tare_notes
-from .zero import Jump, jumps_among
+from .zero import jumps_among
 
 LAST = 4  # runs of a string that are compared with a new one
 

@@ -9,9 +9,10 @@ from itertools import pairwise
 from ..ground.words.jump_notes import KNOWN_IN_PART, MODEL_VALUE, SET_ANEW
 from ..run.mend_command import tare_command
 from .history import in_order
+from .jump import taken_off
 from .recovered import recovered
 from .rests import Rests
-from .zero import change_mm, jumps_among, taken_off
+from .zero import change_mm, changes_among
 
 FEW = 3  # runs of a string that are named
 
@@ -35,12 +36,16 @@ def set_anew(runs: list[Rests]) -> list[str]:
 def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
     """The runs of one string that `tare` matters to, each with a sentence."""
     ordered = in_order(runs)
-    jumped = {jump.run for jump in jumps_among(ordered)}
+    changes = {jump.run: jump for jump in changes_among(ordered)}
     own_zero = [rests.run.run for rests in ordered[1:] if rests.run.tare == "run"]
     notes = []
     for before, after in pairwise(ordered):
         name, change = after.run.run, change_mm(before, after)
-        if name in jumped or not own_zero or after.run.tare == "checked":
+        if name in changes and changes[name].is_own and changes[name].is_unconfirmed:
+            notes += [(name, note) for note in [changes[name].own_note] if note]
+            continue
+        is_jump = name in changes and not changes[name].is_own
+        if is_jump or not own_zero or after.run.tare == "checked":
             continue
         reads = "its first rest is at another twist or load than the last one before"
         if change is not None:

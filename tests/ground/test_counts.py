@@ -10,7 +10,7 @@ from pipeline.ground.errors import BadInput
 from pipeline.ground.words.counts import are, counted
 from pipeline.lifespan.words.stroke_counts import strokes_at_least, strokes_at_most
 from pipeline.run.samples import check_finite
-from pipeline.string.zero import Jump
+from pipeline.string.jump import Jump
 
 
 def test_one_is_singular_and_all_else_plural():

@@ -21,11 +21,12 @@ from pipeline.lifespan.from_folders import strings
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
 from pipeline.string.history import Recorded
+from pipeline.string.jump import Jump
 from pipeline.string.jumps_beside import Beside, _last, advice_on, jumps_into
 from pipeline.string.not_compared import not_compared, to_confirm
 from pipeline.string.rests import Rests
 from pipeline.string.tare_notes import set_anew, tare_notes
-from pipeline.string.zero import Jump, jumps_among, offsets_mm
+from pipeline.string.zero import jumps_among, offsets_mm
 
 ROOT = Path(__file__).parents[2]
 CUT_S, JUMP_MM = 121.0, 0.58  # amid the rest after the fourth of eight strokes; 29 times the noise
@@ -118,6 +119,21 @@ def test_a_run_after_the_one_that_was_moved_goes_with_it() -> None:
     three = recorded("a-3", samples=later, string=string(id="a"))
     first, second, third = offsets_mm([first_run, two, three])
     assert second == third == pytest.approx(first - JUMP_MM, abs=0.02)
+
+
+def test_after_a_tare_it_is_said_which_zero_is_compared_and_that_the_old_one_is_a_jump() -> None:
+    """A third run whose sensor was set back lay 1.1 mm off: its person took "the zero of the string" for the first."""
+    first_run, two = runs(JUMP_MM, tare="run")
+    later = two.samples.assign(
+        time_s=two.samples["time_s"] + 500.0, displacement_mm=two.samples["displacement_mm"] - 1.0
+    )
+    three = recorded("a-3", samples=later, string=string(id="a"))
+    four = recorded("a-4", samples=later.assign(time_s=later["time_s"] + 500.0), string=string(id="a"))
+    words = "It is compared with the zero since a-2's own tare: one back where a-1 had it is a jump too. If the sensor"
+    tared, back, *_ = jumps([first_run, two, three, four])
+    assert words not in tared.advice and back.run == "a-3" and words in back.advice
+    untared = Recorded(two.run.model_copy(update={"tare": "string"}), "", two.samples, two.strokes)
+    assert not any("own tare" in jump.advice for jump in jumps([first_run, untared, three]))
 
 
 def folders(place: Path, jump_mm: float, tare: str | None = None) -> list[Path]:

@@ -11,10 +11,11 @@ from ...ground.errors import BadInput
 from ...ground.stored.rows import Rows
 from ...run.description import STRING_ACTUATORS
 from ...string.history import Recorded, in_order
+from ...string.jump import Jump
 from ...string.not_compared import not_compared
 from ...string.rests import Rests
 from ...string.tare_notes import tare_notes
-from ...string.zero import Jump, jumps_among, offsets_mm
+from ...string.zero import jumps_among, offsets_mm
 from .changed_string import runs_anew
 from .indicators import REFERENCE, curves, ends_mm, loop, model_errors
 from .one_load import Loads, of_one_load

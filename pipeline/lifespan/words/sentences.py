@@ -9,7 +9,7 @@ import numpy as np
 from ...ground.command import command, program_name
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
 from ...ground.words.jump_notes import KNOWN_IN_PART
-from ...string.zero import Jump
+from ...string.jump import Jump
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
 from ..stroke_health.at_rest import longer_at_rest
