@@ -19,7 +19,7 @@ from pathlib import Path
 import pandas as pd
 
 from .export.all_points import string_alone
-from .export.asked_saved import keeps_strings_apart, model_of, saved_answers
+from .export.asked_saved import keeps_strings_apart, model_of, saved_answers, seen_points
 from .export.interface import names as exported
 from .ground.command import HOUSE, command, make_command, quoted
 from .ground.errors import program
@@ -32,6 +32,7 @@ from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, beside_answers
+from .models.parts.fitted_to import apart
 from .models.parts.inside.why import Kind
 from .models.parts.questions.bad_rows import first_of, refusal
 from .models.parts.questions.question_points import read_questions
@@ -99,10 +100,14 @@ def main() -> None:
     file_to_write(arguments.out, reads=reads)
     dataset = opened(arguments.dataset, schemas.DATASET, dataset_mend(arguments.dataset))
     if arguments.saved:
-        apart = keeps_strings_apart(arguments.saved)
-        questions = read_questions(arguments.questions, dataset, apart)
-        _tell_of_zero(arguments.dataset, dataset, questions.points, apart, string_alone(arguments.saved))
+        is_apart = keeps_strings_apart(arguments.saved)
+        questions = read_questions(arguments.questions, dataset, is_apart)
         table = saved_answers(arguments.saved, dataset, questions, arguments.dataset)
+        if older := apart(arguments.saved, arguments.dataset):
+            print(f"beware: {older.sentence}", file=sys.stderr)
+            dataset = seen_points(older, dataset)
+        else:
+            _tell_of_zero(arguments.dataset, dataset, questions.points, is_apart, string_alone(arguments.saved))
         arguments.model = model_of(arguments.saved)
         by, less = f"by {arguments.saved}, without intervals", "outside of its export or of what was recorded"
     else:

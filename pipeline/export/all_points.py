@@ -11,6 +11,7 @@ from ..ground.stored import schemas
 from ..ground.stored.given_table import opened as opened_table
 from ..models.interface import about, settings_of
 from ..models.parts.configured import configured, fitting
+from ..models.parts.fitted_to import ALL, note_points
 from ..models.parts.settings import shown, values
 from ..models.parts.thinned import thinned
 from .source import Beside, dataset_of, opened
@@ -45,4 +46,5 @@ def fitted_to_all(file: Path, name: str | None, beside: Beside) -> Path:
         model.fit(points, 0)
     out = file.with_name(f"{OF_ONE + string if string else STEM}{file.suffix}")
     model.save(out)
+    note_points(out, table, ALL, string)
     return out

@@ -121,6 +121,7 @@ def _comment(source: Source, c_body: Body) -> str:
         usage(source),
         *c_body.usage,
         "",
+        *_wrapped(sentences.get("older", "")),
         *_wrapped(sentences.get("trained", "")),
         *_wrapped(sentences["strokes"].replace("Beyond,", "Beyond, to TSA_STROKE_MAX,")),
         *_wrapped(sentences.get("errors", "")),

@@ -24,9 +24,10 @@ MOST_STRINGS = 3  # whose zero is named
 
 
 def facts(source: Source) -> dict[str, str]:
-    """Sentences by topic: `zero`, `strokes`, `fit`; if any `errors`, `trained`, `recorded`, `unread`."""
+    """Sentences by topic: `zero`, `strokes`, `fit`; if any `older`, `errors`, `trained`, `recorded`, `unread`."""
     always = {"zero": _zero(source), "strokes": _strokes(source), "fit": fit(source.name, source.model)}
-    more = {"errors": source.errors, "trained": source.trained, "recorded": recorded(source), "unread": unread(source)}
+    more = {"older": source.older, "errors": source.errors, "trained": source.trained}
+    more |= {"recorded": recorded(source), "unread": unread(source)}
     return always | {name: text for name, text in more.items() if text}
 
 

@@ -19,7 +19,10 @@ SENTENCE = re.compile(r"(?<=\.) (?=[A-Z])")
 
 
 def lines(source: Source) -> list[str]:
-    """What the zero did; the error, a line each split; strings with one answer; remarks: synthetic, a small fit."""
+    """That the model is older than its dataset; what the zero did; the error, a line each split; and remarks.
+
+    Remarks: strings with one answer, synthetic, a small fit.
+    """
     sentences = facts(source)
     errors = [text for text in SENTENCE.split((source.errors or "").replace(ANEW, "").strip()) if text]
     together = [text for text in SENTENCE.split(source.trained or "") if text.endswith(ALIKE)]
@@ -27,7 +30,7 @@ def lines(source: Source) -> list[str]:
     unusual = (
         [sentences["fit"]] if not sentences["fit"].startswith(("Made with the usual", "This model has no")) else []
     )
-    beware = [f"beware: {source.jumped}"] if source.jumped else []
+    beware = [f"beware: {words}" for words in (source.older, source.jumped) if words]
     return [*beware, *errors, *together, *synthetic, *unusual]
 
 

@@ -12,6 +12,7 @@ import pyarrow.parquet as pq
 
 from ..ground.command import program_name
 from ..models.interface import Model, make_model
+from ..models.parts.fitted_to import apart
 from ..models.parts.questions.foreseen import MAPS
 from ..models.parts.thinned import thinned
 
@@ -33,21 +34,29 @@ def errors_of(file: Path, name: str, model: Model, dataset: Path, string: str | 
     """The errors of a file's model on the held-out points of its dataset, and those of its kind on later strokes.
 
     `string` is the one that alone is asked, None where all are. Raises nothing for what is not there: that is said.
+    Empty where the dataset has other points than the model was fitted to.
     """
     split, _, seed = file.stem.partition("-")
-    sentences = []
+    sentences, untold = [], list[str]()
+    if apart(file, dataset):
+        return ""
     whole = split == "all"  # nothing was left out: its like without them answer
     for of in ("within", "later") if whole else dict.fromkeys((split, "later")):
+        like_file = file.with_name(f"{of}-{seed}.model")
+        if of != split and (older := apart(like_file, dataset)):
+            untold = [f"Errors on {LEFT_OUT[of]} are not told, for {older.sentence}"]
+            break
         points = _held_out(dataset, of, string)
         try:
             like = model if of == split else make_model(name)
             if of != split:
-                like.load(file.with_name(f"{of}-{seed}.model"))
+                like.load(like_file)
             if len(points):
                 sentences.append(_sentence(like, points, of, split))
         except Exception:  # whatever a file beside it that is no such model makes its loaders stumble over
             continue
-    return " ".join([*sentences, *([] if whole else [ANEW])]) if sentences else UNKNOWN
+    with_rest = [*sentences, *([] if whole else [ANEW])] if sentences else []
+    return " ".join([*with_rest, *untold]) or UNKNOWN
 
 
 def _sentence(model: Model, points: pd.DataFrame, of: str, own: str) -> str:

@@ -27,7 +27,8 @@ class Source:
     string has, and how many ahead errors are measured. `pairs` are the twists that were recorded around each condition,
     `loads` the loads around each size, `under` the strokes around each load, and `trained` says which recordings these
     are; `on_unseen` tells, when asked, what the model errs on points that it has not seen. `start` is a recorded state,
-    by field. Of what is in `deaf` no answer depends.
+    by field. Of what is in `deaf` no answer depends. `older` says that the dataset has other points than the model was
+    fitted to; then nothing else is of the dataset.
     """
 
     name: str
@@ -46,6 +47,7 @@ class Source:
     trained: str = ""
     start: dict[str, float] = field(default_factory=dict)
     on_unseen: Callable[[], str] = str
+    older: str = ""
 
     @property
     def errors(self) -> str:

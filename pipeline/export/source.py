@@ -16,6 +16,7 @@ from ..models.interface import Model, StringsApart, about, make_model
 from ..models.interface import names as models_there
 from ..models.parts.box import Box
 from ..models.parts.divided import SPLITS, divided
+from ..models.parts.fitted_to import Apart, apart
 from ..models.parts.inside.assumed_stiffness import is_never_measured
 from ..models.parts.inside.recorded_loads import loads_of
 from ..models.parts.inside.recorded_strokes import Under
@@ -27,8 +28,9 @@ from .inputs import Inputs
 from .interface import Source, exporter, names
 from .recorded_ranges import pairs_recorded, strokes_foreseen, twists_recorded, values_recorded
 from .start_state import start_values
-from .trained_on import one_answer_of, trained_on
+from .trained_on import fitted_to_runs, one_answer_of, trained_on
 
+UNTOLD = "Errors, zero and what was recorded are not told"
 TRIED = 20  # queries that a model must answer before it is exported
 
 
@@ -90,38 +92,38 @@ def _loaded(file: Path, name: str, beside: Beside) -> Source:
     """The model of a file; raises BadInput if it cannot be exported, and any error for another file."""
     model: Any = make_model(name)
     model.load(file)
-    box, zero_mm = getattr(model, "box", None), 0.0
+    dataset = dataset_of(file, beside)
+    older, box, zero_mm = apart(file, dataset), getattr(model, "box", None), 0.0
     if box is None:
-        box, zero_mm = _box_of_dataset(file, name, model, beside)
+        box, zero_mm = _box_of_dataset(file, name, model, beside, older)
     conditions = getattr(model, "conditions", None)
     try:
         varying = (conditions.names, conditions.materials) if conditions else ((), ())
         inputs = Inputs.of(box, exporter(name).READS, *varying)
     except ValueError as error:
         raise BadInput(file, "model", f"was trained on {error}", "train one model for each kind") from error
-    dataset, apart = dataset_of(file, beside), about(name).each_string_apart
-    string = beside.string or (next(iter(model.moves)) if apart else "")
+    string = beside.string or (next(iter(model.moves)) if about(name).each_string_apart else "")
+    errors = cache(partial(errors_of, file, name, model, dataset, string or None))
+    source = Source(name, model, inputs, zero_mm, string, on_unseen=errors)
+    if older:
+        trained = fitted_to_runs(dataset, older.fitted_runs)
+        return replace(source, trained=trained, older=f"{UNTOLD}, for {older.sentence}")
     last, foreseen = inputs.last_stroke, strokes_foreseen(dataset, string)
     points, trained = twists_recorded(dataset, last, string), trained_on(dataset, last, string)
     inputs = replace(inputs, never_measured=len(points) > 0 and is_never_measured(points))
     alike = "" if string else one_answer_of(dataset, last)
-    errors = cache(partial(errors_of, file, name, model, dataset, string or None))
-    return Source(
-        name,
-        model,
-        inputs,
-        zero_mm,
-        string,
-        zeroed_runs(dataset, string),
-        beside_exports(dataset.with_name(NAME), string) if len(points) else "",
-        values_recorded(points),
-        foreseen,
+    return replace(
+        source,
+        inputs=inputs,
+        zeroed=zeroed_runs(dataset, string),
+        jumped=beside_exports(dataset.with_name(NAME), string) if len(points) else "",
+        values=values_recorded(points),
+        foreseen=foreseen,
         pairs=pairs_recorded(points),
         loads=loads_of(points) if len(points) else (),
         under=Under.of(points, foreseen[1]) if foreseen else None,
         trained=" ".join(filter(None, (trained, alike))),
         start=start_values(dataset, inputs, string),
-        on_unseen=errors,
     )
 
 
@@ -153,16 +155,22 @@ def dataset_of(file: Path, beside: Beside) -> Path:
     return beside.dataset or dataset_beside(file)
 
 
-def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside) -> tuple[Box, float]:
-    """The box of a model without one: that of its training points; and the zero of its own string, in mm."""
+def _box_of_dataset(file: Path, name: str, model: Model, beside: Beside, older: Apart | None) -> tuple[Box, float]:
+    """The box of a model without one: that of its training points; and the zero of its own string, in mm.
+
+    The points of an `older` model are those of its runs, where the dataset has them as they were.
+    """
     path = dataset_of(file, beside)
     split = beside.split or file.name.split("-")[0]
     if not path.is_file():
         raise BadInput(file, "ranges", f"a {name} keeps none and there is no {path}", "say --dataset FILE")
+    if older and not older.has_grown:
+        raise BadInput(file, "ranges", f"a {name} keeps none, and it {older.problem}", older.mend)
     if split not in (*SPLITS, "all"):
         raise BadInput(file, "split", f'"{split}" is none', f"say --split {' or --split '.join(SPLITS)}")
     table = opened_table(path, schemas.DATASET, "say --dataset FILE")
     points = table if split == "all" else divided(table, split, path)[0]
+    points = points[points["run"].astype(str).isin(older.same)] if older else points
     if points.empty:
         raise BadInput(path, split, "has no points: the strings have too few strokes", "say --split with another")
     if not about(name).each_string_apart:

@@ -10,6 +10,7 @@ from ..ground.stored.regular_file import read_regular
 from ..ground.words.counts import counted
 from ..models.parts.box import SIZES
 from ..models.parts.questions.strings_alike import strings_alike
+from ..models.parts.saved_files import material_of
 from .recorded_ranges import points_to
 
 SHOWN = 3  # runs that are named
@@ -28,15 +29,14 @@ def trained_on(dataset: Path, last_stroke: int, string: str = "") -> str:
         return ""
     runs = list(dict.fromkeys(points["run"].astype(str)))
     count = len(points[["string", "stroke"]].drop_duplicates())
-    named = ", ".join(runs[:SHOWN]) + (f" and {len(runs) - SHOWN} more" if len(runs) > SHOWN else "")
-    folder = dataset.resolve().parent
-    processed = folder.parent.name == "processed"
-    material = f" of material {folder.name}" if processed else ""
     turns = points["motor_turns"]
     span = f"{counted(count, 'stroke')}, twists {turns.min():.4g} to {turns.max():.4g} turns"
-    words = f"Fitted to points of run{'s' * (len(runs) > 1)} {named}{material}: {span}."
-    made_up = processed and (folder.name == SYNTHETIC or _of_the_synthetic_rig(folder.parents[1] / "raw", runs))
-    return f"{words} {NO_STRING}" if made_up else words
+    return _with_rig(f"Fitted to points of {_in_words(runs)}{_material(dataset)}: {span}.", dataset, runs)
+
+
+def fitted_to_runs(dataset: Path, runs: Sequence[str]) -> str:
+    """The runs that a model was fitted to whatever points its dataset has now, and whether they are of no real rig."""
+    return _with_rig(f"Fitted to points of {_in_words(runs)}{_material(dataset)}.", dataset, runs)
 
 
 def one_answer_of(dataset: Path, last_stroke: int) -> str:
@@ -44,6 +44,25 @@ def one_answer_of(dataset: Path, last_stroke: int) -> str:
     points = points_to(dataset, last_stroke, ["string", *SIZES])
     groups = dict.fromkeys(strings_alike(points).values()) if len(points) else {}
     return " ".join(f"Strings {strings}{ALIKE}" for strings in groups)
+
+
+def _in_words(runs: Sequence[str]) -> str:
+    """The first runs by name, and how many more."""
+    more = f" and {len(runs) - SHOWN} more" if len(runs) > SHOWN else ""
+    return f"run{'s' * (len(runs) > 1)} {', '.join(runs[:SHOWN])}{more}"
+
+
+def _material(dataset: Path) -> str:
+    """Of which material a dataset at the main job's place is; empty for any other."""
+    material = material_of(dataset)
+    return f" of material {material}" if material else ""
+
+
+def _with_rig(words: str, dataset: Path, runs: Sequence[str]) -> str:
+    """The words, with a warning where the runs of a dataset at the main job's place are of the synthetic rig."""
+    material, folder = material_of(dataset), dataset.resolve().parent
+    made_up = material and (material == SYNTHETIC or _of_the_synthetic_rig(folder.parents[1] / "raw", runs))
+    return f"{words} {NO_STRING}" if made_up else words
 
 
 def _of_the_synthetic_rig(raw: Path, runs: Sequence[str]) -> bool:

@@ -18,6 +18,7 @@ from ..ground.stored.given_table import opened
 from ..models.interface import Model
 from ..models.parts.configured import configured, fitting
 from ..models.parts.divided import SPLITS, divided
+from ..models.parts.fitted_to import note_points
 from ..models.parts.saved import write_bytes
 from ..models.parts.settings import shown
 
@@ -82,6 +83,7 @@ def main() -> None:
         model.fit(train, options.seed)
         predicted = predictions(model, test)
     model.save(options.out_model)
+    note_points(options.out_model, train, options.split)
     schemas.write(predicted, schemas.PREDICTIONS, options.out_predictions)
 
 
