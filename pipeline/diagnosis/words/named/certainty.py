@@ -9,6 +9,7 @@ from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
 from ..explanations import probability, rivals
 from ..held_out import holdout, in_vain, unseen
+from ..held_out.much_left import much_left
 from ..language.explained_words import tells
 from ..language.quantity import duration, first_upper, listing, percent, reaches
 from ..language.vocabulary import Vocabulary
@@ -55,6 +56,7 @@ def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
         or coarse.too_small(content, words, id_)
         or vain
         or holdout.not_lasting(content, id_)
+        or much_left(content, words, id_)
         or not_recorded
     )
 

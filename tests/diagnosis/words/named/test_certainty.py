@@ -87,3 +87,23 @@ def test_an_effect_far_larger_than_what_is_missing_is_mostly_hidden_in_both_plac
     text = told(diagnosis)
     assert "3.2 mm (2.2 to 3.5 mm), mostly hidden" in text and "poorly known" not in text
     assert "Mostly hidden: it is far larger than the 0.44 mm that is missing." in text
+
+
+@pytest.mark.parametrize(
+    ("left_mm", "own_mm", "missing"),
+    [
+        (0.060, 0.30, "0.052 mm"),  # sqrt(0.060² - 0.030²), more than a tenth of the loop
+        (0.060, 0.60, ""),  # it is small beside the loop
+        (0.038, 0.05, ""),  # so little may be noise
+    ],
+)
+def test_an_effect_beside_which_the_explanation_leaves_much_is_only_probable(left_mm, own_mm, missing) -> None:
+    """Friction of an unusual law was backlash, `sure, 94 %`, in a fit that left 1.6 times the noise."""
+    diagnosis = confident(0.93, 0.46, evidence__beyond_dimensions_mm={"friction_hysteresis": own_mm})
+    diagnosis["evidence"]["explanations"][-1]["left_mm"] = left_mm
+    text = " ".join(told(diagnosis).split())
+    reason = (
+        f"friction_hysteresis has 93 %, but is only probable: what is still missing, {missing} without the noise, is"
+    )
+    assert (f"{reason} more than a tenth as large." in text) is bool(missing)
+    assert f"friction_hysteresis {'probable' if missing else 'sure'}, 93 %" in text
