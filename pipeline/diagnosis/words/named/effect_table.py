@@ -25,7 +25,7 @@ UNSURE_SIZE = (
     "Poorly known: the interval is wider than a factor of 2, since dimensions or other effects can take over much of "
     "the size, however sure the effect is{}."
 )
-SURE_FROM = "Sure: {} or more; probable: {} or more, or sure but for what the recording lacks; open: less."
+SURE_FROM = "Sure: {} or more; probable: {} or more, or sure but for a reason that is told; open: less."
 NO_INTERVAL = "{} without an interval: the fit gives it one value alone."
 IDLE = "{} was tried as well and is not named. {}"
 READ = "Sizes of one effect: rms is its usual size over the whole recording{}{}. All hold if {} is right."

@@ -35,7 +35,7 @@ def test_the_first_lines_say_which_effects_are_sure_probable_and_open():
     more = (
         "The 93 % of friction_hysteresis is the sum over all explanations with it; the best explanation alone has 52 %."
     )
-    words = "Sure: 80 % or more; probable: 50 % or more, or sure but for what the recording lacks; open: less."
+    words = "Sure: 80 % or more; probable: 50 % or more, or sure but for a reason that is told; open: less."
     assert f"{words} {more}" in text and assumption in text
     assert "friction_hysteresis sure, 93 %" in text and "creep open, 46 %" in text and "thermal open, 31 %" in text
     limit = told(confident(0.93, 0.46) | {"evidence": {**confident(0.93, 0.46)["evidence"], "moved_sigma": AT_LIMIT}})
