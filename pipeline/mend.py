@@ -18,7 +18,7 @@ from .ground.stored.files import write_over
 from .ground.stored.regular_file import read_regular
 from .ground.words.counts import counted
 from .run.changed_yaml import Change, exchanged, with_changes
-from .run.folder import has_recording, unfinished
+from .run.folder import is_recorded
 from .run.mend_command import with_command
 from .run.next_command import following
 from .run.run_arguments import run_dir
@@ -61,7 +61,7 @@ def main() -> None:
         parser.error("give KEY=VALUE, or --exchange and two channels")
     folder = arguments.run_dir
     print("\n".join([*mend(folder, arguments.changes, arguments.exchange), "All else in it stays as it was."]))
-    if not has_recording(folder) or unfinished(folder):
+    if not is_recorded(folder):
         return
     run, samples, strokes = read_strokes(folder)
     for question in questions(run, samples, folder):

@@ -14,7 +14,7 @@ from ..ground.stored.folders import whole_folder
 from ..run.checked_clock import WrongClock
 from ..run.description import Run, parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions
-from ..run.folder import has_recording, recording_path, unfinished
+from ..run.folder import is_recorded, recording_path
 from ..run.option_mend import by_option
 from ..run.run_yaml import RunYaml
 from ..run.samples import check, questions
@@ -76,7 +76,7 @@ def make_run(
         except BadInput as error:
             raise by_look(error, recording, run) or by_option(error, content) from None
     if folder.exists():  # recorded before it was described
-        if has_recording(folder) and not unfinished(folder):
+        if is_recorded(folder):
             recorded = recording_path(folder)
             check_samples(run, read_recording(run, folder), recorded, sure, FileLines(recorded, run.file))
         write_text(path, write_yaml(content))

@@ -59,6 +59,11 @@ def has_recording(folder: Path) -> bool:
     return any((folder / name).exists() for name in RECORDINGS)
 
 
+def is_recorded(folder: Path) -> bool:
+    """Whether a run folder holds a recording that was finished."""
+    return has_recording(folder) and not unfinished(folder)
+
+
 def recording_path(folder: Path | str) -> Path:
     """The one recording of a run folder; raises BadInput when there is none, more than one, or it is unfinished."""
     folder = Path(folder)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..ground.errors import BadInput
 from ..run.description import Run
-from ..run.folder import has_recording, read_run, unfinished
+from ..run.folder import is_recorded, read_run
 from ..run.mend_command import tare_command
 from .history import natural
 from .jumps_beside import runs_naming
@@ -21,8 +21,7 @@ def others_recorded(folder: Path, run: Run, like: Path | None = None) -> list[Pa
     beside = list(runs_naming(folder.parent, {run.string_id}, {folder.resolve()})) if run.string else []
     if like is not None and like.resolve().parent != folder.resolve().parent:
         beside.append(like)
-    whole = (other for other in beside if has_recording(other) and not unfinished(other))
-    return sorted(whole, key=lambda other: natural(other.name))
+    return sorted(filter(is_recorded, beside), key=lambda other: natural(other.name))
 
 
 def next_name(folder: Path) -> str:

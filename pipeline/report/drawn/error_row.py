@@ -6,7 +6,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from ...ground.kinematics import Array
 
-FOOT, STEPS = 0.25, (1.0, 2.0, 5.0)  # of the best model's usual error; where an axis may begin within its decade
+FOOT = 0.25  # of the best model's usual error
+STEPS = (1.0, 2.0, 5.0)  # where an axis may begin within its decade, and its numbers
 CLEAR = 0.8  # of the least error: where an axis begins that has none below its foot
 BINS, LEAST = 24, 2  # ranges of what is given, and points in one that make a root mean square
 FEW_DECADES = 2.0  # of an axis: up to so many it has numbers within a decade
@@ -30,7 +31,7 @@ def by_range(x: Array, error: Array, low: float, high: float) -> tuple[Array, Ar
 def _logarithmic(axes: Axes) -> None:
     """Plain numbers on a logarithmic axis: 0.02, 0.05, 0.1; over many decades 0.01, 0.1."""
     low, high = axes.get_ylim()
-    within = (1.0, 2.0, 5.0) if high <= low * 10.0**FEW_DECADES else (1.0,)
+    within = STEPS if high <= low * 10.0**FEW_DECADES else (1.0,)
     axes.yaxis.set_major_locator(LogLocator(subs=within))
     axes.yaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))

@@ -10,13 +10,13 @@ from ..language.text_table import aligned
 from ..language.vocabulary import Vocabulary
 from ..measured.dimensions import far_moved, name_of
 from . import cancelling, certainty, effect_sentence, in_a_line, needed
-from .own_size import HIDDEN, PARTLY, POORLY, in_columns, own_part, own_with_interval, to_report
+from .own_size import HIDDEN, PART, PARTLY, POORLY, in_columns, own_part, own_with_interval, to_report
 
 HEADING = "What acts, by the library's names"
 HEAD = ["effect", "how sure", "its size, rms (90 % interval)"]
 PROBABLY = "probable"
 OWN_PART = "its own part"  # the head of a column
-OF_OWN_PART = "Its own part is the part that no wrong dimension can make."
+OF_OWN_PART = f"Its own part is {PART}."
 AT_A_STAND = ", and is gone as soon as the motor stands"  # of a loss, by its law
 WHOSE = "Sizes are those of the best explanation."
 NO_PERCENTAGE = "No percentage is known on this rig."
