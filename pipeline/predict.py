@@ -142,11 +142,12 @@ def main() -> None:
     print(f". The column `why` says why{end}" if counts else "")
     for sentence in sentences:
         print(f"  {sentence}")
-    typed = parser.typed_without(("--model", "--saved", "--settings"))
+    typed = parser.typed_without(("--model", "--saved", "--settings", "--out"))
     for sentence, compare in far_off(questions, dataset, table, arguments.model):
         print(sentence)
         if compare:
-            print(f"  {' '.join([command('predict'), '--model', compare, *map(quoted, typed)])}")
+            beside = ["--out", str(arguments.out.with_stem(f"{arguments.out.stem}-{compare}"))]
+            print(f"  {' '.join([command('predict'), '--model', compare, *map(quoted, [*beside, *typed])])}")
     print(ZERO)
     if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")

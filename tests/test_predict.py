@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -683,6 +684,12 @@ def test_a_load_beyond_all_recorded_ones_is_said_to_be_far_off_of_a_new_string_t
     compare = "Record one under it. To compare, what the equations answer:\n  "
     assert f"\nRows 3, 4: {far_off} {compare}" in done.stdout and "--model traditional" in done.stdout
     assert "\nRow 5: the string was not recorded under this load" in done.stdout
+    first, answers = loads.with_name("answers.csv"), loads.with_name("answers-traditional.csv")
+    by_polynomial = first.read_bytes()
+    line = next(line for line in done.stdout.splitlines() if "--model traditional" in line)
+    compared = programs.run("pipeline.predict", *shlex.split(line)[3:])
+    assert f"answers in {answers}, by the traditional model" in compared.stdout, compared.stderr
+    assert answers.exists() and first.read_bytes() == by_polynomial, "the command wrote over the answers to compare"
 
 
 def test_a_saved_model_of_each_string_answers_about_all_of_them(of_two: Path) -> None:

@@ -9,6 +9,7 @@ import pytest
 from made_dataset import made_dataset, pair_dataset, words_that_ask
 
 import pipeline as tb
+from pipeline.ground.kinematics import point_contraction_mm
 from pipeline.ground.stored import schemas
 from pipeline.models.parts.inside.impossible import impossible
 
@@ -56,6 +57,11 @@ def test_the_limits_are_the_length_a_multiple_of_the_equation_and_the_recorded_s
     assert (
         "where the paper's equation gives 11 mm, " in words_of[60.0]
         and "a string longer than untwisted by" in words_of[-1.1 * most_mm]
+    )
+    most_mm = 1.5 * float(point_contraction_mm(question)[0])
+    assert not impossible(question, np.array([most_mm - 0.1]), points)[0]
+    assert impossible(question, np.array([most_mm + 0.1]), points)[0], (
+        "a spline gave 2.5 times what is true, and it was printed"
     )
     for recorded in (points, pair_dataset(), points.assign(displacement_mm=4.0 * points["displacement_mm"])):
         words = impossible(recorded, recorded["displacement_mm"].to_numpy(), recorded)

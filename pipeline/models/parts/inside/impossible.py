@@ -1,9 +1,10 @@
 """Contractions that cannot be: a model that is asked far beyond its points may answer anything.
 
-No string contracts by more than its length. Nor does it by far more than the paper's equation gives for its twist:
-strings were recorded beside that curve, so the limit is a multiple of it, widened by how far they were. Nor does it
-lengthen by more than it ever contracted. What lies within these limits may be wrong all the same. A contraction far
-below the equation is possible: a jammed string falls behind.
+No string contracts by more than its length. Nor does it by far more than the paper's equation gives for its twist. The
+limit is a multiple of that, or of how many times that much was recorded; near the untwisted string, where a multiple
+says little, it is the equation and how far above it strings were recorded. Nor does a string lengthen by more than it
+ever contracted. What lies within these limits may be wrong all the same. A contraction far below the equation is
+possible: a jammed string falls behind.
 
 Source: eq. 4 of Liu et al., "Kinematic Modeling of Twisted String Actuator Based on Invertible Neural Networks".
 """
@@ -13,7 +14,7 @@ import pandas as pd
 
 from ....ground.kinematics import Array, point_contraction_mm
 
-MULTIPLE = 2.0  # of the equation's contraction, or of how many times that much was recorded
+MULTIPLE = 1.5  # of the equation's contraction, or of how many times that much was recorded
 SPARE = 0.25  # of the largest recorded contraction: what a load or a stroke that nobody recorded may add
 
 
@@ -25,10 +26,10 @@ def impossible(points: pd.DataFrame, contractions_mm: Array, recorded: pd.DataFr
     equation_mm, recorded_mm = point_contraction_mm(recorded), recorded["displacement_mm"].to_numpy(float)
     top = int(np.argmax(recorded_mm))
     largest_mm = float(np.abs(recorded_mm).max())
-    beside_mm = float(np.abs(recorded_mm - equation_mm).max()) + SPARE * largest_mm
+    above_mm = max(float((recorded_mm - equation_mm).max()), 0.0) + SPARE * largest_mm
     times = MULTIPLE * max(1.0, float(recorded_mm[top] / equation_mm[top]) if equation_mm[top] > 0.0 else 1.0)
     length_mm, given_mm = points["length_mm"].to_numpy(float), point_contraction_mm(points)
-    most_mm, sentences = times * given_mm + beside_mm, [""] * len(points)
+    most_mm, sentences = np.maximum(times * given_mm, given_mm + above_mm), [""] * len(points)
     for row, answer_mm in enumerate(contractions_mm):
         if not np.isfinite(answer_mm):
             sentences[row] = "the model's answer is no number"
