@@ -10,7 +10,7 @@ from ..mechanisms.interface import physics
 from ..numerics.judge import Weighed
 from . import compare, cross_validation
 from .search import Explanation, Search
-from .three_instead import three_instead
+from .three_instead import far_better, three_instead
 from .weigh import weighed
 
 HELD = 0.8  # of the probability of all explanations: the sets of a verdict hold at least this together
@@ -73,6 +73,13 @@ def helpers_share(candidates: list[Weighed], named: Array) -> float:
     return float(sum(share for candidate, share in zip(candidates, named, strict=True) if not physics(candidate.ids)))
 
 
+def _more_is_needed(search: Search, likeliest: Explanation, chosen: Explanation, floor: float) -> bool:
+    """Whether chosen effects have a further one than the likeliest explanation, or are far better than that."""
+    if set(likeliest.ids) <= set(chosen.ids):
+        return likeliest.ids != chosen.ids
+    return far_better(chosen, likeliest, floor) and search.more(likeliest, chosen, floor)
+
+
 def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Judged:
     """The judgement on what a search found; `base` is the calibrated simulator, `floor` the noise floor.
 
@@ -85,7 +92,8 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
     *shares, none = search.linear.problem.judge.probabilities(candidates).tolist()
     named = np.array(shares)
     untaught = np.array([len(candidate.ids) > TAUGHT for candidate in candidates])
-    if len(chosen.ids) > TAUGHT and untaught.any() and set(candidates[int(np.argmax(named))].ids) < set(chosen.ids):
+    likeliest = search.explain(candidates[int(np.argmax(named))].ids)
+    if len(chosen.ids) > TAUGHT and untaught.any() and _more_is_needed(search, likeliest, chosen, floor):
         # no lesson has three effects: where a third is worth much more than a discrepancy of formulas, it is taken
         named = np.where(untaught, named, 0.0)
         named *= (1.0 - none) / max(float(named.sum()), 1e-300)

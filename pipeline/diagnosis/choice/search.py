@@ -37,7 +37,7 @@ class Explanation:
 
 
 class Search:
-    """The explanations on one linearisation; each fitted one is remembered."""
+    """The explanations on one linearisation, what acts at its state among them; each fitted one is remembered."""
 
     def __init__(self, linear: Linear, least: float = 0.0) -> None:
         self.linear, self.least = linear, least  # rms that a mechanism must take away at least
@@ -130,9 +130,10 @@ class Search:
             sets = [(id_,) for id_ in ids]
         elif size == 2:
             good = [explanation.ids[0] for explanation in self.all_of(1)[:PARTNERS]]
-            sets = [pair for pair in combinations(ids, 2) if set(pair) & set(good)]
+            acting = set(self.linear.acting)  # a step after the other, the search could lead past them
+            sets = [pair for pair in combinations(ids, 2) if set(pair) & set(good) or set(pair) <= acting]
         else:
-            good_sets = [explanation.ids for explanation in self.all_of(size - 1)[:2]]
+            good_sets = [*(good.ids for good in self.all_of(size - 1)[:2]), *combinations(self.linear.acting, size - 1)]
             sets = sorted({tuple(sorted({*chosen, id_})) for chosen in good_sets for id_ in ids if id_ not in chosen})
         return sorted(self.explained([ids for ids in sets if apart(ids)]), key=lambda explanation: explanation.cost)
 

@@ -20,22 +20,34 @@ ROUNDS = 3  # of exchanges, each of one mechanism
 def three_instead(search: Search, likeliest: Explanation, floor: float) -> list[Explanation]:
     """The cheapest three mechanisms that are far better than the likeliest explanation and lack one of its own.
 
-    None of them is a stand-in, which fits what it is no physics of. `floor` is the noise's, in the reading's unit.
+    `floor` is the noise's, in the reading's unit.
     """
-    excess = amplitude(likeliest.energy, floor)
-    if len(likeliest.ids) >= COUNT or excess < SEEN * floor:
+    if len(likeliest.ids) >= COUNT or leaves_noise(likeliest, floor):
         return []
     _exchange(search)
-    far_better = [
+    better = [
         three
         for three in search.known
         if len(three.ids) == COUNT
-        and amplitude(three.energy, floor) <= LESS * excess
-        and three.cost <= likeliest.cost - CHEAPER
+        and far_better(three, likeliest, floor)
         and not set(likeliest.ids) <= set(three.ids)
-        and not any(map(is_outside, three.ids))
     ]
-    return sorted(far_better, key=lambda three: three.cost)[:MOST]
+    return sorted(better, key=lambda three: three.cost)[:MOST]
+
+
+def leaves_noise(explanation: Explanation, floor: float) -> bool:
+    """Whether an explanation leaves nothing to explain but the noise; `floor` is that, in the reading's unit."""
+    return amplitude(explanation.energy, floor) < SEEN * floor
+
+
+def far_better(three: Explanation, likeliest: Explanation, floor: float) -> bool:
+    """Whether three mechanisms leave far less than the likeliest explanation, which leaves more than the noise.
+
+    A stand-in is none of them: it fits what it is no physics of. `floor` is the noise's, in the reading's unit.
+    """
+    is_less = amplitude(three.energy, floor) <= LESS * amplitude(likeliest.energy, floor)
+    is_worth_it = is_less and three.cost <= likeliest.cost - CHEAPER
+    return is_worth_it and not leaves_noise(likeliest, floor) and not any(map(is_outside, three.ids))
 
 
 def _exchange(search: Search) -> None:

@@ -93,6 +93,12 @@ class Linear(Products):
         columns.add(target, 0.0, 0.0, np.inf)
         self.hold(columns.table, prior, noise, problem.drivers.first[:rows])
 
+    @property
+    def acting(self) -> tuple[str, ...]:
+        """The mechanisms in the catalogue that act at the state, beside those of `run.yaml`; sorted."""
+        acts = (act for act in self.state.acts if act not in self.problem.included)
+        return tuple(sorted({act.id for act in acts} & set(self.catalogue)))
+
     def columns_of(self, keys: tuple[Key, ...]) -> np.ndarray:
         """Calibration's columns and those of some candidates. Shape (columns,), as places in the table."""
         return np.concatenate([self.calibration, *(self.index[key] for key in keys)]).astype(int)

@@ -11,9 +11,10 @@ from pipeline.diagnosis.numerics.judge import Weighed, signature_table
 from pipeline.diagnosis.numerics.noise import white
 
 
-def explanation(*ids):
-    """An explanation that names these, with one column each."""
-    return SimpleNamespace(ids=ids, fit=SimpleNamespace(columns=np.arange(len(ids))), energy=0.0)
+def explanation(*ids, left_floors=0.0, cost=0.0):
+    """An explanation that names these, with one column each; beyond the noise it leaves so many floors of 0.01 mm."""
+    energy = 1e-4 * (1.0 + left_floors**2)
+    return SimpleNamespace(ids=ids, fit=SimpleNamespace(columns=np.arange(len(ids))), energy=energy, cost=cost)
 
 
 @pytest.mark.parametrize(("jerks", "weighed"), [(1.9, ["creep"]), (2.1, ["stick_slip", "creep"])])
@@ -48,6 +49,30 @@ def test_a_third_effect_is_taken_where_one_was_weighed(monkeypatch, weighed_name
     judgement = judged.judged(judge_of(shares), None, explanation("creep", "jam", "wear"), 0.01)
     ids = tuple(expected_names.split())
     assert [candidate.ids for candidate in judgement.sets] == [ids] and judgement.likely[ids] == pytest.approx(likely)
+
+
+@pytest.mark.parametrize(
+    ("left_floors", "cost", "is_bent", "expected"),
+    [
+        (0.9, 500.0, False, "creep jam wear"),
+        (1.1, 500.0, False, "creep count_slip"),  # leaves more than 0.4 of what the pair leaves
+        (0.9, 950.0, False, "creep count_slip"),  # hardly cheaper
+        (0.9, 500.0, True, "creep count_slip"),  # the pair's formulas, bent a little, do as well
+    ],
+)
+def test_three_that_lack_one_of_the_likeliest_pair_are_taken_where_they_are_far_better(
+    monkeypatch, left_floors, cost, is_bent, expected
+):
+    """A slip stood first that left 2.7 times the noise, before the three that acted and left the noise alone."""
+    pair = ("creep", "count_slip")
+    three = explanation("creep", "jam", "wear", left_floors=left_floors, cost=cost)
+    monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in (pair, three.ids)])
+    monkeypatch.setattr(judged, "three_instead", lambda *_: [])
+    search = judge_of([0.7, 0.2, 0.1])
+    search.more = lambda small, large, floor: not is_bent
+    search.explain = lambda ids: three if ids == three.ids else explanation(*ids, left_floors=2.5, cost=1000.0)
+    judgement = judged.judged(search, None, three, 0.01)
+    assert " ".join(judgement.sets[0].ids) == expected
 
 
 def test_a_set_without_physics_of_the_library_counts_as_none_of_them(monkeypatch):

@@ -31,7 +31,7 @@ class Known(Search):
         self.told, self.bent, self.least, self.largest, self.asked = explanations, bent or {}, least, 3, []
         self.nothing = self.made("")
         ids = ids or sorted({id_ for names in explanations for id_ in names.split()})
-        self.linear = SimpleNamespace(catalogue={id_: [{}] for id_ in ids})
+        self.linear = SimpleNamespace(catalogue={id_: [{}] for id_ in ids}, acting=())
 
     def made(self, names):
         cost, left_floors = self.told.get(names, (1e6, self.told[""][1]))
@@ -83,6 +83,17 @@ def test_a_triple_has_one_of_the_best_two_pairs_and_is_asked_for_once():
     assert len(asked_triples) == len(set(asked_triples)) == 3 and all(
         ids == tuple(sorted(ids)) for ids in asked_triples
     )
+
+
+def test_what_acts_at_the_state_is_among_the_pairs_and_triples_though_no_step_leads_to_it():
+    """Friction, creep and wear had been refined, and the next search knew pairs of a slip alone: it named the slip."""
+    singles = {id_: (float(place), 1.0) for place, id_ in enumerate(APART)}
+    search = Known({**NOTHING, **singles, "creep wear": (0.5, 1.0), "creep thermal": (0.6, 1.0)})
+    for acting in (("load_swing", "sensor_lag"), ("load_swing", "sensor_lag", "slack")):
+        search.linear.acting = ()
+        assert acting not in [explanation.ids for explanation in search.all_of(len(acting))]
+        search.linear.acting = acting
+        assert acting in [explanation.ids for explanation in search.all_of(len(acting))]
 
 
 @pytest.mark.parametrize(
@@ -182,7 +193,7 @@ def test_leaders_are_the_chosen_one_and_near_ones_of_its_size_that_take_half_as_
 class Scanned:
     """A linearisation whose misfits are told: `scan` by what was chosen before, `fit` by columns."""
 
-    rows, calibration, deviations = 1000, np.array([0]), {}
+    rows, calibration, deviations, acting = 1000, np.array([0]), {}, ()
 
     def __init__(self, misfits, coefficients=None, active=1):
         self.misfits, self.coefficients, self.number = misfits, coefficients or {}, active
