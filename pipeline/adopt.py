@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from .diagnosis.adoption import before_after
 from .diagnosis.adoption.block import KEY, ORIGIN, adopted, bare
 from .diagnosis.adoption.explain import explained, without_effects
+from .diagnosis.adoption.other_runs import for_others
 from .diagnosis.document.content import Verdict
 from .diagnosis.fit.adopt import acts_from, adoptions, checked
 from .diagnosis.prediction.simulation import of_run, read_diagnosis
@@ -51,7 +52,7 @@ def check(content: Verdict, source: Path, folder: Path) -> tuple[list[str], list
     own_run = before_after.is_of(content, run.run)
     errors = before_after.told(bare, len(samples), of_run(run), of_run(adopting), source, own_run)
     own = before_after.on_unseen(content, Vocabulary.of(run.system), run.run)
-    return [*errors, *own], before_after.dimensions(content)
+    return [*errors, *before_after.begun_anew(content, run.run), *own], before_after.dimensions(content)
 
 
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:
@@ -164,7 +165,8 @@ def adopt(source: Path, folder: Path, sure: bool = False) -> None:
         many = f"{len(others)} other explanation{'s were' if len(others) > 1 else ' was'} likely too"
         sets = [before_after.probable(ids, content) for ids in [origin[-1]["effects"], *others[:MOST]]]
         means.append(f"{many}: {listing(sets[1:], 'or')}. Adopted is {sets[0]}.")
-    then = [*adopted_predictions(folder, words, hung(content, words), ids), before_after.NEXT]
+    then = adopted_predictions(folder, words, hung(content, words), ids)
+    then += [*for_others(content, run.run, folder, source), before_after.NEXT]
     then += ["What its numbers mean, if you are curious:", f"  {command('adopt')} --explain {shlex.quote(str(folder))}"]
     then += ["To take all of it out of run.yaml again:", taken_out(folder)] * (not doubt)
     if doubt:

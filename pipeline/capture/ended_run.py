@@ -45,7 +45,7 @@ def tell(info: CaptureJson, folder: Path, is_recovered: bool = False) -> bool:
     if ended or info["fault"]:
         print(f"{folder}: {'; '.join(filter(None, (ended, info['fault'])))}; what had come is kept")
     if early:
-        print(f"{folder}: the rig was not done; what had come is kept, and is used like any run's")
+        print(f"{folder}: the rig was not done; what had come is kept, and its whole strokes are used like any run's")
     described = False
     try:
         run = read_run(folder)

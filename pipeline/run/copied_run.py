@@ -29,6 +29,15 @@ def as_in(folder: Path) -> RunYaml:
     return content
 
 
+def of_another_string(folder: Path, name: str) -> str:
+    """The command that describes a new run of another string, of the size and on the rig of a run; raises BadInput.
+
+    The new run and its string have one `name`.
+    """
+    own: RunYaml = {"run": name, "string": {"id": name}}
+    return _anew(as_in(folder), own, {})
+
+
 def with_given(
     content: RunYaml, from_options: RunYaml, source: Path, files: Mapping[str, Path | None] | None = None
 ) -> RunYaml:

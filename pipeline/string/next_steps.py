@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..ground.command import command
 from ..ground.words.counts import counted
+from ..run.copied_run import of_another_string
 from ..run.folder import read_run
 from ..run.next_command import following
 from .same_string import next_name, others_recorded
@@ -34,8 +35,8 @@ def next_steps(folder: Path, strokes: int | None, anew: bool = False, but: Conta
         runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
         lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")
     elif anew:
-        own = "describe it under a name and a --string-id of its own"
-        lines.append(f"Next: this rig's next recording is of another string: {own} (rig --standing keeps one string)")
+        other = f"{of_another_string(folder, next_name(folder))}, then record into it"
+        lines.append(f"Next: this rig's next recording is of another string (rig --standing keeps one string): {other}")
     else:
         again = f"{command('new_run')} {next_name(folder)} --like {shlex.quote(str(folder))}"
         lines.append(f"Next: for another recording of this string: {again}, then record into it")

@@ -1,8 +1,10 @@
 """The runs of one string: which belong together, what they say of their zero, and what comes next."""
 
 import json
+import shlex
 from pathlib import Path
 
+import programs
 import pytest
 from made_recording import content
 from stages.nine_strokes import string
@@ -53,7 +55,14 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
     assert diagnose.endswith(f"python -m pipeline.diagnose {alone} --out reports/mine")
     described = f"python -m pipeline.new_run b-2 --like {alone}"
     assert again == f"Next: for another recording of this string: {described}, then record into it"
-    assert "next recording is of another string" in next_steps(alone, 9, anew=True)[1]
+    another = next_steps(alone, 9, anew=True)[1]
+    told = "Next: this rig's next recording is of another string (rig --standing keeps one string): "
+    words = "b-2 --material"
+    words = another.removeprefix(f"{told}python -m ").removesuffix(", then record into it")
+    done = programs.run(*shlex.split(words), cwd=alone.parent)
+    assert done.returncode == 0, done.stderr
+    other = read_run(alone.parent / "raw" / "b-2")
+    assert other.string_id == "b-2" and other.rig == read_run(alone).rig
     assert "pipeline.lifespan" in next_steps(alone, LIFE)[1] and LIFE == LEAST_STROKES
 
 

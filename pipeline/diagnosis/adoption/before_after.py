@@ -125,10 +125,7 @@ def is_of(content: Verdict, run: str) -> bool:
 
 
 def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
-    """What the verdict says of a run's unseen strokes, and whether it says not to adopt; else nothing.
-
-    If the run went after others in the diagnosis, a sentence says so too.
-    """
+    """What the verdict says of a run's unseen strokes, and whether it says not to adopt; else nothing."""
     fit, verdict = content.get("fit"), content.get("verdict")
     unseen_errors = fit.get("heldout") if isinstance(fit, dict) else None
     values = (
@@ -146,14 +143,17 @@ def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
         f"{size(explained, words.unit)}"
         f"{holdout.whose_if_known(content)}, and {size(calibrated, words.unit)} without the effects."
     ]
-    if names := names_before(content, run):
-        after = f"There {run} goes after {' and '.join(map(key_name, names))}"
-        sentences.append(
-            f"{after}; alone, what goes on over time or strokes begins anew in it, and the error is larger."
-        )
     if explained > heldout.WORSE * calibrated:
         sentences.append("So the verdict says: adopt nothing. Take it out again unless you know better.")
     return sentences
+
+
+def begun_anew(content: Verdict, run: str) -> list[str]:
+    """Why the error of a run is larger than in its verdict, where it went after others in that; else nothing."""
+    names = names_before(content, run)
+    after = f"In the verdict {run} goes after {' and '.join(map(key_name, names))}"
+    anew = f"{after}; here it is alone, what goes on over time or strokes begins anew in it, and the error is larger."
+    return [anew] if names else []
 
 
 def told(problem: Problem, samples: int, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:

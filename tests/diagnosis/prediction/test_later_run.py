@@ -13,6 +13,7 @@ import pipeline
 from pipeline.diagnosis.prediction.simulation import state_of
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.own_rate import at_own_rate
+from pipeline.run.folder import read_run
 from pipeline.run.samples import read_strokes
 
 ZERO_MM = 0.25
@@ -150,6 +151,22 @@ def test_adopting_it_says_that_alone_it_begins_anew(joint):
     done = programs.run("pipeline.adopt", diagnosis, later)
     printed = " ".join(done.stdout.split())
     assert done.returncode == 0, done.stderr
-    assert "There one-2 goes after one-1; alone, what goes on over time or strokes begins anew in it" in printed
-    alone = Path(shutil.copytree(first, first.parents[1] / "adopting" / first.name))
-    assert "goes after" not in programs.run("pipeline.adopt", diagnosis, alone).stdout
+    anew = "In the verdict one-2 goes after one-1; here it is alone, what goes on over time or strokes begins anew in it"
+    assert anew in printed and printed.index("same, if the whole recording sets the zero") < printed.index(anew)
+    assert anew not in printed[printed.index("Those errors are of strokes that the fit has seen") :]
+    assert "lacks these effects" not in printed, "no other run of the verdict lies beside it"
+
+
+@pytest.mark.long
+def test_adopting_it_names_the_runs_beside_it_that_lack_the_effects_until_none_does(joint, tmp_path):
+    """It went into the last run alone without a word, and the next joint diagnosis was refused."""
+    first, later, diagnosis = joint
+    first, later = (Path(shutil.copytree(run, tmp_path / "raw" / run.name)) for run in (first, later))
+    done = programs.run("pipeline.adopt", diagnosis, later)
+    lacks = "The verdict is of 2 runs together, and one-1 lacks these effects. A joint diagnosis needs the same in all"
+    assert lacks in " ".join(done.stdout.split()), done.stderr
+    line = f"pipeline.adopt {diagnosis} {first}"
+    assert line in done.stdout
+    done = programs.run(*line.split())
+    assert done.returncode == 0 and "lacks these effects" not in done.stdout and "goes after" not in done.stdout
+    assert read_run(first).simulation == read_run(later).simulation != []
