@@ -226,7 +226,8 @@ def test_ctrl_c_or_kill_ends_a_recording_in_good_order(rig, tmp_path, number):
     recording = read_recording((folder / "recording.frames").read_bytes())
     assert (info(folder)["exit_status"], info(folder)["ended_by"]) == ("aborted", "person")
     assert f"{folder}: ended by Ctrl-C or kill, {info(folder)['samples']['received']} samples; frames: " in printed
-    assert f"{folder}: the rig was not done; what had come is kept, and its whole strokes are used like any run's" in printed
+    used = "what had come is kept, and its whole strokes are used like any run's"
+    assert f"{folder}: the rig was not done; {used}" in printed
     assert info(folder)["samples"]["sent"] == info(folder)["samples"]["received"] == len(recording.time_s) > 10
     assert recording.account.end.reason == 1
 

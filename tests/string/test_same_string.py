@@ -56,9 +56,9 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
     described = f"python -m pipeline.new_run b-2 --like {alone}"
     assert again == f"Next: for another recording of this string: {described}, then record into it"
     another = next_steps(alone, 9, anew=True)[1]
-    told = "Next: this rig's next recording is of another string (rig --standing keeps one string): "
+    beginning = "Next: this rig's next recording is of another string (rig --standing keeps one string): "
     words = "b-2 --material"
-    words = another.removeprefix(f"{told}python -m ").removesuffix(", then record into it")
+    words = another.removeprefix(f"{beginning}python -m ").removesuffix(", then record into it")
     done = programs.run(*shlex.split(words), cwd=alone.parent)
     assert done.returncode == 0, done.stderr
     other = read_run(alone.parent / "raw" / "b-2")

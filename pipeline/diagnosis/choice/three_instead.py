@@ -28,9 +28,7 @@ def three_instead(search: Search, likeliest: Explanation, floor: float) -> list[
     better = [
         three
         for three in search.known
-        if len(three.ids) == COUNT
-        and far_better(three, likeliest, floor)
-        and not set(likeliest.ids) <= set(three.ids)
+        if len(three.ids) == COUNT and far_better(three, likeliest, floor) and not set(likeliest.ids) <= set(three.ids)
     ]
     return sorted(better, key=lambda three: three.cost)[:MOST]
 

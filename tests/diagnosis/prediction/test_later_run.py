@@ -146,12 +146,12 @@ def test_where_the_run_before_does_not_lie_beside_it_that_is_said(joint, tmp_pat
 
 @pytest.mark.long
 def test_adopting_it_says_that_alone_it_begins_anew(joint):
-    first, later, diagnosis = joint
+    _, later, diagnosis = joint
     later = Path(shutil.copytree(later, later.parents[1] / "adopting" / later.name))
     done = programs.run("pipeline.adopt", diagnosis, later)
     printed = " ".join(done.stdout.split())
     assert done.returncode == 0, done.stderr
-    anew = "In the verdict one-2 goes after one-1; here it is alone, what goes on over time or strokes begins anew in it"
+    anew = "In the verdict one-2 goes after one-1; here it is alone, what goes on over time or strokes begins anew in "
     assert anew in printed and printed.index("same, if the whole recording sets the zero") < printed.index(anew)
     assert anew not in printed[printed.index("Those errors are of strokes that the fit has seen") :]
     assert "lacks these effects" not in printed, "no other run of the verdict lies beside it"
