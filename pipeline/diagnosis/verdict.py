@@ -24,7 +24,7 @@ from .fit.adopt import entries
 from .fit.intervals import intervals
 from .fit.linear import Linear
 from .fit.problem import Problem, State
-from .fit.uncertainty import doubts
+from .fit.uncertainty import doubts, zero_names
 from .mechanisms.interface import physics
 from .mechanisms.library import mechanisms
 from .numerics import residual_band
@@ -149,14 +149,7 @@ def diagnosis(
         fit["worse_than_nominal"] = worse
     if not problem.system.free_zero:
         fit["relative_residual"] = relative(study)
-    zeros = (
-        {}
-        if not problem.system.free_zero
-        else {
-            "zero" if problem.runs == 1 else f"zero_{number + 1}": float(zero)
-            for number, zero in enumerate(study.state.zeros)
-        }
-    )
+    zeros = dict(zip(zero_names(problem, unit), bands.zeros, strict=True)) if problem.system.free_zero else {}
     content: dict[str, Any] = {
         "run": runs[0].run,
         "verdict": study.verdict,
@@ -169,7 +162,7 @@ def diagnosis(
             name: {"nominal": by_name[name].nominal, **as_entry(interval)}
             for name, interval in bands.parameters.items()
         }
-        | {f"{name}_{unit}": {"nominal": 0.0, "value": v, "low": v, "high": v} for name, v in zeros.items()},
+        | {name: {"nominal": 0.0, **as_entry(interval)} for name, interval in zeros.items()},
         "fit": fit,
         "simulation": entries(tuple(sorted(study.state.acts, key=problem.beside.count)), problem.drivers),
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),

@@ -92,6 +92,11 @@ def test_the_json_has_the_keys_that_programs_read(diagnosed) -> None:
     assert set(creep) == {"id", "confidence", "rms_mm", "parameters", "location", "sentence"}
     assert creep["rms_mm"]["low"] <= creep["rms_mm"]["value"] <= creep["rms_mm"]["high"]
     assert set(content["parameters"]["radius_mm"]) == {"nominal", "value", "low", "high"}
+    zero = content["parameters"]["zero_mm"]  # its interval had no width
+    assert (
+        zero["low"] < zero["value"] < zero["high"]
+        and zero["high"] - zero["low"] > content["uncertainty"][0]["moves"][0]
+    )
     assert set(content["fit"]) == {"noise_floor_mm", "detectable_mm", "heldout"}
     assert creep["sentence"].startswith("Under load the string lengthens by up to ") and " mm rms)" in creep["sentence"]
     assert (diagnosis_folder / "diagnosis.png").stat().st_size > 10_000

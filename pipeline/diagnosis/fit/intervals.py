@@ -73,15 +73,17 @@ def slopes_of_nonlinear(problem: Problem, state: State, act: Act) -> Array:
 
 @dataclass(frozen=True)
 class Intervals:
-    """Intervals of every movable parameter, by name, and of the size of every act, by id; nonlinear half-widths.
+    """Intervals of every movable parameter, by name, of the size of every act, by id, and of each run's zero.
 
-    The latter are shares of the value, by the act's id, which time it acts, and the nonlinear parameter's name.
+    The zeros are in the channel's unit. `half_widths` are those of nonlinear parameters.
+    These are shares of the value, by the act's id, which time it acts, and the nonlinear parameter's name.
     `covariance` is that of all numbers that were fitted: zeros, movable parameters, the acts' coefficients, each in its
     own unit, and the continuous nonlinear parameters, in halves of the value of each; it is for predictions.
     """
 
     parameters: dict[str, Interval]
     sizes: dict[str, Interval]
+    zeros: tuple[Interval, ...]
     half_widths: dict[tuple[str, int, str], float]
     covariance: Array  # (numbers, numbers)
 
@@ -148,11 +150,12 @@ def intervals(problem: Problem, state: State, noise: Noise) -> Intervals:
         middle = value + 0.5 * float(np.clip(weights @ shift, -spread, spread))
         return Interval(value, min(middle - spread, value), max(middle + spread, value))
 
-    parameters = {}
-    for place, index in enumerate(problem.movable):
-        weights = np.zeros(len(own))
-        weights[problem.runs + place] = 1.0
-        parameters[problem.parameters[index].name] = interval(float(state.values[index]), weights)
+    each = np.eye(len(own))
+    zeros = tuple(interval(float(zero), each[run]) for run, zero in enumerate(state.zeros))
+    parameters = {
+        problem.parameters[index].name: interval(float(state.values[index]), each[problem.runs + place])
+        for place, index in enumerate(problem.movable)
+    }
     sizes_: dict[str, Interval] = {}
     half_widths: dict[tuple[str, int, str], float] = {}
     kept = list(range(at))  # of the numbers that were fitted: no discrepancy of a formula
@@ -169,7 +172,8 @@ def intervals(problem: Problem, state: State, noise: Noise) -> Intervals:
         at += len(ways)
         size_interval = interval(rms, weights, DISCREPANCY_SHARE)
         sizes_[act.id] = Interval(size_interval.value, max(size_interval.low, 0.0), size_interval.high)
-    return Intervals(parameters, sizes_, half_widths, _within_noise(linear, own[kept], covariance[np.ix_(kept, kept)]))
+    within = _within_noise(linear, own[kept], covariance[np.ix_(kept, kept)])
+    return Intervals(parameters, sizes_, zeros, half_widths, within)
 
 
 def _within_noise(linear: Linear, columns: NDArray[np.intp], covariance: Array) -> Array:

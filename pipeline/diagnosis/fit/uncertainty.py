@@ -25,6 +25,11 @@ def factor(covariance: Array) -> Array:
     return np.asarray(sigma[:, None] * (upper * np.where(np.diag(upper) < 0.0, -1.0, 1.0)[:, None]).T)
 
 
+def zero_names(problem: Problem, ending: str) -> list[str]:
+    """The name of each run's zero in a diagnosis; `ending`: of the channel."""
+    return [f"zero_{ending}"] if problem.runs == 1 else [f"zero_{run + 1}_{ending}" for run in range(problem.runs)]
+
+
 def doubts(problem: Problem, state: State, covariance: Array, ending: str) -> list[Doubt]:
     """The joint uncertainty of all fitted numbers: zeros, dimensions, coefficients and nonlinear parameters.
 
@@ -33,8 +38,7 @@ def doubts(problem: Problem, state: State, covariance: Array, ending: str) -> li
     """
     if not np.isfinite(covariance).all():
         return []
-    zeros = ["zero"] if problem.runs == 1 else [f"zero_{run + 1}" for run in range(problem.runs)]
-    numbers = [Doubt(name=f"{name}_{ending}", moves=[]) for name in zeros]
+    numbers = [Doubt(name=name, moves=[]) for name in zero_names(problem, ending)]
     numbers += [Doubt(name=problem.parameters[index].name, moves=[]) for index in problem.movable]
     units = [1.0] * len(numbers)
     own = [act for act in state.acts if act not in problem.included]

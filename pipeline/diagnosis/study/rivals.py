@@ -8,6 +8,7 @@ from ..document.effects_named import Dimension
 from ..fit.adopt import DIGITS, entries
 from ..fit.calibrate import calibrate
 from ..fit.problem import Problem, State
+from ..fit.uncertainty import zero_names
 
 
 def refitted(study: Study, explanation: Explanation) -> State:
@@ -39,7 +40,6 @@ def as_simulator(problem: Problem, state: State, ending: str) -> tuple[dict[str,
     """A state in the form of a simulator in a diagnosis: dimensions, the zero of each run, and the acts."""
     values = {problem.parameters[index].name: float(state.values[index]) for index in problem.movable}
     if problem.system.free_zero:
-        several = problem.runs > 1
-        values |= {f"zero{f'_{run + 1}' * several}_{ending}": float(zero) for run, zero in enumerate(state.zeros)}
+        values |= dict(zip(zero_names(problem, ending), state.zeros.tolist(), strict=True))
     parameters: dict[str, Dimension] = {name: {"value": float(f"{value:.{DIGITS}g}")} for name, value in values.items()}
     return parameters, entries(state.acts, problem.drivers)
