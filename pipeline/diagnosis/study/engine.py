@@ -152,7 +152,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
     search = Search(Linear(problem, base, noise, catalogue), least)
     chosen, best = search.select(noise.floor, largest=1), base
     if chosen.ids:
-        for step in ("one mechanism", "several mechanisms"):
+        for step in ("one mechanism", "several mechanisms", "several mechanisms again"):
             say(f"refining {step}")
             states = [search.linear.state_of(leader.fit, leader.keys) for leader in search.leaders(chosen)]
             refined = [calibrate.refine(problem, noise, state) for state in states]
@@ -164,7 +164,8 @@ def studied_once(problem: Problem, say: Progress) -> Study:
             del search  # it is large, and the next one is as large
             search = Search(Linear(problem, best, noise, catalogue, deviations=deviations), least)
             before, chosen = chosen, search.select(noise.floor)
-            if not chosen.ids or (len(chosen.ids) == len(before.ids) and not too_loud(noise, chosen)):
+            is_settled = len(chosen.ids) == len(before.ids) or step == "several mechanisms"
+            if not chosen.ids or (is_settled and not too_loud(noise, chosen)):
                 break
     say("judging")
     judgement = judged(search, base, chosen, noise.floor) if chosen.ids else NOTHING

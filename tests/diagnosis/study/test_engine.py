@@ -7,6 +7,7 @@ from pipeline.diagnosis.choice.search import Search
 from pipeline.diagnosis.proposal import design, next_runs
 from pipeline.diagnosis.proposal.legs import Rig
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
+from pipeline.diagnosis.study import engine
 from pipeline.diagnosis.study.engine import make_problem, study
 from pipeline.run.samples import read_samples
 
@@ -107,3 +108,14 @@ def test_an_explanation_that_refining_takes_back_is_none(conceal, monkeypatch):
     run, samples = read_samples(conceal("creep")[0])
     outcome = study(make_problem([RecordedRun.cut(run, samples)]))
     assert len(calls) == 2 and outcome.sets == [] and outcome.best is outcome.base and outcome.verdict == "unknown"
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("loud", "rounds"), [([False], 1), ([True, False], 2), ([True, True, True], 3)])
+def test_the_noise_is_told_once_more_while_it_is_louder_than_what_is_left(loud, rounds, conceal, monkeypatch):
+    """A noise of three times the sensor's hid what four explanations differ by."""
+    asked_again, steps = iter(loud), []
+    monkeypatch.setattr(engine, "too_loud", lambda noise, chosen: next(asked_again))
+    run, samples = read_samples(conceal("creep")[0])
+    study(make_problem([RecordedRun.cut(run, samples)]), steps.append)
+    assert sum(step.startswith("refining") for step in steps) == rounds
