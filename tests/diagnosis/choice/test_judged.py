@@ -52,16 +52,17 @@ def test_a_third_effect_is_taken_where_one_was_weighed(monkeypatch, weighed_name
 
 
 @pytest.mark.parametrize(
-    ("left_floors", "cost", "is_bent", "expected"),
+    ("pair_floors", "left_floors", "cost", "is_bent", "expected"),
     [
-        (0.9, 500.0, False, "creep jam wear"),
-        (1.1, 500.0, False, "creep count_slip"),  # leaves more than 0.4 of what the pair leaves
-        (0.9, 950.0, False, "creep count_slip"),  # hardly cheaper
-        (0.9, 500.0, True, "creep count_slip"),  # the pair's formulas, bent a little, do as well
+        (2.5, 0.9, 500.0, False, "creep jam wear"),
+        (2.5, 1.1, 500.0, False, "creep count_slip"),  # leaves more than 0.4 of what the pair leaves
+        (2.5, 0.9, 950.0, False, "creep count_slip"),  # hardly cheaper
+        (2.5, 0.9, 500.0, True, "creep count_slip"),  # the pair's formulas, bent a little, do as well
+        (0.2, 0.0, 500.0, False, "creep count_slip"),  # the pair leaves the noise alone
     ],
 )
 def test_three_that_lack_one_of_the_likeliest_pair_are_taken_where_they_are_far_better(
-    monkeypatch, left_floors, cost, is_bent, expected
+    monkeypatch, pair_floors, left_floors, cost, is_bent, expected
 ):
     """A slip stood first that left 2.7 times the noise, before the three that acted and left the noise alone."""
     pair = ("creep", "count_slip")
@@ -70,7 +71,7 @@ def test_three_that_lack_one_of_the_likeliest_pair_are_taken_where_they_are_far_
     monkeypatch.setattr(judged, "three_instead", lambda *_: [])
     search = judge_of([0.7, 0.2, 0.1])
     search.more = lambda small, large, floor: not is_bent
-    search.explain = lambda ids: three if ids == three.ids else explanation(*ids, left_floors=2.5, cost=1000.0)
+    search.explain = lambda ids: three if ids == three.ids else explanation(*ids, left_floors=pair_floors, cost=1000.0)
     judgement = judged.judged(search, None, three, 0.01)
     assert " ".join(judgement.sets[0].ids) == expected
 

@@ -8,6 +8,8 @@ import pytest
 
 from pipeline.diagnosis.choice import search as searching
 from pipeline.diagnosis.choice.search import Search
+from pipeline.diagnosis.fit.linear import Linear
+from pipeline.diagnosis.fit.problem import Act
 
 FLOOR = 0.5  # of the noise, in mm
 APART = (
@@ -94,6 +96,16 @@ def test_what_acts_at_the_state_is_among_the_pairs_and_triples_though_no_step_le
         assert acting not in [explanation.ids for explanation in search.all_of(len(acting))]
         search.linear.acting = acting
         assert acting in [explanation.ids for explanation in search.all_of(len(acting))]
+
+
+def test_what_acts_at_a_state_is_of_its_catalogue_and_not_of_run_yaml():
+    wear, creep, adopted, jam = (Act(id_, ({},), (1.0,)) for id_ in ("wear", "creep", "slack", "jam"))
+    linear = SimpleNamespace(
+        state=SimpleNamespace(acts=(wear, adopted, creep, jam)),
+        problem=SimpleNamespace(included=(adopted,)),
+        catalogue={"creep": [{}], "slack": [{}], "wear": [{}]},
+    )
+    assert Linear.acting.fget(linear) == ("creep", "wear")
 
 
 @pytest.mark.parametrize(
