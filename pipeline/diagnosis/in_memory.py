@@ -15,6 +15,7 @@ from .document.content import Adoption, Verdict
 from .document.evidence import Evidence
 from .document.made_keys import amount, amount_or_none, put
 from .document.rounded import tidy
+from .facts.beyond_seen import beyond_seen
 from .facts.not_kept import not_kept
 from .facts.told_floor import told_floor
 from .numerics.judge import Judge
@@ -54,6 +55,9 @@ def diagnosed(
     study = engine.study(problem, say)
     faint_recordings.refuse_faint(study, recorded[0].place)
     study = polish.polished(study, to_polish)
+    if unseen_errors and beyond_seen(problem.record, unseen_errors["until_s"]):
+        of_all = [act.id for act in study.state.acts if act not in study.problem.included]
+        unseen_errors = heldout.decided(unseen_errors, of_all)
     say("writing")
     experiment = optional("the next experiment", name, lambda: verdict.next_experiment(study, runs[0]))
     content = verdict.diagnosis(study, fine, unseen_errors, runs, experiment, without)

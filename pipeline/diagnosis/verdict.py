@@ -172,6 +172,8 @@ def diagnosis(
         content["evidence"]["chosen_without_them"] = heldout["chosen"]
         if heldout["closest"]:
             content["evidence"]["closest_without_them"] = heldout["closest"]
+        if "decided" in heldout:
+            content["evidence"]["likely_without_them"] = heldout["decided"]
         content["evidence"]["beyond_seen"] = beyond_seen(problem.record, heldout["until_s"])
     if heldout and "left" in heldout:
         content["evidence"]["left_of_unseen"] = heldout["left"]

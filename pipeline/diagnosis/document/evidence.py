@@ -87,6 +87,7 @@ class Evidence(TypedDict, total=False):
     pattern: Pattern
     chosen_without_them: list[str]  # effects, without the held-out strokes
     closest_without_them: list[str]
+    likely_without_them: list[list[str]]  # where these strokes decided: the others that were likely before
     beyond_seen: dict[str, list[list[float]]]  # of `load` and `motion`: the range before, and the wider one after
     left_of_unseen: LeftOfUnseen
     spikes: list[Spike]

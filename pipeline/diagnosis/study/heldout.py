@@ -13,6 +13,7 @@ from ..fit.problem import Problem, State
 from ..recording.working_samples import wild
 from .engine import fine_floor, study
 from .polish import polished
+from .rivals import refitted
 
 WORSE = 1.02  # times the other error: less may be chance
 LAST = 0.3  # of the strokes, held out at the end
@@ -28,6 +29,14 @@ class Left(TypedDict):
     driver: str
 
 
+class Tied(TypedDict):
+    """An explanation that was likely beside the best one without the last strokes, and its error on these."""
+
+    ids: list[str]
+    explained: float  # rms in the channel's unit
+    state: State  # it has not seen those strokes
+
+
 class Errors(TypedDict):
     """Errors on strokes that no fit has seen, rms in the channel's unit, of each simulator; and which strokes."""
 
@@ -41,6 +50,8 @@ class Errors(TypedDict):
     closest: list[str]  # effects of which the error is though it named none of them; those of `Study.closest`
     state: State  # the explained simulator that has not seen those strokes
     until_s: float  # where they begin, on the clock of the joined runs
+    tied: list[Tied]  # the other explanations that were likely without those strokes
+    decided: NotRequired[list[list[str]]]  # where those strokes decided: the others that were likely without them
 
 
 FITTED: tuple[Literal["calibrated", "explained"], ...] = ("calibrated", "explained")
@@ -60,6 +71,29 @@ def first_held_out(problem: Problem) -> int | None:
         return None
     row = int(np.argmax(problem.record.stroke >= strokes[-count]))
     return row if row >= LEAST_TRAINING * len(problem.record) else None
+
+
+def decided(errors: Errors, named: list[str]) -> Errors:
+    """The errors of what all strokes name, where it was likely without the last ones too: these decided then.
+
+    A run that is made to decide between explanations comes last, and contradicts none of them.
+    """
+    of_named = [tied for tied in errors["tied"] if set(tied["ids"]) == set(named)]
+    if not of_named or set(errors["chosen"]) == set(named):
+        return errors
+    others = [errors["chosen"], *(tied["ids"] for tied in errors["tied"] if tied is not of_named[0])]
+    return {
+        "split": errors["split"],
+        "nominal": errors["nominal"],
+        "calibrated": errors["calibrated"],
+        "explained": of_named[0]["explained"],
+        "chosen": named,
+        "closest": [],
+        "state": of_named[0]["state"],
+        "until_s": errors["until_s"],
+        "tied": errors["tied"],
+        "decided": others,
+    }
 
 
 def quick(fine: Problem, state: State, rows: NDArray[np.bool_]) -> float:
@@ -101,7 +135,11 @@ def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Error
         "closest": list(studied.best_ids) if studied.closest else [],
         "state": studied.simulator,
         "until_s": float(problem.record.time_s[row]),
+        "tied": [],
     }
+    for explanation in studied.sets[1:] if studied.verdict == "ambiguous" else []:
+        state = refitted(studied, explanation)
+        errors["tied"].append({"ids": list(explanation.ids), "explained": error(state), "state": state})
     if errors["explained"] > LEFT * min(fine_floor(fine, studied), quick(fine, studied.simulator, unseen)):
         later = problem.record.time_s >= problem.record.time_s[row]
         states = [studied.base] if studied.simulator is studied.base else [studied.base, studied.simulator]

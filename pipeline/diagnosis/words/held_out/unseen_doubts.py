@@ -6,6 +6,7 @@ from ...study.heldout import WORSE
 from ..language.quantity import ends, listing, percent, size
 from ..language.vocabulary import Vocabulary
 from . import holdout, in_vain, level, unseen
+from .decided import decided
 
 
 def cautions(content: Verdict, words: Vocabulary) -> list[str]:
@@ -24,7 +25,7 @@ def cautions(content: Verdict, words: Vocabulary) -> list[str]:
             " What calibration alone learnt does not hold later: do not adopt its dimensions."
         )
     sentences += in_vain.unsettled(content, words)
-    if unseen.partly(content, words):
+    if unseen.partly(content, words) or decided(content):
         sentences += beyond(content, words)
     if in_vain.harmful(content, words):
         end = "adopt nothing" if holdout.other_name(content) else "do not adopt it"
@@ -74,7 +75,7 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:
     if fitted is None or fitted <= unseen.STILL_MISSING:
         return []
     left_size = size(fitted * amount(content["evidence"], f"floor_{words.ending}"), words.unit)
-    more = f"{unseen.exact(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
+    more = f"{unseen.beside_limit(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
     none = content["evidence"].get("probability_of_none")
     share = "" if none is None else f"; the {percent(none)} for physics that the library lacks does not cover that"
     return [f"Something systematic is left: the explanation leaves {left_size} rms, {more}{share}."]

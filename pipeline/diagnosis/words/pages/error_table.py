@@ -7,6 +7,7 @@ from ...document.content import Verdict
 from ...document.made_keys import amount, amount_or_none
 from ..explanations import rivals
 from ..held_out import holdout, unseen
+from ..held_out.decided import decided
 from ..held_out.without_name import kept_times
 from ..language.quantity import size
 from ..language.text_table import UNKNOWN, aligned
@@ -127,7 +128,7 @@ def _of_other(content: Verdict) -> list[str]:
     """The effects whose error on unseen strokes the table has, if they are not the named ones."""
     other = holdout.other_name(content)
     if not other or not content["mechanisms"]:
-        return []
+        return decided(content)
     if other == holdout.NO_EFFECT:
         closest = holdout.closest(content)
         which = f"{closest}, which comes closest" if closest else "calibration alone"
