@@ -29,7 +29,7 @@ from pipeline.lifespan.words.calibration_advice import advice, recalibrate_after
 from pipeline.lifespan.words.claims_held import HELD, measured
 from pipeline.lifespan.words.figure_words import WIDE, footnote, which_run
 from pipeline.lifespan.words.sentences import UNFORESEEN, answered, sentence
-from pipeline.lifespan.words.so_far import beside_limit, so_far
+from pipeline.lifespan.words.so_far import exact, so_far
 from pipeline.rig import __main__ as rig
 
 ROOT = Path(__file__).parents[2]
@@ -406,7 +406,7 @@ def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
 )
 def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, limit, digits):
     """ "The model is off by 1 mm" stood beside a limit of 1 mm that was "passed already"."""
-    assert beside_limit(value, limit) == digits
+    assert exact(value, limit) == digits
 
 
 @pytest.mark.parametrize(

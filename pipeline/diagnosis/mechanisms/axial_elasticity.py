@@ -10,8 +10,8 @@ TOE_LOADS = (0.15, 0.5)  # of 10 N
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
-    """`from_load` (10 N) is the load of the tare; none under a constant load, which shows nothing."""
-    return [{"from_load": float(f"{drivers.load0:.6g}")}] if drivers.loaded else []
+    """`from_load` (10 N) is the load of the tare; none where it is constant in each run, which shows nothing."""
+    return [{"from_load": float(f"{drivers.load0:.6g}")}] if drivers.loaded_within else []
 
 
 def saturating(load: Array, toe: float) -> Array:

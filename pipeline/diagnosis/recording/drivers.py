@@ -138,6 +138,13 @@ class Drivers:
         apart = {each: abs(float(np.median(self.load[self.stroke == each])) - usual) for each in strokes}
         return [each for each, by in apart.items() if by > LOAD_MOVES * max(abs(usual), LEAST_LOAD)]
 
+    @cached_property
+    def loaded_within(self) -> bool:
+        """Whether the load varies enough to tell what shifts with it: within a run, where each has its own zero."""
+        least = LOAD_MOVES * max(abs(float(np.median(self.load))), LEAST_LOAD)
+        parts = self.run_parts() if self.free_zero else [slice(None)]
+        return any(float(np.subtract(*np.percentile(self.load[part], [95, 5]))) > least for part in parts)
+
     def run_parts(self) -> list[slice]:
         """The samples of each run, in turn."""
         edges = [0, *map(int, self.breaks), len(self.time_s)]

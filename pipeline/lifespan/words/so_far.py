@@ -10,7 +10,7 @@ LEAST_LOSS = 1e-3  # per cent of the stroke: no sensor shows less
 LEAST_OFF = 1e-6  # mm: no sensor shows less
 
 
-def beside_limit(value: float, limit: float) -> str:
+def exact(value: float, limit: float) -> str:
     """A number with two digits, or with as many as tell it from the limit: 1.03 beside 1."""
     texts = (f"{value:.{digits}g}" for digits in range(2, 7))
     return next((text for text in texts if float(text) != float(f"{limit:.6g}")), f"{value:.2g}")
@@ -22,7 +22,7 @@ def off_by(value: float, noise: float, answer: Answer) -> str:
         return "nothing measurable"
     if value < noise:
         return f"less than the noise of a stroke, {noise:.2g} {answer.unit}"
-    return f"{beside_limit(value, answer.limit)} {answer.unit}"
+    return f"{exact(value, answer.limit)} {answer.unit}"
 
 
 def so_far(answer: Answer, at_rest: str = "") -> str:
@@ -42,5 +42,5 @@ def so_far(answer: Answer, at_rest: str = "") -> str:
         return f"So far: nothing measurable of the stroke is lost{rest} ({against})."
     if middle < 0.0:
         return f"So far: the stroke grew by {100.0 * -middle:.2g} %; nothing is lost{rest} ({against})."
-    lost = beside_limit(100.0 * middle, 100.0 * answer.limit)
+    lost = exact(100.0 * middle, 100.0 * answer.limit)
     return f"So far: {lost} % of the stroke is lost ({against})."

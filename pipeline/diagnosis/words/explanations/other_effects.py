@@ -17,7 +17,8 @@ VISIBLE = 0.1  # noise floors: a change in a stand that is less is worth no word
 EXCLUDES = 1.0  # noise floors: what is wrong by less may be bent by an effect too small to be named
 WORTH = 0.01  # of a probability: what is less is not said
 ADDS = 0.2  # noise floors: what takes away less adds nothing
-CONSTANT = "nothing: a constant"  # what such an effect follows, by `Mechanism.driver`
+CONSTANT, LOAD = "nothing: a constant", "load"  # what such effects follow, by `Mechanism.driver`
+OF_RUNS = "each run has its own zero, and within none the load changed enough: change it between strokes of one run"
 STANDS = {"hold": "in a hold", "rest": "in a rest"}
 TRIED = (
     "Each effect was tried in place of a part of the best explanation, which leaves {left}, and added to all of it. "
@@ -61,7 +62,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
         *([f"Among the likely, but wrong while the motor stands: {listing(wrong)}."] if wrong else []),
         *([SAME.format(listing(alike))] if alike else []),
         *([f"How likely at work: {listing(likely)}; each other one less than 1 %."] if likely else []),
-        *_not_shown([entry["id"] or "" for entry in others if entry not in tried], words),
+        *_not_shown([entry["id"] or "" for entry in others if entry not in tried], content, words),
     ]
 
 
@@ -95,15 +96,12 @@ def _helps_nothing(entry: NotKept, content: Verdict, words: Vocabulary) -> bool:
     return any(left_rms > ALIKE * amount(each, f"left_{words.ending}") for each in smaller)
 
 
-def _not_shown(ids: list[str], words: Vocabulary) -> list[str]:
+def _not_shown(ids: list[str], content: Verdict, words: Vocabulary) -> list[str]:
     """Which effects no recording like this can show, each with the reason, in one line."""
     drivers = {id_: mechanisms()[id_].driver for id_ in ids}
-    why = [
-        f"{id_} (a constant cannot be told from the zero of the sensor)"
-        if driver == CONSTANT
-        else f"{id_} (it follows {words.follows(driver)})"
-        for id_, driver in drivers.items()
-    ]
+    several = isinstance(content["run"], list) and content["evidence"]["loaded"]
+    reasons = {CONSTANT: "a constant cannot be told from the zero of the sensor"} | ({LOAD: OF_RUNS} if several else {})
+    why = [f"{id_} ({reasons.get(driver, f'it follows {words.follows(driver)}')})" for id_, driver in drivers.items()]
     return [f"This recording could not show {listing(why, 'or')}."] if why else []
 
 

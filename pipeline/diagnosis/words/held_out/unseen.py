@@ -77,16 +77,16 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
     if named and fitted is not None and of_calibration(content):
         return _missed_alone(content, unseen, fitted)
     missed = (
-        f"the {holdout.strokes(content)} are missed by {beside_limit(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
+        f"the {holdout.strokes(content)} are missed by {exact(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
     )
     if fitted is None or holdout.status(content) == holdout.SEEN:
         return f"Something systematic is still missing: {missed}."
-    both = f"{missed}; fitted to all strokes, as in the figure, {beside_limit(fitted)} times is left"
+    both = f"{missed}; fitted to all strokes, as in the figure, {exact(fitted)} times is left"
     other = holdout.of_other(content)
     if other and named:
-        both = f"{other}, fitted without the unseen strokes, misses them by {beside_limit(unseen)} times the noise"
+        both = f"{other}, fitted without the unseen strokes, misses them by {exact(unseen)} times the noise"
         both += (
-            f" ({STILL_MISSING:g} is the limit); {holdout.named(content)}, fitted to all, leaves {beside_limit(fitted)} times"
+            f" ({STILL_MISSING:g} is the limit); {holdout.named(content)}, fitted to all, leaves {exact(fitted)} times"
         )
         changes = f"something changes from stroke to stroke that {other} does not foresee"
         return f"Something systematic is still missing: {both}. So too few strokes were seen, or {changes}."
@@ -108,16 +108,16 @@ def _missed_alone(content: Verdict, unseen: float, fitted: float) -> str:
     strokes, best = holdout.strokes(content), holdout.named(content)
     if fitted <= STILL_MISSING:
         return (
-            f"Calibration alone misses the {strokes} by {beside_limit(unseen)} times the noise: that says nothing of {best}."
+            f"Calibration alone misses the {strokes} by {exact(unseen)} times the noise: that says nothing of {best}."
         )
     limit = f"({STILL_MISSING:g} is the limit)"
     return (
-        f"Something systematic is still missing: {best} leaves {beside_limit(fitted)} times the noise of the whole recording "
-        f"{limit}. The {beside_limit(unseen)} times by which the {strokes} are missed are of calibration alone."
+        f"Something systematic is still missing: {best} leaves {exact(fitted)} times the noise of the whole recording "
+        f"{limit}. The {exact(unseen)} times by which the {strokes} are missed are of calibration alone."
     )
 
 
-def beside_limit(ratio: float) -> str:
+def exact(ratio: float) -> str:
     """A ratio in words; with two decimals where one would hide that it exceeds the limit: 1.28 is 1.3, 1.34."""
     return f"{ratio:.2f}" if ratio > STILL_MISSING and times(ratio) == times(STILL_MISSING) else times(ratio)
 

@@ -75,7 +75,7 @@ def left_of_whole(content: Verdict, words: Vocabulary) -> list[str]:
     if fitted is None or fitted <= unseen.STILL_MISSING:
         return []
     left_size = size(fitted * amount(content["evidence"], f"floor_{words.ending}"), words.unit)
-    more = f"{unseen.beside_limit(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
+    more = f"{unseen.exact(fitted)} times the noise{' of the averages' * unseen.averaged(content, words)}"
     none = content["evidence"].get("probability_of_none")
     share = "" if none is None else f"; the {percent(none)} for physics that the library lacks does not cover that"
     return [f"Something systematic is left: the explanation leaves {left_size} rms, {more}{share}."]

@@ -187,11 +187,7 @@ def _seen(content: Verdict, words: Vocabulary) -> list[float | None]:
 
 
 def _cell(error: float | None, noise: float, words: Vocabulary) -> str:
-    return (
-        UNKNOWN
-        if error is None
-        else f"{size(error, words.unit)} ({unseen.beside_limit(error / noise)} times the noise)"
-    )
+    return UNKNOWN if error is None else f"{size(error, words.unit)} ({unseen.exact(error / noise)} times the noise)"
 
 
 def _kinds(content: Verdict, words: Vocabulary) -> tuple[str, str]:

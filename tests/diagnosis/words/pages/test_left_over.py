@@ -5,7 +5,7 @@ import copy
 from made_content import SYSTEMS, content, full, page
 
 from pipeline.diagnosis.drawing.figures import warning
-from pipeline.diagnosis.words.held_out.unseen import beside_limit
+from pipeline.diagnosis.words.held_out.unseen import exact
 from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.next_run.recorded_so_far import not_yet
 
@@ -38,7 +38,7 @@ def test_what_is_left_has_one_size():
 
 
 def test_a_ratio_below_the_limit_is_rounded_as_the_others():
-    assert [beside_limit(ratio) for ratio in (1.28, 1.3, 1.34, 1.36, 12.0)] == ["1.3", "1.3", "1.34", "1.4", "12"]
+    assert [exact(ratio) for ratio in (1.28, 1.3, 1.34, 1.36, 12.0)] == ["1.3", "1.3", "1.34", "1.4", "12"]
 
 
 def test_other_ways_are_those_that_the_recording_does_not_have():

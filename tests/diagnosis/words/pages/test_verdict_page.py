@@ -915,6 +915,10 @@ def test_each_effect_that_is_not_kept_has_a_row_why_also_by_what_goes_on_while_t
     assert "What it takes away there is too little for one effect more." in text
     assert "How likely at work: viscous_loss 2 %; each other one less than 1 %." in text
     assert text.endswith("This recording could not show axial_elasticity (it follows the load).")
+    together = content(evidence__not_kept=[first, *others], run=["nylon-3", "nylon-4"])
+    assert "axial_elasticity (each run has its own zero, and within none the load" in " ".join(
+        details(together).split()
+    )
     diagnosis["evidence"]["not_kept"][0]["tied"][0]["stands"] = stands(0.05)
     assert "Among the likely, but wrong while the motor stands: slack." in details(copy.deepcopy(diagnosis))
     diagnosis["evidence"]["not_kept"][0]["stands"] = {}
