@@ -12,7 +12,9 @@ from .diagnosis.adoption.explain import explained, without_effects
 from .diagnosis.adoption.other_runs import for_others
 from .diagnosis.document.content import Verdict
 from .diagnosis.fit.adopt import acts_from, adoptions, checked
-from .diagnosis.prediction.simulation import of_run, read_diagnosis
+from .diagnosis.prediction.later_run import adopted_by
+from .diagnosis.prediction.simulation import read_diagnosis
+from .diagnosis.recording.recorded_run import RecordedRun
 from .diagnosis.words.language.quantity import listing
 from .diagnosis.words.language.sections import section
 from .diagnosis.words.language.vocabulary import Vocabulary
@@ -50,9 +52,10 @@ def check(content: Verdict, source: Path, folder: Path) -> tuple[list[str], list
     acts_from(content["simulation"], bare.drivers, str(source))
     adopting = run.model_copy(update={KEY: content["simulation"], ORIGIN: origin_of(content, source, run)})
     own_run = before_after.is_of(content, run.run)
-    errors = before_after.told(bare, len(samples), of_run(run), of_run(adopting), source, own_run)
+    recorded, now = RecordedRun(run, samples, strokes, folder), adopted_by(adopting)
+    errors = before_after.told(recorded, bare, adopted_by(run), now, source, own_run)
     own = before_after.on_unseen(content, Vocabulary.of(run.system), run.run)
-    return [*errors, *before_after.begun_anew(content, run.run), *own], before_after.dimensions(content)
+    return [*errors, *before_after.begun_anew(content, run.run, folder), *own], before_after.dimensions(content)
 
 
 def origin_of(content: Verdict, source: Path, run: Run) -> list[Adopted]:

@@ -7,8 +7,9 @@ from typing import cast
 from ..run.description import Run
 from .document.content import Simulated, Verdict
 from .fit.adopt import checked
+from .prediction.later_run import adopted_by
 from .prediction.prediction_band import adopted_diagnosis
-from .prediction.simulation import of_run, read_diagnosis
+from .prediction.simulation import read_diagnosis
 from .prediction.without_a_name import to_simulate
 from .words.language.quantity import listing
 
@@ -31,7 +32,7 @@ class Simulator:
 
         Raises BadInput for an effect that is none of the library's.
         """
-        content = of_run(run) if diagnosis is None else to_simulate(diagnosis, run.run)
+        content = adopted_by(run) if diagnosis is None else to_simulate(diagnosis, run.run)
         for number, entry in enumerate(content["simulation"]):
             checked(entry, f"simulation[{number}]", str(source))
         return cls(content, source, diagnosis)

@@ -30,7 +30,8 @@ def by(simulator: Simulator, dimensions: Path) -> str:
 def of_simulator(simulator: Simulator, run: Run, before: Sequence[RecordedRun]) -> list[str]:
     """What a reader must know of the simulator: the runs before, that it is no name, advice against it."""
     content, called = simulator.content, Vocabulary.of(run.system)
-    words = [*said_of(content, run.run, before, simulator.source), *said_of_no_name(content, called.ending)]
+    source = simulator.source if simulator.given is not None else f"what {simulator.source} has adopted"
+    words = [*said_of(content, run.run, before, source), *said_of_no_name(content, called.ending)]
     advised = contrary(cast(Verdict, content), called) if simulator.given is not None and content["simulation"] else ""
     return words + [f"beware: the verdict advises against what is simulated: {advised.rstrip('.')}"] * bool(advised)
 

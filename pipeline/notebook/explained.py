@@ -15,6 +15,7 @@ from ..ground.errors import BadInput
 RESTORE = (  # the past of a later run, in a notebook
     "simulate with the diagnosis that Diagnosis.of gave, or read runs that lie in one folder, by Recording.read"
 )
+ADOPTED = "keep the runs in one folder, and read this one by Recording.read"
 
 
 class Explained(Protocol):
@@ -55,7 +56,8 @@ def doubts(
     own: RecordedRun, before: Sequence[RecordedRun], simulator: Simulator, diagnosis: Explained | None
 ) -> list[str]:
     """What must be known of a run that is simulated after those `before`: it lacks its past, or is of another rig."""
+    source, mend = ("what it has adopted", ADOPTED) if diagnosis is None else ("the diagnosis", RESTORE)
+    words = [] if before else said_of(simulator.content, own.run.run, before, source, mend)
     if diagnosis is None:
-        return []
-    words = [] if before else said_of(simulator.content, own.run.run, before, "the diagnosis", RESTORE)
+        return words
     return [*words, *of_another(simulator, own.run, own.place, [each.run for each in diagnosis.recorded])]

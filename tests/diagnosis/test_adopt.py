@@ -206,7 +206,10 @@ def test_a_run_that_was_diagnosed_together_adopts_the_zero_of_its_own_motor() ->
     }
     content = {"run": ["a-01", "a-02"], "parameters": parameters}
     assert fitted(content, "a-01") == {"angle_turns": {"nominal": 0.0, "fitted": 0.02}}
-    assert fitted(content, "a-02") == {"angle_turns": {"nominal": 0.0, "fitted": pytest.approx(0.32)}}
+    assert fitted(content, "a-02") == {
+        "angle_turns": {"nominal": 0.0, "fitted": pytest.approx(0.32)},
+        "angle_turns_2": {"nominal": 0.0, "fitted": 0.3},
+    }
 
 
 def test_what_cannot_be_adopted_leaves_run_yaml_as_it_was(folder: Path, diagnosis: Path) -> None:

@@ -12,8 +12,9 @@ from ..document.content import Simulated, Verdict
 from ..document.explanations import share_of
 from ..fit.adopt import fitted, is_number
 from ..fit.problem import Problem
-from ..prediction.later_run import names_before
-from ..prediction.simulation import off, tared
+from ..prediction.later_run import names_before, places_beside, predicted_after, simulated_before
+from ..prediction.simulation import off
+from ..recording.recorded_run import RecordedRun
 from ..study import heldout
 from ..words.explanations.rivals import called
 from ..words.held_out import holdout
@@ -148,31 +149,35 @@ def on_unseen(content: Verdict, words: Vocabulary, run: str) -> list[str]:
     return sentences
 
 
-def begun_anew(content: Verdict, run: str) -> list[str]:
-    """Why the error of a run is larger than in its verdict, where it went after others in that; else nothing."""
+def begun_anew(content: Verdict, run: str, folder: Path) -> list[str]:
+    """How a run's errors are simulated that went after others in its verdict: after these, or why they are larger.
+
+    It goes after them where they lie beside its folder. Nothing is said of a run that went after none.
+    """
     names = names_before(content, run)
     after = f"In the verdict {run} goes after {' and '.join(map(key_name, names))}"
     anew = f"{after}; here it is alone, what goes on over time or strokes begins anew in it, and the error is larger."
-    return [anew] if names else []
+    beside = len(places_beside(folder, names)) == len(names)
+    return [f"{after}, and so does what is simulated now." if beside else anew] if names else []
 
 
-def told(problem: Problem, samples: int, before: Simulated, now: Simulated, path: Path, own: bool = True) -> list[str]:
+def told(
+    recorded: RecordedRun, problem: Problem, before: Simulated, now: Simulated, path: Path, own: bool = True
+) -> list[str]:
     """The error of `pipeline.simulate` on a run's own recording, before adopting and from now on.
 
-    `problem` is the run's without any effect, averaged where it has fewer rows than the recording has `samples`;
-    `before` and `now` are what its run.yaml simulates; `own`: the diagnosis at `path` is of this run. Raises BadInput,
-    also where one of another run would make the simulator worse.
+    `problem` is the run's without any effect, averaged where it has fewer rows than the recording has samples; `before`
+    and `now` are what its run.yaml simulates, each after the runs of its diagnosis that lie beside the run; `own`: the
+    diagnosis at `path` is of this run. Raises BadInput, also where one of another run would make the simulator worse.
     """
     unit = problem.drivers.units.reading
     columns = {"before": before, "now": now}
-    errors = [
-        off(problem.measured, tared(problem, simulated, path, str(simulated["run"]))) for simulated in columns.values()
-    ]
+    errors = [_errors(recorded, problem, simulated, path) for simulated in columns.values()]
     if not own and errors[1][1] > WORSE * errors[0][1]:
         sizes = f"{size(errors[1][0], unit)} where it errs by {size(errors[0][0], unit)} now"
         wrong = f"is of another run, and would make the simulator of this one worse: {sizes}"
         raise BadInput(path, "run", wrong, "diagnose this run, and adopt that")
-    of_means = f"averages of {number(problem.drivers.step_s)} s" * (len(problem.record) < samples)
+    of_means = f"averages of {number(problem.drivers.step_s)} s" * (len(problem.record) < len(recorded.samples))
     rows = [[f"on this recording, rms of {of_means or 'single samples'}", *columns]]
     rows.append([f"error of {program_name('simulate')}"])
     if problem.system.free_zero:
@@ -180,3 +185,9 @@ def told(problem: Problem, samples: int, before: Simulated, now: Simulated, path
     for row, before_and_now in zip(rows[1:], zip(*errors, strict=True), strict=False):
         row += [size(error, unit) for error in before_and_now]
     return aligned(rows)
+
+
+def _errors(recorded: RecordedRun, problem: Problem, content: Simulated, path: Path) -> tuple[float, float]:
+    earlier = simulated_before(content, recorded.run.run, recorded.place)
+    thin = problem.system.differentiates
+    return off(problem.measured, predicted_after(earlier, recorded, problem, content, path, thin))

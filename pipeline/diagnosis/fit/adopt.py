@@ -50,8 +50,8 @@ def block(entries: Sequence[Included | Adoption], key: str = "simulation") -> st
 def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
     """The dimensions of a diagnosis for a run, by name: the values of run.yaml, and those fitted with the effects.
 
-    A run that was diagnosed together with others may have a zero of the motor of its own, which is added. The zero of
-    the reading is that of one recording: it comes only with its own run.
+    A run that was diagnosed together with others may have a zero of the motor of its own, which is added; those of the
+    later runs up to it stand beside it, as they are. The zero of the reading comes only with its own run.
     """
     parameters = content.get("parameters", {})
     runs = content.get("run")
@@ -63,7 +63,7 @@ def fitted(content: Verdict, run: str) -> dict[str, dict[str, float]]:
         value: Any = entry.get("value") if isinstance(entry, dict) else None
         if (
             (name.startswith("zero") and not (name.startswith(zero) and (number or runs == run)))
-            or re.search(r"_\d+$", name)
+            or ((later := re.search(r"_(\d+)$", name)) and not 1 < int(later[1][:DIGITS]) <= number)
             or not (is_number(nominal) and is_number(value))
         ):
             continue

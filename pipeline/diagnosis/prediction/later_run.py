@@ -2,20 +2,40 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
+from ...ground.errors import BadInput
 from ...ground.input.complaint import key_name
 from ...ground.kinematics import Array
 from ...ground.names import RUN_NAME
+from ...run.description import Run
 from ...run.folder import has_recording
 from ...run.samples import read_strokes
 from ..document.content import Simulated
 from ..fit.problem import Problem
 from ..recording.recorded_run import RecordedRun
 from ..study.own_rate import at_own_rate
-from .simulation import tared
+from .simulation import of_run, tared
 
 KEEP = "keep the runs in one folder, and give a planned motion --after-recording"  # so that those before are at hand
+
+
+def adopted_by(run: Run) -> Simulated:
+    """What a run has adopted, in the form of a diagnosis: as `of_run`, after the runs that went before it in that.
+
+    The motor's zero of each of these comes back: `of_run` has that of the run itself.
+    """
+    content, last = of_run(run), run.adopted[-1] if run.adopted and run.simulation else None
+    together = (last and last.runs) or []
+    if last is None or run.run not in together[1:]:
+        return content
+    number, parameters, homed = together.index(run.run) + 1, dict(content["parameters"]), run.system.homed
+    for name, dimension in (last.dimensions or {}).items() if homed in parameters else []:
+        if name.startswith(f"{homed}_"):
+            parameters[name] = {"value": dimension.fitted}
+    if own := parameters.get(f"{homed}_{number}"):
+        parameters[str(homed)] = {"value": parameters[str(homed)]["value"] - own["value"]}
+    return {**content, "run": together, "parameters": parameters}
 
 
 def names_before(content: Simulated, run: str) -> list[str]:
@@ -48,14 +68,25 @@ def before_of(content: Simulated, run: str, beside: Sequence[RecordedRun]) -> li
 
 
 def predicted_after(
-    before: Sequence[RecordedRun], recorded: RecordedRun, problem: Problem, content: Simulated, source: Path
-) -> Array:
+    before: Sequence[RecordedRun], recorded: RecordedRun, problem: Problem, content: Simulated, source: Path,
+    thin: bool = False,
+) -> Array:  # fmt: skip
     """The simulation of a run after the runs before it; `problem` is the run's own, at its own rate.
 
-    Shape (samples,) of the run, in the channel's unit; raises BadInput as `tared` does.
+    `thin`: that is at most the system's working rate. A dimension that `content` lacks is that of the run's own
+    run.yaml. Shape (samples,) of the run, in the channel's unit; raises BadInput as `tared` does, and for a run before
+    it that is of another kind of rig.
     """
-    whole = at_own_rate([*before, recorded], thin=False, to_fit=False) if before else problem
-    return tared(whole, content, source, recorded.run.run)[-len(problem.record) :]
+    if not before:
+        return tared(problem, content, source, recorded.run.run)
+    for each in before:
+        if each.run.actuator != recorded.run.actuator:
+            another = f"is {each.run.actuator}, and {recorded.run.run}, which was diagnosed after it, is not"
+            raise BadInput(each.place, "actuator", another, "put the run back that the diagnosis was made of")
+    own = {parameter.name: {"value": parameter.nominal} for parameter in problem.parameters}
+    complete = cast(Simulated, {**content, "parameters": {**own, **content["parameters"]}})
+    whole = at_own_rate([*before, recorded], thin=thin, to_fit=False)
+    return tared(whole, complete, source, recorded.run.run)[-len(problem.record) :]
 
 
 def said_of(
@@ -65,10 +96,10 @@ def said_of(
     names = [key_name(name) for name in names_before(content, run)]
     if not names:
         return []
-    listed = " and ".join(names)
+    listed, goes = " and ".join(names), "does" if len(names) == 1 else "do"
     if before:
         return [f"it is simulated after {listed}, as they were diagnosed together"]
     return [
-        f"beware: {source} was made of {listed} and {run} together, and here {listed} does not go before. What goes on "
-        f"over time or strokes begins anew, so the reading may be far off. Mend: {mend}"
+        f"beware: {source} was made of {listed} and {run} together, and here {listed} {goes} not go before. What goes "
+        f"on over time or strokes begins anew, so the reading may be far off. Mend: {mend}"
     ]

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any, cast
 
@@ -92,14 +93,14 @@ def _adopted(run: Run) -> dict[str, Fitted]:
     """The dimensions that were adopted last; nothing where run.yaml has no effects, or none that brought dimensions.
 
     The zero of a reading stays with the recording that it was fitted to. That of a later run of several keeps its
-    number, for it is known beside what the runs before it left behind.
+    number, for it is known beside what the runs before it left behind. The motor's zeros of these stay out.
     """
     with_some = [adopted for adopted in run.adopted if adopted.dimensions]
     if not with_some or not run.simulation:
         return {}
     runs, dimensions = with_some[-1].runs or [], with_some[-1].dimensions or {}
     number = runs.index(run.run) + 1 if run.run in runs else 0
-    kept = {name: fitted for name, fitted in dimensions.items() if not name.startswith("zero")}
+    kept = {name: fitted for name, fitted in dimensions.items() if not re.match("zero|.*_[0-9]+$", name)}
     own = "zero_" if len(runs) == number == 1 else f"zero_{number}_"
     zeros = {name: fitted for name, fitted in dimensions.items() if number and name.startswith(own)}
     return kept | {name.replace("zero_1_", "zero_"): fitted for name, fitted in zeros.items()}

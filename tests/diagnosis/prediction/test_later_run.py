@@ -1,6 +1,7 @@
 """The second run of a joint diagnosis is simulated after the first: its creep does not begin anew."""
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -145,12 +146,35 @@ def test_where_the_run_before_does_not_lie_beside_it_that_is_said(joint, tmp_pat
 
 
 @pytest.mark.long
-def test_adopting_it_says_that_alone_it_begins_anew(joint):
+def test_a_run_that_adopted_it_is_simulated_as_with_it_and_adopt_tells_that_error(joint, tmp_path):
+    """It began anew, erred by 38 times the expected error, and adopting looked as if it made the simulator worse."""
+    _, later, diagnosis = joint
+    by_diagnosis, printed = simulate(later, diagnosis, tmp_path / "given.csv")
+    error = re.search(r"its zero as it was fitted: ([0-9.]+ mm)", printed)[1]
+    later = Path(shutil.copytree(later.parent, tmp_path / "raw")) / later.name
+    done = programs.run("pipeline.adopt", diagnosis, later)
+    table = " ".join(done.stdout.split())
+    assert re.search(r"error of pipeline.simulate [0-9.]+ mm ([0-9.]+ mm)", table)[1] == error
+    assert "In the verdict one-2 goes after one-1, and so does what is simulated now." in table
+    assert "begins anew" not in table
+    done = programs.run("pipeline.simulate", later, "--out", tmp_path / "adopted.csv")
+    printed = " ".join(done.stdout.split())
+    assert "it is simulated after one-1, as they were diagnosed together" in printed, done.stderr
+    assert f"its zero as it was fitted: {error}" in printed
+    adopted = pd.read_csv(tmp_path / "adopted.csv")["displacement_mm"].to_numpy()
+    assert adopted == pytest.approx(by_diagnosis, abs=1e-3)
+
+
+@pytest.mark.long
+def test_adopting_it_says_that_alone_it_begins_anew(joint, tmp_path):
     _, later, diagnosis = joint
     later = Path(shutil.copytree(later, later.parents[1] / "adopting" / later.name))
     done = programs.run("pipeline.adopt", diagnosis, later)
     printed = " ".join(done.stdout.split())
     assert done.returncode == 0, done.stderr
+    alone = programs.run("pipeline.simulate", later, "--out", tmp_path / "alone.csv")
+    beware = f"beware: what {later}/run.yaml has adopted was made of one-1 and one-2 together, and here one-1 does not"
+    assert beware in " ".join(alone.stdout.split())
     anew = "In the verdict one-2 goes after one-1; here it is alone, what goes on over time or strokes begins anew in "
     assert anew in printed and printed.index("same, if the whole recording sets the zero") < printed.index(anew)
     assert anew not in printed[printed.index("Those errors are of strokes that the fit has seen") :]
