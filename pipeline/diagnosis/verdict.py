@@ -31,7 +31,7 @@ from .numerics import residual_band
 from .numerics.noise import white
 from .proposal import next_runs
 from .study.engine import fine_floor
-from .study.heldout import Errors, worse_than_nominal
+from .study.heldout import Errors, runs_of, worse_than_nominal
 from .study.rivals import named_simulator, rivals
 from .words.pages.spoken import spoken
 
@@ -140,6 +140,7 @@ def diagnosis(
     fit["heldout"] = (
         {
             "split": heldout["split"],
+            **({"runs": [runs[at].run for at in runs_of(problem.record, heldout["until_s"])]} if runs[1:] else {}),
             **{f"{name}_{unit}": heldout[name] for name in HELD_OUT if name in heldout},
         }
         if heldout

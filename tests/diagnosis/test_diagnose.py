@@ -274,6 +274,7 @@ def test_two_runs_of_one_rig_are_diagnosed_together(diagnosed, tmp_path) -> None
     assert done.returncode == 0, done.stderr
     content = json.loads((tmp_path / "out" / "diagnosis.json").read_text())
     assert content["run"] == ["first", "second"] and {"zero_1_mm", "zero_2_mm"} <= set(content["parameters"])
+    assert content["fit"]["heldout"]["runs"] == ["second"]
     assert [entry["id"] for entry in content["mechanisms"]] == ["creep"]
 
 

@@ -79,6 +79,7 @@ class HeldOut(TypedDict):
     """
 
     split: str  # which strokes
+    runs: NotRequired[list[str]]  # of several: the runs that have some of these
 
 
 class Relative(TypedDict):

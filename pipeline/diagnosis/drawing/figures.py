@@ -79,8 +79,8 @@ def _kept(content: Verdict, adopted_ids: list[str]) -> str:
     adopted = f"adopted {TOGETHER.join(adopted_ids)}"
     if holdout.against_advice(content):
         return f"{adopted}, against the advice of {'its' if len(adopted_ids) == 1 else 'their'} verdict"
-    if holdout.status(content) == holdout.SEEN:
-        return f"{adopted}, fitted to this recording"
+    if holdout.status(content) in (holdout.SEEN, holdout.PARTLY):
+        return f"{adopted}, fitted to {holdout.fitted_to(content)}"
     return f"{adopted} still hold{'s' * (len(adopted_ids) == 1)}"
 
 

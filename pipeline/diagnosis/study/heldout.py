@@ -10,7 +10,7 @@ from ..choice.outcome import Study, rms
 from ..document.effects_named import Location
 from ..fit.flexible import foretold
 from ..fit.problem import Problem, State
-from ..recording.working_samples import wild
+from ..recording.working_samples import Record, wild
 from .engine import fine_floor, study
 from .polish import polished
 from .rivals import refitted
@@ -103,6 +103,11 @@ def quick(fine: Problem, state: State, rows: NDArray[np.bool_]) -> float:
     """
     bends = np.diff((fine.measured - fine.simulate(state))[rows], n=2)  # of white noise the root of 6 as large
     return float(1.4826 * np.median(np.abs(bends)) / np.sqrt(6.0))
+
+
+def runs_of(record: Record, until_s: float) -> list[int]:
+    """Numbers of the runs, from 0, that have strokes which are held out: those from `until_s` on, on their clock."""
+    return [int(number) for number in np.unique(record.run_index[record.time_s >= until_s])]
 
 
 def held_out(problem: Problem, fine: Problem, to_polish: Problem) -> tuple[Errors | None, Study | None]:

@@ -1,10 +1,11 @@
 """The effects that run.yaml has adopted, and whether they saw the held-out strokes; no word calls seen ones unseen."""
 
 from ...document.content import Verdict
+from ..language.quantity import listing
 
 SPLIT = "last 30 % of strokes"
 NO_EFFECT = "no effect"
-UNSEEN, SEEN, PERHAPS = "unseen", "seen", "perhaps"
+UNSEEN, SEEN, PARTLY, PERHAPS = "unseen", "seen", "partly", "perhaps"
 
 
 def included(content: Verdict) -> list[str]:
@@ -21,16 +22,48 @@ def against_advice(content: Verdict) -> list[str]:
 
 
 def status(content: Verdict) -> str:
-    """Whether the adopted effects were fitted to a run of this diagnosis: `unseen`, `seen`, or `perhaps`."""
+    """Whether the adopted effects were fitted to the held-out strokes: `unseen`, `seen`, `partly`, or `perhaps`.
+
+    They are where they were fitted to the run that has these strokes; `partly`: to some of several such runs.
+    """
     ids = included(content)
     if not ids:
         return UNSEEN
-    own = {content["run"]} if isinstance(content["run"], str) else set(content["run"])
+    if held_out_runs(content, seen=True):
+        return PARTLY if held_out_runs(content, seen=False) else SEEN
     of_known_runs = [adoption for adoption in content.get("adopted", []) if adoption.get("runs")]
-    if any(own & set(adoption["runs"]) for adoption in of_known_runs):
-        return SEEN
     fitted_ids = {id_ for adoption in of_known_runs for id_ in adoption["effects"]}
     return UNSEEN if set(ids) <= fitted_ids else PERHAPS
+
+
+def runs(content: Verdict) -> list[str]:
+    """The runs that a verdict is on."""
+    return [content["run"]] if isinstance(content["run"], str) else list(content["run"])
+
+
+def fitted_runs(content: Verdict) -> list[str]:
+    """The runs of a verdict that the adopted effects were fitted to."""
+    fitted = {run for adoption in content.get("adopted", []) for run in adoption.get("runs") or []}
+    return [run for run in runs(content) if run in fitted] if included(content) else []
+
+
+def held_out_runs(content: Verdict, seen: bool) -> list[str]:
+    """The runs of the held-out strokes that the adopted effects were fitted to, or not; unless `seen`, the others.
+
+    A file that does not tell which runs have these strokes counts as having them in the fitted runs.
+    """
+    fit, fitted = content.get("fit"), fitted_runs(content)
+    heldout = fit["heldout"] if fit else None
+    of_strokes = (heldout.get("runs") if heldout else None) or fitted or runs(content)
+    return [run for run in of_strokes if (run in fitted) == seen]
+
+
+def fitted_to(content: Verdict, very: str = "") -> str:
+    """The recordings of this verdict that the adopted effects were fitted to, as a sentence names them."""
+    fitted = fitted_runs(content)
+    if fitted != runs(content):
+        return listing(fitted)
+    return f"these {very}recordings" if fitted[1:] else f"this {very}recording"
 
 
 def other_name(content: Verdict) -> str:
@@ -126,5 +159,6 @@ def heading(content: Verdict) -> str:
     return {
         UNSEEN: "Error on unseen strokes",
         SEEN: f"Error on the {last} (seen before)",
+        PARTLY: f"Error on the {last} (partly seen)",
         PERHAPS: f"Error on the {last} (perhaps seen before)",
     }[status(content)]

@@ -79,7 +79,7 @@ def still_missing(content: Verdict, words: Vocabulary, unseen: float, named: boo
     missed = (
         f"the {holdout.strokes(content)} are missed by {exact(unseen)} times the noise ({STILL_MISSING:g} is the limit)"
     )
-    if fitted is None or holdout.status(content) == holdout.SEEN:
+    if fitted is None or holdout.status(content) in (holdout.SEEN, holdout.PARTLY):
         return f"Something systematic is still missing: {missed}."
     both = f"{missed}; fitted to all strokes, as in the figure, {exact(fitted)} times is left"
     other = holdout.of_other(content)

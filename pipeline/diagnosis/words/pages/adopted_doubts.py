@@ -15,7 +15,7 @@ def against_advice(content: Verdict) -> list[str]:
             were, their = ("was", "its") if len(adoption["effects"]) == 1 else ("were", "their")
             against = f"{listing(adoption['effects'])} {were} adopted against the advice of {their} verdict"
             lines.append(f"{against}. It says: {advised[0]}")
-    return lines
+    return list(dict.fromkeys(lines))  # each of several runs has adopted it
 
 
 def doubtful(content: Verdict) -> list[str]:
@@ -33,4 +33,4 @@ def doubtful(content: Verdict) -> list[str]:
         lines.append(
             f"Instead of what was adopted ({effects}) this may be right, for it was likely as well: {named}{rest}."
         )
-    return lines
+    return list(dict.fromkeys(lines))

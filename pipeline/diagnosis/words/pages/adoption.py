@@ -87,12 +87,17 @@ def adopted_again(content: Verdict) -> bool:
 
 
 def _sight(content: Verdict, ids: list[str]) -> str:
-    """Whether the adopted effects were fitted to this recording; nothing where it was another one."""
+    """Which recordings of this verdict the adopted effects were fitted to; nothing where these were other ones."""
     they, were = ("It", "was") if len(ids) == 1 else ("They", "were")
-    fitted = f"{they} {were} fitted to this very recording"
+    fitted = f"{they} {were} fitted to {holdout.fitted_to(content, 'very ')}"
+    its, every = ("the", "their") if holdout.runs(content)[1:] else ("its", "its")
+    others = listing(holdout.held_out_runs(content, seen=False))
+    whose = f" {fitted}; the last strokes below are of {others}, which no fit had seen."
     return {
-        holdout.UNSEEN: "",
-        holdout.SEEN: f" {fitted}, all its strokes included: the error on its last strokes below is no test.",
+        holdout.UNSEEN: whose if holdout.fitted_runs(content) else "",
+        holdout.SEEN: f" {fitted}, all {every} strokes included: the error on {its} last strokes below is no test.",
+        holdout.PARTLY: f" {fitted}, all their strokes included. Of the last strokes below only those of {others} are "
+        "a test.",
         holdout.PERHAPS: f" Nobody wrote down which recording {they.lower()} {were} fitted to: if it is this one, the "
         "error on its last strokes below is no test.",
     }[holdout.status(content)]

@@ -9,7 +9,7 @@ from ..explanations import rivals
 from ..held_out import holdout, unseen
 from ..held_out.decided import decided
 from ..held_out.without_name import kept_times
-from ..language.quantity import size
+from ..language.quantity import listing, size
 from ..language.text_table import UNKNOWN, aligned
 from ..language.vocabulary import Vocabulary
 from ..measured import below_noise, moved_words
@@ -31,6 +31,7 @@ SINGLE = "The noise of single samples, which {1} and {2} count, is {0}."
 WHOSE = {
     holdout.UNSEEN: "For the right column all was fitted anew without those strokes.",
     holdout.SEEN: "Seen before: the adopted effects were fitted to these strokes too, so it is no test.",
+    holdout.PARTLY: "The adopted effects were fitted to those of {seen} too. Those of {unseen} no fit had seen.",
     holdout.PERHAPS: "Perhaps seen before: the adopted effects may have been fitted to these strokes, too.",
 }
 
@@ -39,7 +40,9 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table, a line each row, and the remarks for reading it."""
     seen, unseen_errors = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
-    remarks = [*_of_other(content), WHOSE[holdout.status(content)]] if unseen_errors else [TOO_FEW]
+    seen_runs, others = (listing(holdout.held_out_runs(content, which)) for which in (True, False))
+    whose = WHOSE[holdout.status(content)].format(seen=seen_runs, unseen=others)
+    remarks = [*_of_other(content), whose] if unseen_errors else [TOO_FEW]
     remarks = [*remarks[:-1], f"{remarks[-1]} {_moved_most(content, words)}".strip()]
     below = below_noise.REMARK if below_noise.is_below(_columns(content, words)) else ""
     remarks += [_single(seen[2], content, words), below, unseen.ZERO if zero else ""]
@@ -175,6 +178,7 @@ def held_out(content: Verdict) -> str:
     return {
         holdout.UNSEEN: f"{split} (seen by no fit)",
         holdout.SEEN: f"{split} (seen before)",
+        holdout.PARTLY: f"{split} (partly seen)",
         holdout.PERHAPS: f"{split} (perhaps seen before)",
     }[holdout.status(content)]
 

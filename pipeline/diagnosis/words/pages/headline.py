@@ -36,7 +36,7 @@ FAR = ", some by three times their tolerance: measure them again before you trus
 PARTLY = "explained by {best}{sure}, but something is still missing."
 NOT_SETTLED = "explained, but not settled"
 UNSETTLED = "{best} explains the whole recording best{sure}. It is not settled: {otherwise}."
-NO_TEST = "{names}{against} {were} fitted to this recording, which is no test of {it}; {adopted}.{measure}"
+NO_TEST = "{names}{against} {were} fitted to {fitted_to}, {test} of {it}; {adopted}.{measure}"
 MEASURE = " Some dimensions moved by three times their tolerance: measure them again before you trust this."
 LEAD = ("ambiguous", "unknown")  # verdicts whose word is said of a run that has adopted effects
 LEFT_OVER = "{adopted}, and {left} rms stays unexplained, {ratio} times the noise."
@@ -45,7 +45,7 @@ NOTHING_NAMED, NOTHING_FURTHER = "no effect can be named", "nothing further can 
 
 def headline(content: Verdict, words: Vocabulary) -> str:
     """The verdict in one line."""
-    run = ", ".join(_runs(content))
+    run = ", ".join(holdout.runs(content))
     verdict, adopted = content["verdict"], holdout.included(content)
     fitted = unseen.fitted_times(content, words, named=False) if verdict in UNNAMED else None
     sentence = WITH_ADOPTED[verdict] if adopted and verdict in UNNAMED else SAID[verdict]
@@ -90,10 +90,11 @@ def headline(content: Verdict, words: Vocabulary) -> str:
     warning = unfit(content, words)
     state = NEW if verdict not in (*UNNAMED, "unknown") else MAY_HOLD if fields["far"] and not kept else HOLDS
     state = LEFT if verdict == "unknown" or sentence == LEFT_OVER else state
-    seen = state in (HOLDS, MAY_HOLD) and holdout.status(content) == holdout.SEEN
+    seen = state in (HOLDS, MAY_HOLD) and holdout.status(content) in (holdout.SEEN, holdout.PARTLY)
     worse = "" if otherwise else unseen.worse(content, words)
     if seen and not warning:
         fields |= {"names": listing(adopted), "were": "was" if len(adopted) == 1 else "were"}
+        fields |= {"fitted_to": holdout.fitted_to(content), "test": _test(content)}
         fields |= {"against": against_advice(content, ",", ","), "measure": MEASURE * (state == MAY_HOLD)}
         return f"{run}: {NO_TEST.format(**fields)}{as_it_stands(content, words)}{worse}"
     about = ": ".join([run, *_lead(content, adopted, UNFIT if warning else state)])
@@ -123,9 +124,14 @@ def _otherwise(content: Verdict, words: Vocabulary) -> str:
     return f"{other}, which failed on them ({failed} rms; the nominal simulator: {nominal})"
 
 
-def _runs(content: Verdict) -> list[str]:
-    """The runs that a verdict is on."""
-    return [content["run"]] if isinstance(content["run"], str) else list(content["run"])
+def _test(content: Verdict) -> str:
+    """Which of the recordings that adopted effects were fitted to, or were not, test them; before `of them`."""
+    if unseen_runs := holdout.held_out_runs(content, seen=False):
+        return f"and of the last strokes only those of {listing(unseen_runs)} are a test"
+    single = len(holdout.runs(content)) == 1
+    if holdout.fitted_runs(content) != holdout.runs(content):
+        return "and so to the last strokes, which are no test"
+    return "which is no test" if single else "which are no test"
 
 
 def _them(adopted: list[str]) -> str:

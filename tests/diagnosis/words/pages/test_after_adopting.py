@@ -1,7 +1,7 @@
 """The page of a run whose effects are adopted already."""
 
 import pytest
-from made_content import SYSTEMS, adopted, content, page, told
+from made_content import SYSTEMS, adopted, content, full, page, told
 
 from pipeline.diagnosis.words.pages import adoption
 from pipeline.diagnosis.words.pages.spoken import spoken
@@ -162,3 +162,52 @@ def test_only_words_that_the_page_uses_are_said_to_mean_something_else_now():
         for word in ("parameters", "nominal", "calibrated"):
             assert (f"`{word}` now means" in " ".join(first.split())) is (word in rest), word
     assert "nominal" not in page(diagnosis) and "`parameters`" not in page(diagnosis) + told(diagnosis)
+
+
+def together(of_strokes, fitted=("kev-1", "kev-2"), **changes):
+    """A joint verdict on three runs after adopting; the last strokes are of some, the effect was fitted to some."""
+    verdict = content(
+        verdict="parameters",
+        mechanisms=[],
+        alternatives=[],
+        next_run=None,
+        mismatch=None,
+        fit__heldout__runs=list(of_strokes),
+        **changes,
+    )
+    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": list(fitted)}
+    own_zeros = [{"dimensions": {f"zero_{at}_mm": {"nominal": 0.0, "fitted": -1.0}}} for at in (1, 2)]
+    verdict |= {"run": ["kev-1", "kev-2", "kev-3"], "simulation": [{"id": "creep", "parameters": {}}]}
+    verdict["adopted"] = [one | own for own in own_zeros]
+    verdict["evidence"] |= {"explanations": [], "nominal_mm": 0.033, "calibrated_mm": 0.031}
+    return " ".join(full(verdict).split())
+
+
+def test_strokes_of_a_run_that_adopted_effects_were_not_fitted_to_are_not_called_seen_before():
+    """All of a joint verdict counted as seen where one of its runs was, though most last strokes were of a new run."""
+    new = together(["kev-3"])
+    assert "last 30 % of strokes (seen by no fit)" in new and "no test" not in new and "seen before" not in new
+    assert new.startswith("kev-1, kev-2, kev-3: creep was adopted and still holds")
+    assert "It was fitted to kev-1 and kev-2; the last strokes below are of kev-3, which no fit had seen." in new
+
+
+def test_last_strokes_of_which_adopted_effects_were_fitted_to_some_are_said_to_be_both():
+    both = together(["kev-2", "kev-3"])
+    first = "creep was fitted to kev-1 and kev-2, and of the last strokes only those of kev-3 are a test of it; nothing"
+    assert both.startswith(f"kev-1, kev-2, kev-3: {first} further can be named.")
+    assert "last 30 % of strokes (partly seen)" in both and "seen before" not in both and "unseen" not in both
+    assert "The adopted effects were fitted to those of kev-2 too. Those of kev-3 no fit had seen." in both
+    assert "all their strokes included. Of the last strokes below only those of kev-3 are a test." in both
+
+
+def test_last_strokes_that_adopted_effects_were_fitted_to_are_no_test_whichever_other_run_is_new():
+    old = together(["kev-2"])
+    assert "creep was fitted to kev-1 and kev-2, and so to the last strokes, which are no test of it;" in old
+    assert "last 30 % of strokes (seen before)" in old
+    every = together(["kev-2", "kev-3"], fitted=("kev-1", "kev-2", "kev-3"))
+    assert "creep was fitted to these recordings, which are no test of it; nothing further" in every
+    assert "It was fitted to these very recordings, all their strokes included: the error on the last strokes" in every
+
+
+def test_what_two_runs_have_adopted_alike_is_said_once():
+    assert together(["kev-3"]).count("No other explanation was as likely as what was adopted (creep).") == 1
