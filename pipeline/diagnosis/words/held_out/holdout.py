@@ -162,3 +162,16 @@ def heading(content: Verdict) -> str:
         PARTLY: f"Error on the {last} (partly seen)",
         PERHAPS: f"Error on the {last} (perhaps seen before)",
     }[status(content)]
+
+
+def split_seen(content: Verdict) -> str:
+    """Which strokes were held out, and which fits have seen them."""
+    return (
+        split(content)
+        + {
+            UNSEEN: " (seen by no fit)",
+            SEEN: " (seen before)",
+            PARTLY: " (partly seen)",
+            PERHAPS: " (perhaps seen before)",
+        }[status(content)]
+    )

@@ -40,9 +40,9 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     """The table, a line each row, and the remarks for reading it."""
     seen, unseen_errors = _seen(content, words), unseen.errors(content, words)
     zero = any(name.startswith("zero") for name in content["parameters"])
-    seen_runs, others = (listing(holdout.held_out_runs(content, which)) for which in (True, False))
-    whose = WHOSE[holdout.status(content)].format(seen=seen_runs, unseen=others)
-    remarks = [*_of_other(content), whose] if unseen_errors else [TOO_FEW]
+    old, new = (listing(holdout.held_out_runs(content, is_seen)) for is_seen in (True, False))
+    remarks = [*_of_other(content), WHOSE[holdout.status(content)].format(seen=old, unseen=new)]
+    remarks = remarks if unseen_errors else [TOO_FEW]
     remarks = [*remarks[:-1], f"{remarks[-1]} {_moved_most(content, words)}".strip()]
     below = below_noise.REMARK if below_noise.is_below(_columns(content, words)) else ""
     remarks += [_single(seen[2], content, words), below, unseen.ZERO if zero else ""]
@@ -53,7 +53,7 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
 def _rows(content: Verdict, words: Vocabulary) -> list[list[str]]:
     """The table's cells, the heads first."""
     unseen_errors, columns = unseen.errors(content, words), _columns(content, words)
-    rows = [["simulator", WHOLE, *([held_out(content)] if unseen_errors else [])]]
+    rows = [["simulator", WHOLE, *([holdout.split_seen(content)] if unseen_errors else [])]]
     for place, name in enumerate(("nominal", "calibrated", "as diagnosed")):
         rows.append([name, *(_cell(errors[place], noise, words) for errors, noise in columns)])
     if not content["mechanisms"]:  # nothing is named
@@ -170,17 +170,6 @@ def _single(error: float | None, content: Verdict, words: Vocabulary) -> str:
         f"{averages}: their noise is `the noise` elsewhere on this page."
         + f" Of single samples, {who}, {', and '.join(counts)}." * bool(counts)
     )
-
-
-def held_out(content: Verdict) -> str:
-    """Which strokes were held out, and which fits have seen them."""
-    split = content["fit"]["heldout"]["split"] if content["fit"]["heldout"] else ""
-    return {
-        holdout.UNSEEN: f"{split} (seen by no fit)",
-        holdout.SEEN: f"{split} (seen before)",
-        holdout.PARTLY: f"{split} (partly seen)",
-        holdout.PERHAPS: f"{split} (perhaps seen before)",
-    }[holdout.status(content)]
 
 
 def _seen(content: Verdict, words: Vocabulary) -> list[float | None]:

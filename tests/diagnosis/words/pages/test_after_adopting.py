@@ -175,10 +175,10 @@ def together(of_strokes, fitted=("kev-1", "kev-2"), **changes):
         fit__heldout__runs=list(of_strokes),
         **changes,
     )
-    one = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": list(fitted)}
+    adoption = {"effects": ["creep"], "verdict": "explained", "tied": [], "runs": list(fitted)}
     own_zeros = [{"dimensions": {f"zero_{at}_mm": {"nominal": 0.0, "fitted": -1.0}}} for at in (1, 2)]
     verdict |= {"run": ["kev-1", "kev-2", "kev-3"], "simulation": [{"id": "creep", "parameters": {}}]}
-    verdict["adopted"] = [one | own for own in own_zeros]
+    verdict["adopted"] = [adoption | own for own in own_zeros]
     verdict["evidence"] |= {"explanations": [], "nominal_mm": 0.033, "calibrated_mm": 0.031}
     return " ".join(full(verdict).split())
 
