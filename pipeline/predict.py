@@ -25,7 +25,7 @@ from .ground.command import HOUSE, command, make_command, quoted
 from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
-from .ground.model_errors import chosen_of, errors_in
+from .ground.model_errors import Errors, chosen_of, errors_in
 from .ground.model_names import EQUATIONS, USUAL
 from .ground.stored import schemas
 from .ground.stored.files import write_text
@@ -34,11 +34,13 @@ from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, beside_answers
 from .models.parts.fitted_to import apart
 from .models.parts.inside.why import Kind
+from .models.parts.newer_recordings import beware_of_newer
 from .models.parts.questions.bad_rows import first_of, refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
 from .models.parts.saved_files import dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
+from .notebook.better_source import Beside, adopted_run
 from .notebook.far_off import far_off
 from .stages.train import seed
 
@@ -99,6 +101,8 @@ def main() -> None:
     reads = [arguments.dataset, arguments.questions, *([arguments.saved] if arguments.saved else [])]
     file_to_write(arguments.out, reads=reads)
     dataset = opened(arguments.dataset, schemas.DATASET, dataset_mend(arguments.dataset))
+    if beware := beware_of_newer(arguments.dataset):
+        print(beware, file=sys.stderr)
     if arguments.saved:
         is_apart = keeps_strings_apart(arguments.saved)
         questions = read_questions(arguments.questions, dataset, is_apart)
@@ -143,13 +147,15 @@ def main() -> None:
     for sentence in sentences:
         print(f"  {sentence}")
     typed = parser.typed_without(("--model", "--saved", "--settings", "--out"))
-    for sentence, compare in far_off(questions, dataset, table, arguments.model):
+    errors_mm, asked_strings = _errors_of_page(arguments.dataset), set(questions.points["string"].astype(str))
+    beside = Beside(errors_mm, adopted_run(arguments.dataset, dataset, asked_strings))
+    for sentence, compare in far_off(questions, dataset, table, arguments.model, beside):
         print(sentence)
         if compare:
-            beside = ["--out", str(arguments.out.with_stem(f"{arguments.out.stem}-{compare}"))]
-            print(f"  {' '.join([command('predict'), '--model', compare, *map(quoted, [*beside, *typed])])}")
+            out = ["--out", str(arguments.out.with_stem(f"{arguments.out.stem}-{compare}"))]
+            print(f"  {' '.join([command('predict'), '--model', compare, *map(quoted, [*out, *typed])])}")
     print(ZERO)
-    if not (arguments.saved or is_named) and (taken := _taken_by_page(arguments.dataset)) not in ("", arguments.model):
+    if not (arguments.saved or is_named) and (taken := _taken_by(errors_mm)) not in ("", arguments.model):
         print(f"The page of {material_of(arguments.dataset)} takes {taken}: --model {taken} asks that one.")
     if questions.bad:
         raise refusal(arguments.questions, questions.bad, len(questions.points), arguments.out)
@@ -166,10 +172,15 @@ def _tell_of_zero(path: Path, dataset: pd.DataFrame, asked_points: pd.DataFrame,
         print(line, file=sys.stderr)
 
 
-def _taken_by_page(dataset: Path) -> str:
-    """The model that the page of a dataset's material takes; empty where there is no such page."""
-    models_csv = dataset.resolve().parents[2] / "reports" / material_of(dataset) / "models.csv"
-    errors_mm = errors_in(models_csv) if material_of(dataset) else {}
+def _errors_of_page(dataset: Path) -> Errors:
+    """The errors in mm on the page of a dataset's material, by model and split; none where there is no such page."""
+    if not material_of(dataset):
+        return {}
+    return errors_in(dataset.resolve().parents[2] / "reports" / material_of(dataset) / "models.csv")
+
+
+def _taken_by(errors_mm: Errors) -> str:
+    """The model that a page with these errors takes; empty where there are none."""
     return chosen_of({model for model, _ in errors_mm}, errors_mm)
 
 

@@ -15,7 +15,8 @@ from ..ground.input.parser import Parser
 from ..ground.stored.files import whole, write_text
 from ..models.interface import about
 from ..models.parts.divided import SPLITS
-from ..models.parts.saved_files import listed
+from ..models.parts.newer_recordings import beware_of_newer
+from ..models.parts.saved_files import dataset_beside, listed
 from . import closing_words
 from .all_points import fitted_to_all
 from .asked_saved import model_of
@@ -119,6 +120,8 @@ def main() -> None:
         problem = f"it keeps {len(strings)} apart"
         raise BadInput(options.file, "string", problem, f"say --string with one of {', '.join(strings)}")
     places = [(string, options.out / string) for string in strings] if len(strings) > 1 else []
+    if beware := beware_of_newer(options.dataset or dataset_beside(options.file)):
+        print(beware, file=sys.stderr)
     for string, out in places or [(options.string, options.out)]:
         lines = _exported(options, out, is_folder, string)
         print("\n".join([f"{string}:", *lines] if places else lines))

@@ -10,6 +10,7 @@ from ..models.parts.inside.unrecorded_loads import at_unrecorded_loads, beyond_a
 from ..models.parts.inside.why import Kind
 from ..models.parts.questions.bad_rows import numbered
 from ..models.parts.questions.question_points import Questions
+from .better_source import Beside
 
 FAR_OFF = "the string was not recorded under this load{there}, and the numbers of {model} may be far off."
 NO_LOAD = "The equation of a twisted pair knows no load: record the string under it."
@@ -21,7 +22,13 @@ TOGETHER = (
 COMPARE = " To compare, what the equations answer:"
 
 
-def far_off(questions: Questions, dataset: pd.DataFrame, table: pd.DataFrame, model: str) -> list[tuple[str, str]]:
+def far_off(
+    questions: Questions,
+    dataset: pd.DataFrame,
+    table: pd.DataFrame,
+    model: str,
+    beside: Beside,
+) -> list[tuple[str, str]]:
     """Which rows have answers that may be far off, by the model that answered, each with the one to compare them with.
 
     `table` are the answers beside the questions about a dataset. The model to compare with, whose command belongs below
@@ -34,9 +41,12 @@ def far_off(questions: Questions, dataset: pd.DataFrame, table: pd.DataFrame, mo
     for is_apart, where in ((at_unrecorded_loads(points, dataset), ""), (strokes_apart, " in such a stroke")):
         words = FAR_OFF.format(there=where, model=model)
         if rows := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
-            sentences.append((f"{numbered(rows).capitalize()}: {words}{COMPARE}", EQUATIONS))
+            known = beside.of_equations(model, EQUATIONS)
+            sentences.append((f"{numbered(rows).capitalize()}: {words} {known}{COMPARE}", EQUATIONS))
         if rows := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
             sentences.append((f"{numbered(rows).capitalize()}: {words} {NO_LOAD}", ""))
+    if sentences and EQUATIONS in dict(sentences).values():
+        sentences.append((beside.of_simulator, ""))
     is_together = np.array([why.tells(Kind.TOGETHER) for why in table["why"]], bool)[questions.rows]
     new = [(is_together, TOGETHER), (beyond_all_loads(points, dataset), BEYOND)]
     of_new = [
@@ -45,5 +55,6 @@ def far_off(questions: Questions, dataset: pd.DataFrame, table: pd.DataFrame, mo
     last = len(of_new) - 1
     for place, words in enumerate(of_new):
         compare = "" if by_equations or place < last else NOMINAL
-        sentences.append((words.format(model=model) + COMPARE * bool(compare), compare))
+        known = f" {beside.of_equations(model, NOMINAL)}" * bool(compare and words.endswith(BEYOND) and has_load.all())
+        sentences.append((words.format(model=model) + known + COMPARE * bool(compare), compare))
     return sentences

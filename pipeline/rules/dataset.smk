@@ -17,8 +17,8 @@ def described(runs):
 
 
 def stages_of_runs(wildcards):
-    runs, stages = runs_of(wildcards), ["samples", "strokes"]
-    return described(runs) + expand("processed/{run}/{stage}.parquet", run=runs, stage=stages)
+    runs, stages = runs_of(wildcards), ["samples.parquet", "strokes.parquet", "made_from.json"]
+    return described(runs) + expand("processed/{run}/{stage}", run=runs, stage=stages)
 
 
 rule dataset:
@@ -28,6 +28,7 @@ rule dataset:
         dataset="processed/{material}/dataset.parquet",
         left_out="processed/{material}/left_out.json",
         jumps="processed/{material}/zero_jumps.json",
+        made_from="processed/{material}/made_from.json",
     log:
         "processed/logs/dataset-{material}.log",
     resources:
@@ -40,4 +41,5 @@ rule dataset:
         "make the dataset of {wildcards.material}"
     shell:
         "exec python -m pipeline.stages.dataset {params.runs:q} --processed processed --out {output.dataset:q}"
-        " --out-left-out {output.left_out:q} --out-jumps {output.jumps:q} {params.lossy:q} $NOTE_REFUSALS > {log:q} 2>&1"
+        " --out-left-out {output.left_out:q} --out-jumps {output.jumps:q} --out-made-from {output.made_from:q}"
+        " {params.lossy:q} $NOTE_REFUSALS > {log:q} 2>&1"

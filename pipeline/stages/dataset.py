@@ -19,6 +19,7 @@ from ..ground.words.jump_notes import write_jumps
 from ..ground.words.left_out import LeftOut, write_left_out
 from ..run.folder import checked_info
 from ..run.lossy import all_lossy, moving_strokes, touched
+from ..run.made_from import note_runs
 from ..string.history import Recorded, by_string, read_usable
 from ..string.not_compared import not_compared, to_confirm
 from ..string.rests import Rests
@@ -110,12 +111,13 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True, help="the file of the dataset, Parquet; required")
     parser.add_argument("--out-left-out", type=Path, help="where to write, as JSON, which runs were left out and why")
     parser.add_argument("--out-jumps", type=Path, help="where to write, as JSON, jumps of the zero to be confirmed")
+    parser.add_argument("--out-made-from", type=Path, help="where to note, as JSON, the runs' files by content")
     parser.add_argument("--keep-lossy", action="store_true", help="keep strokes in which samples were lost")
     parser.add_argument("--note-refusals", action="store_true", help="leave out a run in which every stroke is lossy")
     arguments = parser.parse_args()
     stored = [file for run in arguments.run_dirs for file in (arguments.processed / run.name).glob("*.parquet")]
     file_to_write(arguments.out, reads=stored)
-    for name in ("out_left_out", "out_jumps"):
+    for name in ("out_left_out", "out_jumps", "out_made_from"):
         file_to_write(getattr(arguments, name) or arguments.out, f"--{name.replace('_', '-')}", stored)
     recorded, refused = read_usable(arguments.run_dirs, arguments.processed)
     strokes_left: dict[str, frozenset[int]] = {}
@@ -147,6 +149,8 @@ def main() -> None:
         write_left_out(arguments.out_left_out, refused)
     if arguments.out_jumps:
         write_jumps(arguments.out_jumps, {of_string[0].run.string_id: _on_pages(of_string) for of_string in rests})
+    if arguments.out_made_from:
+        note_runs([run.name for run in arguments.run_dirs], arguments.processed, arguments.out_made_from)
     for name, split in (("within", dataset.within), ("later", dataset.later)):
         print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
 

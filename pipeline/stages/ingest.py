@@ -14,6 +14,7 @@ from ..ground.words.counts import counted
 from ..ground.words.left_out import noted
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import recording_path
+from ..run.made_from import note_run
 from ..run.mend_command import with_command
 from ..run.read_ahead import forget, taken_over
 from ..run.samples import questions, stored_strokes
@@ -26,12 +27,16 @@ def main() -> None:
     parser.add_argument("run_dir", type=Path)
     parser.add_argument("--out", type=Path, required=True, help="the file of the samples, Parquet; required")
     parser.add_argument("--out-strokes", type=Path, help="the file of the strokes, Parquet; default: none is written")
+    parser.add_argument("--out-made-from", type=Path, help="where to note, as JSON, the run's files by content")
     parser.add_argument("--read-ahead", type=Path, help="where a plan keeps what it has read; default: nowhere")
     of = "digests of the run's files and of the code that reads them, to which what is kept must be bound"
     parser.add_argument("--of", nargs="+", default=[], metavar="DIGEST", help=of)
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
     files = [path for path in (arguments.out, arguments.out_strokes) if path]
+    if arguments.out_made_from:  # of a refused run too: when its files change it is asked again
+        file_to_write(arguments.out_made_from, "--out-made-from")
+        note_run(arguments.run_dir, arguments.out_made_from)
     for path, option in zip(files, ("--out", "--out-strokes"), strict=False):
         file_to_write(path, option)
     with noted(arguments.run_dir, files, arguments.note_refusals), whole(arguments.out) as temporary:

@@ -14,8 +14,9 @@ from ..ground.stored.regular_file import read_regular
 from ..ground.words import jump_notes
 from ..ground.words.left_out import LeftOut
 from ..ground.words.unfinished import mend_of_unfinished
+from ..run import made_from
 from ..run.description import STRING_ACTUATORS
-from ..run.folder import RECORDINGS, capture_info, find_runs, read_run, unfinished
+from ..run.folder import capture_info, find_runs, read_run, unfinished
 
 # The material in a run.yaml that cannot be read as a whole, such as one with a NaN: on a line that is no comment.
 NAMED = re.compile(r"""^[^#\n]*\bmaterial: *(["']?)([A-Za-z0-9][A-Za-z0-9_-]*)\1 *([,}\n#]|$)""", re.MULTILINE)
@@ -126,18 +127,18 @@ def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
     """Files of a run that its samples come from."""
     if run in synthetic:
         return [str(raw / run / name) for name in SYNTHETIC_FILES]
-    names = ("run.yaml", *RECORDINGS, "capture.json")
-    return [str(raw / run / name) for name in names if (raw / run / name).is_file()]
+    return [str(raw / run / name) for name in made_from.FILES if (raw / run / name).is_file()]
 
 
 def stored(models: Mapping[str, ModelPlan], plan: Plan) -> Iterator[str]:
     """Tables, models and verdicts that the workflow keeps between its jobs; they are checked for damage."""
     for run in plan.runs:
         yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
+        yield f"processed/{run}/{made_from.NAME}"
         yield f"reports/diagnosis/{run}/{VERDICT}"
     for material in plan.materials:
         yield from (f"processed/{material}/{table}.parquet" for table in ("dataset", "metrics"))
-        yield from (f"processed/{material}/{note}" for note in ("left_out.json", jump_notes.NAME))
+        yield from (f"processed/{material}/{note}" for note in ("left_out.json", jump_notes.NAME, made_from.NAME))
         for predictions in fits(models, material):
             yield predictions
             yield predictions.replace(".predictions.parquet", ".model")

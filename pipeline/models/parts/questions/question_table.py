@@ -114,6 +114,15 @@ def string_meant(name: str, recorded: Collection[str]) -> str:
     return f" (did you mean {meant}?)" if meant else ""
 
 
+def names_near(name: str, recorded: Collection[str]) -> str:
+    """The recorded strings whose names are near to a new one's, behind its own; empty where none is.
+
+    Where no number differs it is the question after the one that is meant, as of `string_meant`.
+    """
+    near = sorted(difflib.get_close_matches(name[:60], sorted(recorded)))
+    return string_meant(name, recorded) or (f", recorded are {', '.join(near)}" if near else "")
+
+
 def recorded_values(recorded: pd.Series) -> str:
     """The recorded values of a column, as a help for filling it in."""
     if recorded.dtype.kind in "iuf":

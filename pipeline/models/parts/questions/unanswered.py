@@ -17,7 +17,7 @@ from ..inside.recorded_pairs import around
 from ..inside.why import Kind, Why
 from ..rolling_origin import too_far
 from .prediction_intervals import Intervals
-from .question_table import string_meant
+from .question_table import names_near
 from .reached_contraction import reached_mm
 
 
@@ -92,7 +92,7 @@ def _reason(intervals: Intervals, name: str, value: object, last: float, ahead: 
     """The fault of one number of a question."""
     measure = intervals.measure
     if name == "string":
-        return f"string {value} has no recording here{string_meant(str(value), list(intervals.strokes))}"
+        return f"string {value} has no recording here{names_near(str(value), list(intervals.strokes))}"
     if name == "material":
         return f"material {value} was not recorded; recorded: {', '.join(measure.box.materials)}"
     number = float(value)  # type: ignore[arg-type]

@@ -1,0 +1,109 @@
+"""What lies in `raw/` of a checkout and not in a dataset of its main job: one line, with what makes it anew."""
+
+import json
+import os
+import shlex
+from pathlib import Path
+from typing import NamedTuple
+
+from ...ground.command import make_command
+from ...ground.errors import BadInput
+from ...run.description import STRING_ACTUATORS
+from ...run.folder import RECORDINGS, find_runs, is_recorded, read_run
+from ...run.made_from import NAME, changed_files, read_runs
+from .saved_files import PROCESSED, RAW, material_of
+
+WORKFLOW = "Snakefile"  # of a checkout
+KNOWN = Path(".snakemake/known_files.json")  # where the main job notes at each start which recordings it cannot use
+NAMED = 3  # runs that are named
+
+
+class Newer(NamedTuple):
+    """Runs whose `run.yaml`, and whose recording, changed since a dataset was made, that are gone, and that are new."""
+
+    described: list[str]
+    recorded: list[str]
+    gone: list[str]
+    new: list[str]
+
+
+def beware_of_newer(dataset: Path) -> str:
+    """A line on what changed or was added in `raw/` since a dataset was made, with the mend; empty where nothing was.
+
+    Empty as well where the dataset lies at no place of a checkout's main job, or was made by an earlier version.
+    """
+    root = dataset.resolve().parents[2] if material_of(dataset) and dataset.name == "dataset.parquet" else Path()
+    make = make_command(PROCESSED / material_of(dataset) / dataset.name)
+    note = dataset.with_name(NAME)
+    at_its_place = material_of(dataset) and (root / WORKFLOW).is_file() and (root / RAW).is_dir()
+    if not (make and at_its_place and note.is_file()):
+        return ""
+    try:
+        newer = _newer(root, material_of(dataset), note)
+    except (BadInput, OSError, KeyError, TypeError, AttributeError):
+        return ""  # the next start of the main job finds a damaged note
+    parts = [f"{_runs(newer.described, 'run.yaml')} changed"] if newer.described else []
+    parts += [f"{_runs(newer.recorded, 'the recording')} changed"] if newer.recorded else []
+    parts += [f"{_names(newer.gone)} {_is(newer.gone)} gone from {RAW}/"] if newer.gone else []
+    parts += [f"{_names(newer.new)} in {RAW}/ {_is(newer.new)} not in it"] if newer.new else []
+    if not parts:
+        return ""
+    there = "" if Path.cwd() == root else f"cd {shlex.quote(str(root))} && "
+    return f"beware: {dataset} was made before this: {_listed(parts)}. To make it anew: {there}{make}"
+
+
+def _newer(root: Path, material: str, note: Path) -> Newer:
+    """What changed since a note was written; raises BadInput, OSError, and other errors for a note of other content."""
+    seen, noted_s = read_runs(note), os.stat(note).st_mtime
+    changed = {run: changed_files(root / RAW / run, files, noted_s) for run, files in seen.items()}
+    gone = [run for run in seen if not (root / RAW / run).is_dir()]
+    described = [run for run, names in changed.items() if run not in gone and "run.yaml" in names]
+    of_recording = {*RECORDINGS, "capture.json"}
+    recorded = [run for run, names in changed.items() if run not in gone and of_recording.intersection(names)]
+    new = [
+        folder.name
+        for folder in find_runs(root / RAW)
+        if folder.name not in seen and _is_of(folder, material) and not _is_refused(root, folder)
+    ]
+    return Newer(described, recorded, gone, new)
+
+
+def _is_of(folder: Path, material: str) -> bool:
+    """Whether a folder holds a finished recording of a material."""
+    try:
+        run = read_run(folder)
+        string = run.string if run.actuator in STRING_ACTUATORS else None
+        return string is not None and string.material == material and is_recorded(folder)
+    except (BadInput, OSError):
+        return False  # the main job leaves it out
+
+
+def _is_refused(root: Path, folder: Path) -> bool:
+    """Whether the main job could not use a recording when it last started, and it is still the same."""
+    try:
+        noted_s = os.stat(root / KNOWN).st_mtime
+        refusals = json.loads((root / KNOWN).read_text(encoding="utf-8"))["notes"]["usable"][folder.name][2]
+        times = [time for file in folder.iterdir() for time in (file.stat().st_mtime, file.stat().st_ctime)]
+        return bool(json.loads(refusals)) and max(times) < noted_s
+    except (OSError, ValueError, LookupError, TypeError):
+        return False
+
+
+def _runs(runs: list[str], what: str) -> str:
+    """What of which runs."""
+    return f"{what} of {_names(runs)}"
+
+
+def _is(runs: list[str]) -> str:
+    return "is" if len(runs) == 1 else "are"
+
+
+def _names(runs: list[str]) -> str:
+    """Some runs by name, and how many more."""
+    ordered = sorted(runs)
+    last = ordered[NAMED:] and f"{len(ordered) - NAMED} more"
+    return _listed([*ordered[:NAMED], last] if last else ordered)
+
+
+def _listed(words: list[str]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

@@ -1,0 +1,69 @@
+"""Which files of a run something was made from, by size and content: whether they changed since is told from them.
+
+Ingest notes the files of its run, and the stage of the dataset gathers these notes for the runs of a material.
+"""
+
+import os
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TypedDict
+
+from ..ground.stored.files import sha256
+from ..ground.stored.notes import read_note, write_note
+from .folder import RECORDINGS
+
+NAME = "made_from.json"  # of the note, beside the tables of a run and beside the dataset of a material
+LARGEST = 100_000_000  # bytes of a note
+FILES = ("run.yaml", *RECORDINGS, "capture.json")  # of a run folder, that samples come from
+
+
+class FileSeen(TypedDict):
+    """What a note says of one file."""
+
+    bytes: int
+    sha256: str
+
+
+RunSeen = dict[str, FileSeen]  # by the file's name
+
+
+def note_run(folder: Path, path: Path) -> None:
+    """Write the note on the files of a run folder."""
+    seen: RunSeen = {}
+    for file in (folder / name for name in FILES):
+        with suppress(OSError):  # it is not there, or ingest says that it cannot be read
+            seen[file.name] = {"bytes": file.stat().st_size, "sha256": sha256(file)}
+    write_note(path, seen)
+
+
+def note_runs(runs: Sequence[str], processed: Path, path: Path) -> None:
+    """Write the note on the runs of a material from the notes of ingest; a run without one is absent."""
+    notes = {run: processed / run / NAME for run in runs}
+    write_note(path, {run: read_note(note, LARGEST) for run, note in notes.items() if note.is_file()})
+
+
+def read_runs(path: Path) -> dict[str, RunSeen]:
+    """The note on the runs of a material; raises BadInput."""
+    runs: dict[str, RunSeen] = read_note(path, LARGEST)
+    return runs
+
+
+def changed_files(folder: Path, seen: RunSeen, noted_s: float) -> list[str]:
+    """Names of the files of a run folder that are not what a note has seen, also those that came or went.
+
+    `noted_s` is when it was noted: a recording of the same size that is no younger is not read.
+    """
+    now = [name for name in FILES if (folder / name).is_file()]
+    both = [name for name in now if name in seen]
+    changed = {name for name in both if _is_changed(folder / name, seen[name], noted_s)}
+    return [name for name in FILES if name in changed or (name in now) != (name in seen)]
+
+
+def _is_changed(file: Path, seen: FileSeen, noted_s: float) -> bool:
+    """Whether a file's content is another than what was seen."""
+    stat = os.stat(file)
+    if stat.st_size != seen["bytes"]:
+        return True
+    older = max(stat.st_mtime, stat.st_ctime) < noted_s
+    return not (older and file.name in RECORDINGS) and sha256(file) != seen["sha256"]
