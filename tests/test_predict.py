@@ -681,7 +681,8 @@ def test_a_load_beyond_all_recorded_ones_is_said_to_be_far_off_of_a_new_string_t
     done = ask(loads, f"stroke,direction,motor_turns,string,radius_mm,load_n\n{rows}", "--model", "polynomial")
     assert done.returncode == 0, done.stderr
     far_off = "no string was recorded under such a load, and the numbers of polynomial may be far off."
-    compare = "Record one under it. To compare, what the equations answer:\n  "
+    thinner = "The equations know of a load that it makes the string thinner, and they know no stretch."
+    compare = f"Record one under it. {thinner} To compare, what the equations answer:\n  "
     assert f"\nRows 3, 4: {far_off} {compare}" in done.stdout and "--model traditional" in done.stdout
     assert "\nRow 5: the string was not recorded under this load" in done.stdout
     first, answers = loads.with_name("answers.csv"), loads.with_name("answers-traditional.csv")

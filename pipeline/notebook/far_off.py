@@ -41,8 +41,8 @@ def far_off(
     for is_apart, where in ((at_unrecorded_loads(points, dataset), ""), (strokes_apart, " in such a stroke")):
         words = FAR_OFF.format(there=where, model=model)
         if rows := (questions.rows[is_apart & is_outside & has_load & (not by_equations)] + 1).tolist():
-            known = beside.of_equations(model, EQUATIONS)
-            sentences.append((f"{numbered(rows).capitalize()}: {words} {known}{COMPARE}", EQUATIONS))
+            equations = beside.of_equations(model, EQUATIONS)
+            sentences.append((f"{numbered(rows).capitalize()}: {words} {equations}{COMPARE}", EQUATIONS))
         if rows := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
             sentences.append((f"{numbered(rows).capitalize()}: {words} {NO_LOAD}", ""))
     if sentences and EQUATIONS in dict(sentences).values():
@@ -55,6 +55,8 @@ def far_off(
     last = len(of_new) - 1
     for place, words in enumerate(of_new):
         compare = "" if by_equations or place < last else NOMINAL
-        known = f" {beside.of_equations(model, NOMINAL)}" * bool(compare and words.endswith(BEYOND) and has_load.all())
-        sentences.append((words.format(model=model) + known + COMPARE * bool(compare), compare))
+        equations = f" {beside.of_equations(model, NOMINAL)}" * bool(
+            compare and words.endswith(BEYOND) and has_load.all()
+        )
+        sentences.append((words.format(model=model) + equations + COMPARE * bool(compare), compare))
     return sentences

@@ -119,11 +119,17 @@ def test_an_empty_stiffness_is_assumed_as_a_missing_column_is_and_said_once(data
     assert "assumed" not in answered(dataset)["why"][0] and "no stiffness" not in answered(dataset)["why"][0]
 
 
-def test_a_misspelt_string_is_told_the_near_one(dataset: Path) -> None:
+def test_a_misspelt_string_is_told_the_near_one(dataset: Path, tmp_path: Path) -> None:
     ask(dataset, "string,radius_mm", "a,0.45", "knotted,0.45")
     whys = answered(dataset)["why"]
     assert whys[0].startswith("string a has no recording here (did you mean A?)")
     assert whys[1].startswith("string knotted has no recording here;")
+    numbered = of_radii(tmp_path)
+    points = pd.read_parquet(numbered)
+    points["string"] = points["string"].map({"A": "reel-1", "B": "reel-3", "C": "cord"})
+    schemas.write(points, schemas.DATASET, numbered)
+    ask(numbered, "string,radius_mm", "reel-9,0.45")
+    assert answered(numbered)["why"][0].startswith("string reel-9 has no recording here, recorded are reel-1, reel-3;")
     done = ask(dataset, "string", "a", "knotted", "A")
     whys = answered(dataset)["why"]
     assert "string is a, which has no recording (did you mean A?), and its radius_mm is not told" in done.stderr

@@ -32,24 +32,25 @@ def beware_of_newer(dataset: Path) -> str:
 
     Empty as well where the dataset lies at no place of a checkout's main job, or was made by an earlier version.
     """
-    root = dataset.resolve().parents[2] if material_of(dataset) and dataset.name == "dataset.parquet" else Path()
-    make = make_command(PROCESSED / material_of(dataset) / dataset.name)
-    note = dataset.with_name(NAME)
-    at_its_place = material_of(dataset) and (root / WORKFLOW).is_file() and (root / RAW).is_dir()
-    if not (make and at_its_place and note.is_file()):
-        return ""
     try:
-        newer = _newer(root, material_of(dataset), note)
-    except (BadInput, OSError, KeyError, TypeError, AttributeError):
-        return ""  # the next start of the main job finds a damaged note
-    parts = [f"{_runs(newer.described, 'run.yaml')} changed"] if newer.described else []
-    parts += [f"{_runs(newer.recorded, 'the recording')} changed"] if newer.recorded else []
+        material, place = material_of(dataset), dataset.resolve()
+        if not material or place.name != "dataset.parquet":
+            return ""
+        root, note = place.parents[2], place.with_name(NAME)
+        make = make_command(PROCESSED / material / place.name)
+        if not (make and all(path.exists() for path in (root / WORKFLOW, root / RAW, note))):
+            return ""
+        newer = _newer(root, material, note)
+    except (BadInput, OSError, ValueError, LookupError, TypeError, AttributeError):
+        return ""  # whoever reads the dataset says what is wrong with its path, the main job what is with the note
+    parts = [f"run.yaml of {_names(newer.described)} changed"] if newer.described else []
+    parts += [f"the recording of {_names(newer.recorded)} changed"] if newer.recorded else []
     parts += [f"{_names(newer.gone)} {_is(newer.gone)} gone from {RAW}/"] if newer.gone else []
     parts += [f"{_names(newer.new)} in {RAW}/ {_is(newer.new)} not in it"] if newer.new else []
     if not parts:
         return ""
-    there = "" if Path.cwd() == root else f"cd {shlex.quote(str(root))} && "
-    return f"beware: {dataset} was made before this: {_listed(parts)}. To make it anew: {there}{make}"
+    to_root = "" if Path.cwd() == root else f"cd {shlex.quote(str(root))} && "
+    return f"beware: {dataset} was made before this: {_listed(parts)}. To make it anew: {to_root}{make}"
 
 
 def _newer(root: Path, material: str, note: Path) -> Newer:
@@ -87,11 +88,6 @@ def _is_refused(root: Path, folder: Path) -> bool:
         return bool(json.loads(refusals)) and max(times) < noted_s
     except (OSError, ValueError, LookupError, TypeError):
         return False
-
-
-def _runs(runs: list[str], what: str) -> str:
-    """What of which runs."""
-    return f"{what} of {_names(runs)}"
 
 
 def _is(runs: list[str]) -> str:
