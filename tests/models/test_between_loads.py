@@ -82,11 +82,12 @@ def test_an_unrecorded_load_is_said_to_be_so_with_the_command_that_asks_the_equa
     compare = f"{thinner} To compare, what the equations answer:"
     line = re.search(rf"Rows 2 to 4: {re.escape(note)} {re.escape(compare)}\n  (.*)\n", done.stdout)[1]
     typed = shlex.split(line)
-    assert typed == ["python", "-m", "pipeline.predict", "--model", "calibrated", *map(str, words)]
+    compared = ["--out", tmp_path / "answers-calibrated.csv", dataset, questions, "--seed", "1"]
+    assert typed == ["python", "-m", "pipeline.predict", "--model", "calibrated", *map(str, compared)]
     again = programs.run(*typed[2:])
     assert "by the calibrated model, fitted anew to " in again.stdout and "may be far off" not in again.stdout, again
     questioned = points.iloc[[0, 0]].assign(motor_turns=12.0, load_n=[20.0, 60.0], direction=1)
-    answered_mm = pd.read_csv(answers)["displacement_mm"][2:].to_numpy()
+    answered_mm = pd.read_csv(tmp_path / "answers-calibrated.csv")["displacement_mm"][2:].to_numpy()
     assert answered_mm == pytest.approx(point_contraction_mm(questioned), abs=0.1)
     questions.write_text("stroke,direction,motor_turns,load_n\n2,1,12,40\n12,1,12,8\n8,1,12,8\n7,1,12,8\n14,1,12,40\n")
     done = programs.run("pipeline.predict", *words, "--model", "polynomial")
