@@ -109,8 +109,8 @@ def test_beside_the_equations_stands_how_they_err_and_what_knows_a_stretch(tmp_p
     words = [dataset, questions, "--out", tmp_path / "answers.csv", "--model", "polynomial"]
     command = "python -m pipeline.simulate {} --motion PLAN.csv --out FILE.csv\n"
     done = programs.run("pipeline.predict", *words)
-    known = "A stretch that a diagnosis has named is known to the simulator"
-    assert f"\n{known}, once it is adopted: {command.format('RUN')}" in done.stdout, done.stderr
+    stretch = "A stretch that a diagnosis has named is known to the simulator"
+    assert f"\n{stretch}, once it is adopted: {command.format('RUN')}" in done.stdout, done.stderr
     assert "held-out" not in done.stdout, "no page tells errors"
     models_csv = tmp_path / "reports" / "UHMWPE" / "models.csv"
     models_csv.parent.mkdir(parents=True)
@@ -124,7 +124,7 @@ def test_beside_the_equations_stands_how_they_err_and_what_knows_a_stretch(tmp_p
     errs = "on held-out points, under recorded loads, polynomial errs by 0.043 mm, calibrated by 0.81 mm."
     thinner = "The equations know of a load that it makes the string thinner, and they know no stretch"
     assert f"may be far off. {thinner}; {errs} To compare, what the equations answer:\n" in done.stdout, done.stderr
-    assert f"\n{known}: {command.format(folder)}" in done.stdout
+    assert f"\n{stretch}: {command.format(folder)}" in done.stdout
     done = programs.run("pipeline.predict", *words[:-1], "calibrated")
     assert "simulate" not in done.stdout and "thinner" not in done.stdout
 

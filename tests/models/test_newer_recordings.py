@@ -101,10 +101,10 @@ def test_a_recording_that_the_main_job_could_not_use_is_not_missed_until_it_chan
     recorded = add_run(root, "a-3") / "recording.csv"
     assert "a-3 in raw/ is not in it" in beware_of_newer(root / DATASET)
     refusal = [{"run": "a-3", "material": "", "file": "f", "field": "f", "problem": "p", "mend": "m"}]
-    known = root / ".snakemake/known_files.json"
-    known.parent.mkdir()
-    known.write_text(json.dumps({"facts": {}, "notes": {"usable": {"a-3": ["0", "0", json.dumps(refusal)]}}}))
-    os.utime(known, (2**31, 2**31))
+    facts_file = root / ".snakemake/known_files.json"
+    facts_file.parent.mkdir()
+    facts_file.write_text(json.dumps({"facts": {}, "notes": {"usable": {"a-3": ["0", "0", json.dumps(refusal)]}}}))
+    os.utime(facts_file, (2**31, 2**31))
     assert beware_of_newer(root / DATASET) == ""
     os.utime(recorded, (2**31 + 1, 2**31 + 1))
     assert "a-3 in raw/ is not in it" in beware_of_newer(root / DATASET)
