@@ -19,6 +19,7 @@ from .from_folders import others_beside, strings
 from .stroke_health.health import Health
 from .words import sentences
 from .words.calibrate_again import calibrate_by
+from .words.jump_said import jump_lines
 from .words.page_lines import page
 
 
@@ -60,7 +61,8 @@ def main() -> int:
             print(page(sentences.not_given(string_health.string, arguments.run_dir, others, arguments.out)))
         own = [folder for folder in arguments.run_dir if folder.resolve().name in string_health.runs]
         by = calibrate_by(string_health.material, own, arguments.out)
-        print(page(sentences.sentences(string_health, answers, arguments.level, bool(others), by)))
+        jumps = jump_lines(string_health, own, arguments.out)
+        print(page(sentences.sentences(string_health, answers, arguments.level, bool(others), by, jumps)))
         print(page("\n".join(f"  {line}" for line in lines)))
     return 0
 

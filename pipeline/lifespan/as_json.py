@@ -8,6 +8,7 @@ import pandas as pd
 from .forecast.law_choice import Choice
 from .forecast.life_questions import Answer, first
 from .stroke_health.health import INDICATORS, Health
+from .stroke_health.step import JUMPING, steps
 from .words.calibration_advice import ask_again_after, recalibrate_after
 from .words.sentences import UNFORESEEN, zero
 
@@ -55,6 +56,15 @@ class JumpSaid(TypedDict):
     taken_off: bool
 
 
+class StepSaid(TypedDict):
+    """A jump of an indicator within a run: after which stroke, and how far."""
+
+    indicator: str
+    run: str
+    after_stroke: int
+    jump_mm: float | None
+
+
 class LifespanSaid(TypedDict):
     """All of lifespan.json; what is counted in strokes says so in its name."""
 
@@ -66,6 +76,7 @@ class LifespanSaid(TypedDict):
     load_n: float | None
     strokes_of_another_load: list[int]
     zero_jumps: list[JumpSaid]
+    jumps: list[StepSaid]
     tares: list[str]
     zeros_not_compared: list[str]
     starts_anew: list[str]
@@ -140,6 +151,11 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> LifespanSai
             {"run": jump.run, "jump_mm": finite(jump.jump_mm), "taken_off": not jump.may_be_wear}
             for jump in health.jumps
             if not jump.checked
+        ],
+        "jumps": [
+            {"indicator": name, "run": step.run, "after_stroke": step.stroke, "jump_mm": finite(step.moved_mm)}
+            for name in JUMPING
+            for step in steps(table, name)
         ],
         "tares": [*health.tares, *(zero(jump) for jump in health.jumps if jump.checked)],
         "zeros_not_compared": health.uncompared,

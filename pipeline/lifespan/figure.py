@@ -154,7 +154,7 @@ def nothing(axes: Axes, answer: Answer) -> None:
     """The panel of an indicator without a value yet: the reason, and from how many strokes on it has one."""
     words = (
         f"No {answer.what} yet: the first {REFERENCE} strokes set the reference.\n"
-        f"It shows from {REFERENCE + 1} strokes on, and a forecast from {LEAST_STROKES} on."
+        f"It shows from {REFERENCE + 1} compared strokes on, and a forecast from {LEAST_STROKES} on."
     )
     axes.text(0.5, 0.5, words, ha="center", va="center", transform=axes.transAxes)
     axes.set(xticks=[], yticks=[])

@@ -95,7 +95,9 @@ def test_strokes_of_another_range_are_left_out(tmp_path):
     assert string_health.left_out == [7] and len(string_health.strokes) == 11
     low, high = string_health.range_turns
     assert "\n  Left out: 1 stroke (7), not wound over" in sentences(string_health, [], 0.9)
-    assert f"{low:.3g} to {high:.3g} turns within 5 %, as the first 3 do." in sentences(string_health, [], 0.9)
+    assert f"{low:.3g} to {high:.3g} turns within 5 %, the median of the first 3 strokes (1 to 3)." in sentences(
+        string_health, [], 0.9
+    )
     assert f", wound to {high:.3g} turns. Then name all runs" in sentences(string_health, [], 0.9)
 
 

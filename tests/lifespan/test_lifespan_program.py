@@ -29,7 +29,7 @@ from pipeline.lifespan.words.calibration_advice import advice, recalibrate_after
 from pipeline.lifespan.words.claims_held import HELD, measured
 from pipeline.lifespan.words.figure_words import WIDE, footnote, which_run
 from pipeline.lifespan.words.sentences import UNFORESEEN, answered, sentence
-from pipeline.lifespan.words.so_far import exact, so_far
+from pipeline.lifespan.words.so_far import beside_limit, so_far
 from pipeline.rig import __main__ as rig
 
 ROOT = Path(__file__).parents[2]
@@ -312,7 +312,9 @@ def test_a_single_stroke_is_no_error(tmp_path):
     out = tmp_path / "out"
     ended = program(folder(tmp_path, "a-1", samples(1, 0.004)), "--out", out)
     assert ended.returncode == 0 and "no forecast yet: 1 stroke recorded" in ended.stdout, ended.stderr
-    assert ended.stdout.count("from stroke 4 on it shows") == 2
+    few = "So far: no change can be seen: 1 stroke is compared, and the first 3 are what later ones are compared with."
+    assert joined(ended.stdout).count(f"{few} A change shows after 3 more like it.") == 1, "it was said twice"
+    assert ended.stdout.count("So far") == 1
     assert "\n  Until a model calibrated on the first 3 strokes is off by 1 mm: no forecast yet." in ended.stdout
     assert (out / "a-1" / "lifespan.png").stat().st_size
 
@@ -406,7 +408,7 @@ def test_a_bound_in_words_leaves_out_the_share_of_futures_that_it_says():
 )
 def test_a_number_beside_its_limit_has_the_digits_that_tell_them_apart(value, limit, digits):
     """ "The model is off by 1 mm" stood beside a limit of 1 mm that was "passed already"."""
-    assert exact(value, limit) == digits
+    assert beside_limit(value, limit) == digits
 
 
 @pytest.mark.parametrize(
@@ -503,10 +505,16 @@ def test_what_is_so_so_far_is_said_and_a_stroke_that_grew_has_lost_nothing():
             so_far(Answer("stroke_loss", "", "1", n, values, values, 0.1, forecast))
             == f"So far: {loss_words} {against}"
         )
-    grown = Answer("stroke_loss", "", "1", n, np.full(12, -0.014), np.full(12, -0.014), 0.1, forecast)
+    grown = Answer("stroke_loss", "", "1", n, np.repeat([0.0, -0.014], 6), np.full(12, 0.001), 0.1, forecast)
     rests = pd.DataFrame({"rest_mm": np.repeat([9.0, 8.4, 7.8], 4), "rest_mm_error": 0.01})
     so_far_text = so_far(grown, longer_at_rest(rests))
-    assert "the stroke grew by 1.4 %; nothing is lost, but the string is 1.2 mm longer at rest (the last" in so_far_text
+    beyond = "the stroke grew by 1.4 %, beyond the noise; nothing is lost, but the string is 1.2 mm longer at rest, "
+    assert f"{beyond}beyond the noise (the last" in so_far_text
+    lost = replace(grown, values=0.001 * (-1.0) ** n)
+    so_far_text = so_far(lost, longer_at_rest(rests))
+    assert "0.1 % of the stroke is lost, within the noise, but the string is 1.2 mm longer at rest, bey" in so_far_text
+    scattered = rests.assign(rest_mm=np.repeat([9.0, 8.8], 6) + 0.5 * (-1.0) ** n)
+    assert longer_at_rest(scattered) == "", "strokes scatter by more than each one's readings"
     assert longer_at_rest(rests.assign(rest_mm_error=1.0)) == longer_at_rest(rests[:5]) == "", "within the noise"
     for least in (np.full(12, 1.1e-16), np.full(12, -1.1e-16)):
         so_far_text = so_far(Answer("stroke_loss", "", "1", n, least, least, 0.1, forecast))

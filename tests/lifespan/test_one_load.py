@@ -90,6 +90,21 @@ def test_a_load_that_is_hung_amid_a_run_is_seen_by_stroke(tmp_path: Path) -> Non
     ]
 
 
+def test_the_range_of_which_stroke_is_left_out_is_the_median_of_the_first_and_not_what_they_all_do(
+    tmp_path: Path,
+) -> None:
+    """ "Not wound over 0.0587 to 17.9 turns, as the first 3 do" of strokes of which the third was left out."""
+    ages = samples(5, 0.0)
+    ages.loc[ages.index // 114 == 2, "motor_turns"] *= 0.8
+    runs = [
+        folder(tmp_path, "a-1", ages, string=string(id="a")),
+        folder(tmp_path, "a-2", under(samples(3, 0.0), 40.0, 1e4), string=string(id="a")),
+    ]
+    words = " ".join(programs.run("pipeline.lifespan", *runs, "--out", tmp_path / "out").stdout.split())
+    median = "turns within 5 %, the median of the first 3 strokes under 20 N (1 to 3)."
+    assert "Left out: 1 stroke under 20 N (3), not wound over" in words and median in words
+
+
 @pytest.mark.parametrize("swing_n", [0.0, 4.0])
 def test_strokes_of_one_load_are_all_compared(tmp_path: Path, swing_n: float) -> None:
     table = samples(14, 0.002, load_swing_n=swing_n)

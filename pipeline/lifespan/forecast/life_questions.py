@@ -1,14 +1,15 @@
 """The two questions on a string's health: when has it lost a share of its stroke, and when is a model too wrong?"""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...ground.kinematics import Array
 from ..stroke_health.health import Health
 from ..stroke_health.indicators import REFERENCE
+from ..stroke_health.step import JUMPING, LEFT, Step, steps
 from .futures_margin import LATER
-from .strokes_left import Left, strokes_left
+from .strokes_left import LEAST_STROKES, Left, strokes_left
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,22 @@ def lived(health: Health) -> float:
     return float(n.iloc[-1] - n.iloc[0] + 1)
 
 
+def through_no_jump(forecast: Left, jumps: list[Step]) -> Left:
+    """The forecast, or why there is none: a law that goes through a jump foretells more of what happened once.
+
+    That a limit was passed stays.
+    """
+    if not jumps or forecast.reason:
+        return forecast
+    if np.isfinite(forecast.passed_at):
+        return replace(forecast, jumped=True)
+    strokes = [str(number) for number in sorted({step.stroke for step in jumps})]
+    at = f"a jump at stroke {strokes[0]}" if len(strokes) == 1 else f"jumps at strokes {' and '.join(strokes)}"
+    why = f"most of its change came by {at}, and a jump follows no law"
+    record = f"For a forecast record {LEAST_STROKES} strokes as a new run, and name only the runs since the jump"
+    return Left(f"{why}. {record}", jumped=True)
+
+
 def stroke_loss(health: Health, loss: float) -> Answer:
     """When the stroke has lost a share `loss` of what it was over the first strokes."""
     table = health.strokes.dropna(subset=["stroke_mm"])  # a stroke that ends short has no reading at the top
@@ -40,6 +57,7 @@ def stroke_loss(health: Health, loss: float) -> Answer:
     spread = float(np.median(np.abs(np.diff(lost)))) / (0.6745 * np.sqrt(2.0)) if len(lost) > 1 else 0.0
     limit_error, power = spread / np.sqrt(REFERENCE), LATER["stroke_loss"]
     forecast = strokes_left(n, lost, loss, limit_error, lived=lived(health), power=power)
+    forecast = through_no_jump(forecast, steps(table, "stroke_mm"))
     errors = table["stroke_mm_error"].to_numpy() / first_mm
     return Answer("stroke_loss", "share of the stroke lost", "1", n, lost, errors, loss, forecast)
 
@@ -50,6 +68,11 @@ def model_error(health: Health, drift_mm: float) -> Answer:
     before = min(REFERENCE, len(health.strokes))
     n, off_mm = table["stroke"].to_numpy(float), table["model_error_mm"].to_numpy()
     errors = table["model_error_mm_error"].to_numpy()
+    forecast = strokes_left(n, off_mm, drift_mm, before=before, lived=lived(health), power=LATER["model_error"])
+    if not forecast.reason:
+        jumps = [step for name in JUMPING for step in steps(health.strokes, name)]
+        is_most = sum(abs(step.moved_mm) for step in jumps) > LEFT * float(np.median(off_mm[-REFERENCE:]))
+        forecast = through_no_jump(forecast, jumps if is_most else [])
     return Answer(
         "model_error",
         "model error",
@@ -58,7 +81,7 @@ def model_error(health: Health, drift_mm: float) -> Answer:
         off_mm,
         errors,
         drift_mm,
-        strokes_left(n, off_mm, drift_mm, before=before, lived=lived(health), power=LATER["model_error"]),
+        forecast,
     )
 
 

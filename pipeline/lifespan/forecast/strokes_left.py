@@ -49,6 +49,7 @@ class Left:
     choice: Choice | None = None
     band: Band | None = None  # what is drawn of the futures
     drifts: bool = True  # whether it has changed by more than its noise
+    jumped: bool = False  # whether most of its change is a jump, which no law foretells
 
     def span(self, level: float) -> Span:
         """The interval that holds the strokes left with probability `level`."""

@@ -20,6 +20,11 @@ def drift(answers: list[Answer]) -> Span:
     return next(answer.left.span(LEVEL) for answer in answers if answer.question == "model_error")
 
 
+def jumped(answers: list[Answer]) -> bool:
+    """Whether most of the model's error is a jump: what jumped is to be found before the model is calibrated."""
+    return any(answer.left.jumped for answer in answers if answer.question == "model_error")
+
+
 def recalibrate_after(answers: list[Answer]) -> int | None:
     """Strokes from now until the model must be calibrated again: 0 at once, None without a claim."""
     span = drift(answers)
@@ -60,6 +65,8 @@ def advice(answers: list[Answer], done: int = 0, beside: bool = False, like: str
             at = f"stroke {last + when}, at which the calibration was due, is among the {strokes(done)} done"
             return f"Advice: calibrate your model again now, on the strokes recorded; ask {anew}: {at}."
         again = f"Ask {anew}: stroke {last + asked_after}, at which that was due, is done."
+    if jumped(answers):
+        return f"Advice: find what jumped and mend it, then calibrate your model on strokes recorded after it. {again}"
     if when is None:
         return f"Advice: no reason to calibrate your model again is seen so far. {again}"
     if when == 0:
@@ -86,8 +93,8 @@ def no_ageing(answers: list[Answer], strokes_seen: int, at_rest: str = "") -> st
 
 
 def due(answers: list[Answer]) -> bool:
-    """Whether a time to calibrate the model again is foretold, or was passed."""
-    return drift(answers).state in ("passed", "one-sided", "interval")
+    """Whether a time to calibrate the model again is foretold, or was passed, and nothing is to be done before."""
+    return not jumped(answers) and drift(answers).state in ("passed", "one-sided", "interval")
 
 
 def rests_on(answers: list[Answer]) -> list[str]:
@@ -107,6 +114,9 @@ def rests_on(answers: list[Answer]) -> list[str]:
         else SOON_PASSED
     )
     again = half if ask_again_after(answers) < max(seen, LEAST_STROKES) else "the strokes compared have doubled then"
+    if jumped(answers):
+        first = "Why that first: a model calibrated on strokes before a jump and after it fits neither"
+        return [f"{first}.", f"Why ask again: {again}."]
     calibrate = "Why calibrate" if due(answers) else "Why no calibration"
     return [f"{calibrate}: {why}.{_cautious(error)}", f"Why ask again: {again}."]
 

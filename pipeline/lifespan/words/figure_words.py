@@ -82,7 +82,7 @@ def left_out(of_range: int, of_load: int) -> str:
 
 def no_claim(reason: str) -> str:
     """Why there is no forecast, in a few words."""
-    why = reason.split(":")[0]
+    why = reason.split(":")[0].split(". ")[0]
     if "too few" not in why:
         return f"no claim: {why}"
     return f"no forecast yet: {' '.join(why.split()[:2])}, {LEAST_STROKES} needed"

@@ -19,7 +19,7 @@ from .calibrate_again import AFTERWARDS
 from .calibration_advice import advice, due, no_ageing, rests_on
 from .claims_held import measured
 from .percent import of_100, percent, tail
-from .so_far import so_far
+from .so_far import not_yet, so_far
 from .stroke_counts import at_least, strokes_at_least, strokes_at_most
 from .strokes_compared import CALIBRATED, left_out, recorded
 
@@ -112,9 +112,10 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
 def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> list[str]:
     """The lines of one question: how far the limit is, how long it stays unpassed, and how far to trust that."""
     state = answer.left.span(level).state
-    within = "" if answer.left.drifts else STEADY[answer.unit == "1"]
+    is_loss, now = answer.unit == "1", so_far(answer, at_rest)
+    within = "" if answer.left.drifts or (is_loss and at_rest) else STEADY[is_loss]
     claim, *more = sentence(answer, level, enough)
-    lines = [f"  {so_far(answer, at_rest)}{within}", f"  {claim}"]
+    lines = [f"  {now}{within}"] * bool(now) + [f"  {claim}"]
     if state in ("no claim", "passed"):
         return lines
     trust = " ".join(line for line in (*more, measured(answer.question, state)) if line)
@@ -153,11 +154,12 @@ def young(run: str) -> str:
 
 
 def sentences(
-    health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: Sequence[str] = ()
-) -> str:
+    health: Health, answers: list[Answer], level: float, beside: bool = False, calibrate_by: Sequence[str] = (),
+    jumped: Sequence[str] = (),
+) -> str:  # fmt: skip
     """All answers in words: the strokes, what to beware of, how far each limit is, and what to do.
 
-    `beside` as `heading` takes it, `calibrate_by` how a model is calibrated.
+    `beside` as `heading` takes it, `calibrate_by` how a model is calibrated, `jumped` what jumped within a run.
     """
     lines, enough, at_rest = heading(health, beside), not few(len(health.strokes)), longer_at_rest(health.strokes)
     lines += [f"  {line}" for line in (no_ageing(answers, len(health.strokes), at_rest),) if line]
@@ -167,8 +169,10 @@ def sentences(
     lines += [f"  Beware: {note}" for note in health.uncompared]
     if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
         lines.append(f"  {ZERO_OFF}")
+    lines += [f"  {line}" for line in jumped]
     horizons = [answer.left.horizon for answer in answers if len(answer.left.when)]
     lines += [f"  {WAYS_ON.format(at_least(horizons[0]))}", f"  {SUDDEN}"] if horizons else []
+    lines += [] if any(so_far(answer) for answer in answers) else [f"  {not_yet(len(health.strokes))}"]
     lines += [line for answer in answers for line in answered(answer, level, enough, at_rest)]
     if enough:
         lines.append(f"  {advice(answers, health.done, beside, health.loads.under or LIKE * bool(health.left_out))}")

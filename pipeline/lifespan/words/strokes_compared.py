@@ -27,7 +27,9 @@ def left_out(health: Health) -> list[str]:
     lines = [health.loads.left_out] if health.loads.others else []
     if health.left_out:
         out = f"{strokes(len(health.left_out))}{health.loads.under} ({spans(health.left_out)})"
-        like = f"within {percent(SAME_RANGE)}, as the first {REFERENCE} do"
+        first = sorted({*health.left_out, *health.strokes["stroke"].astype(int)})[:REFERENCE]
+        middle = f"the median of the first {strokes(len(first))}{health.loads.under} ({spans(first)})"
+        like = f"within {percent(SAME_RANGE)}, {middle}"
         lines.append(f"Left out: {out}, not wound over {_range(health)} {like}.")
     last = int(health.strokes["stroke"].iloc[-1])
     others = [number for _, numbers in health.loads.others for number in numbers]
