@@ -8,7 +8,7 @@ import pandas as pd
 from .forecast.law_choice import Choice
 from .forecast.life_questions import Answer, first
 from .stroke_health.health import INDICATORS, Health
-from .stroke_health.step import JUMPING, steps
+from .stroke_health.reading_jump import JUMPING, steps
 from .words.calibration_advice import ask_again_after, recalibrate_after
 from .words.sentences import UNFORESEEN, zero
 

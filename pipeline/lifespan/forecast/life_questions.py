@@ -7,7 +7,7 @@ import numpy as np
 from ...ground.kinematics import Array
 from ..stroke_health.health import Health
 from ..stroke_health.indicators import REFERENCE
-from ..stroke_health.step import JUMPING, LEFT, Step, steps
+from ..stroke_health.reading_jump import JUMPING, LEFT, Step, steps
 from .futures_margin import LATER
 from .strokes_left import LEAST_STROKES, Left, strokes_left
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...ground.command import command
 from ..stroke_health.health import Health
-from ..stroke_health.step import JUMPING, Step, steps
+from ..stroke_health.reading_jump import JUMPING, Step, steps
 
 MANY = 1000.0  # times the noise: more is not counted
 
