@@ -12,6 +12,7 @@ from .recovered import NOTHING, Recovered
 KNOWN_MM = 0.05
 # How far off it is in nine of ten breaks, of the strings of docs/models.md that are worst: more is asked about.
 NINE_OF_TEN_MM = 0.26
+TAKEN_OFF = "taken off the displacement before the tables and models are made."  # a moved zero is
 
 
 @dataclass(frozen=True)
@@ -119,10 +120,9 @@ class Jump:
 
 def taken_off(change_mm: float, own: Recovered) -> str:
     """What is taken off for the `tare: run` of a run: the change of its rest, less what the string did itself."""
-    where = "taken off the displacement before the tables and models are made."
     if not own.mm:
-        return f"So this change is {where}"
-    return f"{own.sentence} So the zero was moved by {change_mm - own.mm:+.2g} mm, and that is {where}"
+        return f"So this change is {TAKEN_OFF}"
+    return f"{own.sentence} So the zero was moved by {change_mm - own.mm:+.2g} mm, and that is {TAKEN_OFF}"
 
 
 def _two_digits(value: float) -> str:

@@ -6,8 +6,9 @@ from pathlib import Path
 from ..ground.errors import BadInput
 from ..run.folder import find_runs, read_run, started_utc
 from .from_raw import read
-from .history import Recorded
+from .history import Recorded, in_order
 from .jump import Jump
+from .not_compared import uncompared
 from .rests import Rests
 from .tare_notes import tare_notes
 from .zero import jumps_among
@@ -72,7 +73,7 @@ def jumps_into(runs: list[Rests], beside: Beside) -> list[Jump]:
 
 
 def advice_on(folder: Path, beside: Beside | None = None) -> list[str]:
-    """The advice on the zero of a run that was just recorded: a sentence for each jump into it.
+    """The advice on the zero of a run that was just recorded: a sentence for each jump into it, or that none is seen.
 
     None where no other run of its string lies beside it, or where this one cannot be read. Of many others the last
     ones before it are read, so that nobody waits for a year of recordings.
@@ -87,8 +88,9 @@ def advice_on(folder: Path, beside: Beside | None = None) -> list[str]:
     rests = beside.at(folder) if others else None
     if rests is None:
         return []
-    jumped = [jump.advice for jump in jumps_among([*before, rests]) if jump.run == run.run]
-    return [*jumped, *(note for name, note in tare_notes([*before, rests]) if name == run.run)]
+    every = in_order([*before, rests])
+    jumped = [jump.advice for jump in jumps_among(every) if jump.run == run.run]
+    return [*jumped, *(note for name, note in [*tare_notes(every), *uncompared(every)] if name == run.run)]
 
 
 def _last(folders: list[Path], until_utc: str) -> list[Path]:

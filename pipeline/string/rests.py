@@ -15,6 +15,8 @@ from ..ground.stored import schemas
 from ..run.description import Run
 from .history import Recorded
 
+LEAST_FLOOR_MM = 1e-4  # a noise floor that no sensor's is below
+
 Rest = tuple[int, int]  # its first sample, and the first after it
 
 

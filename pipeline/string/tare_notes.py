@@ -6,13 +6,13 @@ the string says `tare: run`, its sensor is likely set to zero at each start, and
 
 from itertools import pairwise
 
-from ..ground.words.jump_notes import KNOWN_IN_PART, MODEL_VALUE, SET_ANEW
+from ..ground.words.jump_notes import MODEL_VALUE, SET_ANEW
 from ..run.mend_command import tare_command
 from .history import in_order
-from .jump import taken_off
+from .jump import TAKEN_OFF, taken_off
 from .recovered import recovered
 from .rests import Rests
-from .zero import change_mm, changes_among
+from .zero import Zero, change_mm, changes_among, zeros
 
 FEW = 3  # runs of a string that are named
 
@@ -20,12 +20,12 @@ FEW = 3  # runs of a string that are named
 def set_anew(runs: list[Rests]) -> list[str]:
     """A sentence on the runs of one string whose run.yaml says `tare: run`: by how much each zero was moved."""
     moved, doubts = [], set[str]()
-    for before, after in pairwise(in_order(runs)):
+    ordered = in_order(runs)
+    for after, zero in zip(ordered[1:], zeros(ordered)[1:], strict=True):
         if after.run.tare == "run":
-            change = change_mm(before, after)
-            by = "set to the model's value" if change is None else f"{change - recovered(before, after).mm:+.2g} mm"
-            moved.append(f"{after.run.run} ({by})")
-            doubts.add(MODEL_VALUE if change is None else KNOWN_IN_PART)
+            by = "set to the model's value" if zero.moved_mm is None else f"{zero.moved_mm:+.2g} mm"
+            moved.append(f"{after.run.run} ({by}{f', by {zero.told_by}' if zero.told_by else ''})")
+            doubts.add(zero.doubt)
     if not moved:
         return []
     more = f" and {len(moved) - FEW} more" if len(moved) > FEW else ""
@@ -39,7 +39,7 @@ def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
     changes = {jump.run: jump for jump in changes_among(ordered)}
     own_zero = [rests.run.run for rests in ordered[1:] if rests.run.tare == "run"]
     notes = []
-    for before, after in pairwise(ordered):
+    for (before, after), zero in zip(pairwise(ordered), zeros(ordered)[1:], strict=True):
         name, change = after.run.run, change_mm(before, after)
         if name in changes and changes[name].is_own and changes[name].is_unconfirmed:
             notes += [(name, note) for note in [changes[name].own_note] if note]
@@ -52,8 +52,7 @@ def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
             more = "more" if change > 0 else "less"
             reads = f"at rest it reads {abs(change):.2g} mm {more} than {before.run.run} at its end"
         if name in own_zero:
-            set_so = f"So it is set to the model's value. {MODEL_VALUE}"
-            off = set_so if change is None else taken_off(change, recovered(before, after))
+            off = _set_otherwise(zero) if change is None else taken_off(change, recovered(before, after))
             notes.append((name, f"run.yaml of {name} says `tare: run`: {reads}. {off}"))
         else:
             others = f"{own_zero[0]}, of the same string, says `tare: run`, and {name} does not"
@@ -62,3 +61,11 @@ def tare_notes(runs: list[Rests]) -> list[tuple[str, str]]:
             checked = f"if it was checked and did not move, `tare: checked` ({by_checked})"
             notes.append((name, f"{others}: {reads}. {mend}; {checked}."))
     return notes
+
+
+def _set_otherwise(zero: Zero) -> str:
+    """How a zero is set that the last rest before cannot tell, and what is unknown of it."""
+    if zero.moved_mm is None:
+        return f"So it is set to the model's value. {MODEL_VALUE}"
+    moved = f"so the zero was moved by {zero.moved_mm:+.2g} mm, and that is {TAKEN_OFF}"
+    return f"It is compared with {zero.told_by}: {moved} {zero.doubt}"

@@ -412,7 +412,8 @@ def test_figure_4_says_where_an_untwisted_string_stands(dataset):
     again = pd.concat([pair, pair.assign(run="second")])
     last = (
         " A further run with `tare: run` in its run.yaml goes on where the run before ended, with what the string took "
-        "back since, or is set to the model's value where the two rest under other loads or at other twists."
+        "back since. Where the two rest under other loads or at other twists it goes on from an earlier rest like its "
+        "own, or from a straight line in load through earlier rests, or is set to the model's value."
     )
     assert zero_of_x(again).endswith(f"at that twist.{last}")
     apart = pd.concat([dataset, dataset.assign(run="second")])

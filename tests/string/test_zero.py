@@ -445,7 +445,9 @@ def test_why_a_zero_is_not_compared_is_told_once() -> None:
     (note,) = not_compared([Rests.of(first_run), Rests.of(begun)])
     assert re.search(r"between a-1 and a-2: a-1 rests last at 0 turns, a-2 begins at 1\d(\.\d)? turns\.", note)
     beginning = Rests.of(first_run)  # of a run that ends while it unwinds: its load changed since its only rest
-    alone = replace(beginning, after=(0,), **{name: getattr(beginning, name)[:1] for name in ("turns", "load_n")})
+    alone = replace(
+        beginning, after=(0,), **{name: getattr(beginning, name)[:1] for name in ("turns", "load_n", "levels_mm")}
+    )
     (note,) = not_compared([alone, Rests.of(begun)])
     assert "a-1 begins at 0 turns and rests no more, a-2 begins at" in note
     assert not_compared([Rests.of(run) for run in runs(JUMP_MM)]) == []

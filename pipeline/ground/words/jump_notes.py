@@ -16,7 +16,16 @@ NOT_COMPARED = "zero not compared between"  # how a sentence begins on runs of w
 SET_ANEW = "zero set anew at"  # how one begins on a run whose run.yaml says `tare: run`
 OFF = "off by 0.02 to 0.05 mm (median, by how a string creeps), in one break of ten by more than 0.1 to 0.3 mm"
 KNOWN_IN_PART = f"Such a zero is known in part: on simulated strings it was {OFF}, at worst by 0.8 mm."
-MODEL_VALUE = "Set to the model's value, a zero is off by all that the string had changed before."
+EARLIER_REST = "Compared with an earlier rest, a zero is off by all that the string changed since that rest."
+CARRIED = (
+    "Carried to another load by the line of the rests, a zero is off by what they stray from that line (the noise at "
+    "most) and by what the string took back in the break."
+)
+MODEL_VALUE = (
+    "Set to the model's value, a zero is off by what the string stretches from its first load to this one beyond the "
+    "model, and by all that it had changed before."
+)
+OTHERWISE = (EARLIER_REST, CARRIED, MODEL_VALUE)  # doubts of a zero that the last rest before it does not tell
 NAMED = 4  # strings, where there are more: so many and the number of the others
 
 

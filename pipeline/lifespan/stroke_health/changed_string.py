@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from ...ground.kinematics import Array
-from ...string.zero import LEAST_FLOOR_MM
+from ...string.rests import LEAST_FLOOR_MM
 from .indicators import REFERENCE
 
 YOUNG = ("stroke_mm", "loop_mm")  # both change as a string beds in, and neither depends on the sensor's zero

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...ground.command import command, program_name
 from ...ground.names import SYNTHETIC as SYNTHETIC_MATERIAL
-from ...ground.words.jump_notes import KNOWN_IN_PART
+from ...ground.words.jump_notes import KNOWN_IN_PART, OTHERWISE
 from ...string.jump import Jump
 from ..forecast.life_questions import Answer
 from ..forecast.strokes_left import ACCELERATES, FUTURES, HORIZON, LEAST_STROKES, sudden
@@ -167,7 +167,8 @@ def sentences(
     lines += [f"  {zero(jump)}" for jump in health.jumps]
     lines += [f"  {note}" for note in health.tares]
     lines += [f"  Beware: {note}" for note in health.uncompared]
-    if any(not jump.may_be_wear for jump in health.jumps) or health.tares:
+    in_part = [note for note in health.tares if not note.endswith(OTHERWISE)]
+    if in_part or any(not jump.may_be_wear for jump in health.jumps):
         lines.append(f"  {ZERO_OFF}")
     lines += [f"  {line}" for line in jumped]
     horizons = [answer.left.horizon for answer in answers if len(answer.left.when)]

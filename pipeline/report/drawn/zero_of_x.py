@@ -8,7 +8,8 @@ MODEL = "traditional model"
 LEAST_MM = 0.005  # less is 0 in two decimals
 ANEW = (
     "A further run with `tare: run` in its run.yaml goes on where the run before ended, with what the string took back "
-    "since, or is set to the model's value where the two rest under other loads or at other twists."
+    "since. Where the two rest under other loads or at other twists it goes on from an earlier rest like its own, or "
+    "from a straight line in load through earlier rests, or is set to the model's value."
 )
 
 
