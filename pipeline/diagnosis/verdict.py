@@ -19,12 +19,13 @@ from .facts.mechanism_entries import as_entry, listed
 from .facts.stand_ins import stand_ins
 from .facts.told_floor import told_fine_floor
 from .facts.zero_effects import without_zero_effects
+from .facts.zero_entries import zero_entries
 from .fit import generic, locate
 from .fit.adopt import entries
 from .fit.intervals import intervals
 from .fit.linear import Linear
 from .fit.problem import Problem, State
-from .fit.uncertainty import doubts, zero_names
+from .fit.uncertainty import doubts
 from .mechanisms.interface import physics
 from .mechanisms.library import mechanisms
 from .numerics import residual_band
@@ -150,7 +151,6 @@ def diagnosis(
         fit["worse_than_nominal"] = worse
     if not problem.system.free_zero:
         fit["relative_residual"] = relative(study)
-    zeros = dict(zip(zero_names(problem, unit), bands.zeros, strict=True)) if problem.system.free_zero else {}
     content: dict[str, Any] = {
         "run": runs[0].run,
         "verdict": study.verdict,
@@ -162,8 +162,7 @@ def diagnosis(
         "parameters": {
             name: {"nominal": by_name[name].nominal, **as_entry(interval)}
             for name, interval in bands.parameters.items()
-        }
-        | {name: {"nominal": 0.0, **as_entry(interval)} for name, interval in zeros.items()},
+        },
         "fit": fit,
         "simulation": entries(tuple(sorted(study.state.acts, key=problem.beside.count)), problem.drivers),
         "code": fingerprint("pipeline.diagnose", "pipeline.diagnosis.*", "pipeline.systems.*"),
@@ -193,4 +192,5 @@ def diagnosis(
         tidied["rivals"] = rivals(study, unit)
     for name, interval in bands.parameters.items():
         tidied["parameters"][name]["value"] = float(f"{interval.value:.{DIGITS + 1}g}")
+    tidied["parameters"] |= zero_entries(problem, bands, unit)
     return spoken(without_zero_effects(tidied, unit), problem.system)

@@ -27,6 +27,7 @@ class Dimension(TypedDict, total=False):
     value: float  # as calibrated
     low: float
     high: float
+    from_first: Interval  # of a later run's zero: by how much it exceeds the first run's
     at_bound: str  # `upper` or `lower`, where calibration moved it as far as it may
 
 

@@ -75,7 +75,8 @@ def slopes_of_nonlinear(problem: Problem, state: State, act: Act) -> Array:
 class Intervals:
     """Intervals of every movable parameter, by name, of the size of every act, by id, and of each run's zero.
 
-    The zeros are in the channel's unit. `half_widths` are those of nonlinear parameters.
+    The zeros are in the channel's unit; `zeros_from_first` is by how much each but the first exceeds the first.
+    `half_widths` are those of nonlinear parameters.
     These are shares of the value, by the act's id, which time it acts, and the nonlinear parameter's name.
     `covariance` is that of all numbers that were fitted: zeros, movable parameters, the acts' coefficients, each in its
     own unit, and the continuous nonlinear parameters, in halves of the value of each; it is for predictions.
@@ -84,6 +85,7 @@ class Intervals:
     parameters: dict[str, Interval]
     sizes: dict[str, Interval]
     zeros: tuple[Interval, ...]
+    zeros_from_first: tuple[Interval, ...]
     half_widths: dict[tuple[str, int, str], float]
     covariance: Array  # (numbers, numbers)
 
@@ -152,6 +154,9 @@ def intervals(problem: Problem, state: State, noise: Noise) -> Intervals:
 
     each = np.eye(len(own))
     zeros = tuple(interval(float(zero), each[run]) for run, zero in enumerate(state.zeros))
+    from_first = tuple(
+        interval(float(state.zeros[run] - state.zeros[0]), each[run] - each[0]) for run in range(1, problem.runs)
+    )
     parameters = {
         problem.parameters[index].name: interval(float(state.values[index]), each[problem.runs + place])
         for place, index in enumerate(problem.movable)
@@ -173,7 +178,7 @@ def intervals(problem: Problem, state: State, noise: Noise) -> Intervals:
         size_interval = interval(rms, weights, DISCREPANCY_SHARE)
         sizes_[act.id] = Interval(size_interval.value, max(size_interval.low, 0.0), size_interval.high)
     within = _within_noise(linear, own[kept], covariance[np.ix_(kept, kept)])
-    return Intervals(parameters, sizes_, zeros, half_widths, within)
+    return Intervals(parameters, sizes_, zeros, from_first, half_widths, within)
 
 
 def _within_noise(linear: Linear, columns: NDArray[np.intp], covariance: Array) -> Array:

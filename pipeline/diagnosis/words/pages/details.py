@@ -23,7 +23,7 @@ from ..language.places import EVERYWHERE, place
 from ..language.quantity import size, times
 from ..language.sections import Sections, text
 from ..language.vocabulary import Vocabulary
-from ..measured import in_run_yaml, to_measure, tolerances
+from ..measured import in_run_yaml, run_zeros, to_measure, tolerances
 from ..measured.dimensions import cautions, has_table, suspicious, table
 from ..named import adopted_table, certainty, effect_table, logged, slow_look_alikes
 from ..next_run import commands, deciding_run, experiment, make_sure, signs, tells, worth
@@ -126,13 +126,14 @@ def closest_ones(content: Verdict, words: Vocabulary) -> list[str]:
 
 
 def moved(content: Verdict, words: Vocabulary) -> list[str]:
-    """The dimensions that calibration moved, how to measure them again, and the lines for run.yaml."""
+    """The dimensions that calibration moved, how to measure them again, the lines for run.yaml, each run's zero."""
     named = content["verdict"] in to_do.NAMED
     in_step = to_do.asks_to_measure(content, words)
     return [
         *(table(content, words) if has_table(content) else []),
         *cautions(content, words, holdout.included(content), unseen.inexact(content, words), in_step),
         *(in_run_yaml.lines(content, to_measure.to_measure(content)) if named else []),
+        *run_zeros.lines(content, words),
         *tolerances.in_force(content, words),
     ]
 
