@@ -19,13 +19,13 @@ from .facts.mechanism_entries import as_entry, listed
 from .facts.stand_ins import stand_ins
 from .facts.told_floor import told_fine_floor
 from .facts.zero_effects import without_zero_effects
-from .facts.zero_entries import zero_entries
 from .fit import generic, locate
 from .fit.adopt import entries
 from .fit.intervals import intervals
 from .fit.linear import Linear
 from .fit.problem import Problem, State
 from .fit.uncertainty import doubts
+from .fit.zero_entries import zero_entries
 from .mechanisms.interface import physics
 from .mechanisms.library import mechanisms
 from .numerics import residual_band

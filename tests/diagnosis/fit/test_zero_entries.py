@@ -6,8 +6,8 @@ import pytest
 from made_recording import content, recording
 
 from pipeline.diagnosis.document.rounded import to_its_width
-from pipeline.diagnosis.facts.zero_entries import zero_entries
 from pipeline.diagnosis.fit import calibrate, intervals
+from pipeline.diagnosis.fit.zero_entries import zero_entries
 from pipeline.diagnosis.numerics.noise import white
 from pipeline.diagnosis.recording.recorded_run import RecordedRun
 from pipeline.diagnosis.study.own_rate import at_own_rate
