@@ -11,7 +11,7 @@ import pytest
 from made_recording import BASE, content, recording
 from stages.nine_strokes import recorded, string
 
-from pipeline.ground.words.jump_notes import CARRIED, EARLIER_REST, MODEL_VALUE, NOT_COMPARED
+from pipeline.ground.words.jump_notes import CARRIED, EARLIER_REST, KNOWN_IN_PART, MODEL_VALUE, NOT_COMPARED
 from pipeline.run.strokes import segment
 from pipeline.stages.dataset import make_dataset
 from pipeline.string.history import Recorded
@@ -148,3 +148,17 @@ def test_new_run_says_that_the_zero_of_a_second_run_is_not_compared(tmp_path: Pa
     mend = f"(python -m pipeline.mend {tmp_path / 'raw' / 'a-2'} tare=run)"
     warnings = " ".join(done.stderr.split())
     assert (why in warnings and mend in warnings) == (tare is None)
+
+
+def test_lifespan_says_no_more_of_such_a_zero_than_is_known(tmp_path: Path) -> None:
+    """It called a zero at the model's value known within 0.05 mm in the median."""
+    folders = [tmp_path / "raw" / name for name in ("a-1", "a-2")]
+    for folder, recorded_run in zip(folders, pair((20.0, 50.0, 50.0)), strict=True):
+        folder.mkdir(parents=True)
+        tare = "run" if folder.name == "a-2" else None
+        (folder / "run.yaml").write_text(json.dumps(content(folder.name, string=string(id="a"), tare=tare)))
+        recorded_run.samples.to_parquet(folder / "recording.parquet", index=False)
+    done = programs.run("pipeline.lifespan", *folders, "--out", tmp_path / "life")
+    assert done.returncode == 0, done.stderr
+    words = " ".join(done.stdout.split())
+    assert MODEL_VALUE in words and KNOWN_IN_PART not in words
