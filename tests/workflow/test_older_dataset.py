@@ -4,6 +4,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from added_runs import add_run
 
 TARGET = "processed/flax/dataset.parquet"
@@ -18,6 +19,7 @@ def said(folder: Path) -> str:
     return "\n".join(line for line in done.stderr.splitlines() if "was made before this" in line)
 
 
+@pytest.mark.long
 def test_what_predict_says_of_an_older_dataset_is_over_once_it_is_made_anew(bare_project):
     """Also where ingest ran alone before, and where a recording cannot be used: neither is in a dataset made anew."""
     folder = bare_project.folder

@@ -18,10 +18,10 @@ def verdict(folder) -> tuple[str, tuple[str, ...]]:
     return outcome.verdict, outcome.best_ids
 
 
-LONG = [pytest.param(kind, marks=pytest.mark.long) for kind in ("backlash", "sensor_lag")]
+LONG = [pytest.param(kind, marks=pytest.mark.long) for kind in ("backlash", "jam", "sensor_lag")]
 
 
-@pytest.mark.parametrize("kind", ["axial_elasticity", "jam", *LONG])
+@pytest.mark.parametrize("kind", ["axial_elasticity", *LONG])
 def test_one_effect_is_named(kind: str, conceal) -> None:
     assert verdict(conceal(kind)[0]) == ("explained", (kind,))
 
