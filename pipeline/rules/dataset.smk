@@ -17,7 +17,7 @@ def described(runs):
 
 
 def stages_of_runs(wildcards):
-    runs, stages = runs_of(wildcards), ["samples.parquet", "strokes.parquet", "made_from.json"]
+    runs, stages = runs_of(wildcards), ["samples.parquet", "strokes.parquet", "read_from.json"]
     return described(runs) + expand("processed/{run}/{stage}", run=runs, stage=stages)
 
 

@@ -18,7 +18,7 @@ rule ingest:
     output:
         samples="processed/{run}/samples.parquet",
         strokes="processed/{run}/strokes.parquet",
-        made_from="processed/{run}/made_from.json",
+        read_from="processed/{run}/read_from.json",
     log:
         "processed/logs/ingest-{run}.log",
     resources:
@@ -30,5 +30,5 @@ rule ingest:
         "ingest {wildcards.run}, and cut it into strokes"
     shell:
         "exec python -m pipeline.stages.ingest raw/{wildcards.run:q} --out {output.samples:q}"
-        " --out-strokes {output.strokes:q} --out-made-from {output.made_from:q} --read-ahead {READ_AHEAD:q}"
+        " --out-strokes {output.strokes:q} --out-read-from {output.read_from:q} --read-ahead {READ_AHEAD:q}"
         " --of {params.content:q} {READS:q} $NOTE_REFUSALS > {log:q} 2>&1"

@@ -13,7 +13,8 @@ from ..ground.stored.files import sha256
 from ..ground.stored.notes import read_note, write_note
 from .folder import RECORDINGS
 
-NAME = "made_from.json"  # of the note, beside the tables of a run and beside the dataset of a material
+NAME = "made_from.json"  # of the note beside the dataset of a material
+OF_RUN = "read_from.json"  # of the note beside the tables of a run: of one name, no rule would know which it is
 LARGEST = 100_000_000  # bytes of a note
 FILES = ("run.yaml", *RECORDINGS, "capture.json")  # of a run folder, that samples come from
 
@@ -39,7 +40,7 @@ def note_run(folder: Path, path: Path) -> None:
 
 def note_runs(runs: Sequence[str], processed: Path, path: Path) -> None:
     """Write the note on the runs of a material from the notes of ingest; a run without one is absent."""
-    notes = {run: processed / run / NAME for run in runs}
+    notes = {run: processed / run / OF_RUN for run in runs}
     write_note(path, {run: read_note(note, LARGEST) for run, note in notes.items() if note.is_file()})
 
 

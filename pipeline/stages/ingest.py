@@ -27,16 +27,16 @@ def main() -> None:
     parser.add_argument("run_dir", type=Path)
     parser.add_argument("--out", type=Path, required=True, help="the file of the samples, Parquet; required")
     parser.add_argument("--out-strokes", type=Path, help="the file of the strokes, Parquet; default: none is written")
-    parser.add_argument("--out-made-from", type=Path, help="where to note, as JSON, the run's files by content")
+    parser.add_argument("--out-read-from", type=Path, help="where to note, as JSON, the run's files by content")
     parser.add_argument("--read-ahead", type=Path, help="where a plan keeps what it has read; default: nowhere")
     of = "digests of the run's files and of the code that reads them, to which what is kept must be bound"
     parser.add_argument("--of", nargs="+", default=[], metavar="DIGEST", help=of)
     parser.add_argument("--note-refusals", action="store_true", help="write why the run is refused, and exit with 0")
     arguments = parser.parse_args()
     files = [path for path in (arguments.out, arguments.out_strokes) if path]
-    if arguments.out_made_from:  # of a refused run too: when its files change it is asked again
-        file_to_write(arguments.out_made_from, "--out-made-from")
-        note_run(arguments.run_dir, arguments.out_made_from)
+    if arguments.out_read_from:  # of a refused run too: when its files change it is asked again
+        file_to_write(arguments.out_read_from, "--out-read-from")
+        note_run(arguments.run_dir, arguments.out_read_from)
     for path, option in zip(files, ("--out", "--out-strokes"), strict=False):
         file_to_write(path, option)
     with noted(arguments.run_dir, files, arguments.note_refusals), whole(arguments.out) as temporary:

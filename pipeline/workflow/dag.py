@@ -134,7 +134,7 @@ def stored(models: Mapping[str, ModelPlan], plan: Plan) -> Iterator[str]:
     """Tables, models and verdicts that the workflow keeps between its jobs; they are checked for damage."""
     for run in plan.runs:
         yield from (f"processed/{run}/{stage}.parquet" for stage in ("samples", "strokes"))
-        yield f"processed/{run}/{made_from.NAME}"
+        yield f"processed/{run}/{made_from.OF_RUN}"
         yield f"reports/diagnosis/{run}/{VERDICT}"
     for material in plan.materials:
         yield from (f"processed/{material}/{table}.parquet" for table in ("dataset", "metrics"))

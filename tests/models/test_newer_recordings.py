@@ -27,8 +27,8 @@ def add_run(root: Path, name: str, **changes: object) -> Path:
 def make(root: Path, *runs: str) -> None:
     """What the rules `ingest` and `dataset` start."""
     for run in runs:
-        files = [f"processed/{run}/{name}" for name in ("samples.parquet", "strokes.parquet", "made_from.json")]
-        options = zip(("--out", "--out-strokes", "--out-made-from"), files, strict=True)
+        files = [f"processed/{run}/{name}" for name in ("samples.parquet", "strokes.parquet", "read_from.json")]
+        options = zip(("--out", "--out-strokes", "--out-read-from"), files, strict=True)
         words = [word for option in options for word in option]
         done = programs.run("pipeline.stages.ingest", f"raw/{run}", *words, cwd=root)
         assert done.returncode == 0, done.stderr
