@@ -16,7 +16,7 @@ from .folder import RECORDINGS
 NAME = "made_from.json"  # of the note beside the dataset of a material
 OF_RUN = "read_from.json"  # of the note beside the tables of a run: of one name, no rule would know which it is
 LARGEST = 100_000_000  # bytes of a note
-FILES = ("run.yaml", *RECORDINGS, "capture.json")  # of a run folder, that samples come from
+FILES = ("run.yaml", *RECORDINGS)  # of a run folder; capture.json, which says when it was, would part equal tables
 
 
 class FileSeen(TypedDict):

@@ -127,7 +127,7 @@ def recorded_files(raw: Path, run: str, synthetic: list[str]) -> list[str]:
     """Files of a run that its samples come from."""
     if run in synthetic:
         return [str(raw / run / name) for name in SYNTHETIC_FILES]
-    return [str(raw / run / name) for name in made_from.FILES if (raw / run / name).is_file()]
+    return [str(raw / run / name) for name in (*made_from.FILES, "capture.json") if (raw / run / name).is_file()]
 
 
 def stored(models: Mapping[str, ModelPlan], plan: Plan) -> Iterator[str]:

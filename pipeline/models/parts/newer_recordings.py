@@ -59,8 +59,7 @@ def _newer(root: Path, material: str, note: Path) -> Newer:
     changed = {run: changed_files(root / RAW / run, files, noted_s) for run, files in seen.items()}
     gone = [run for run in seen if not (root / RAW / run).is_dir()]
     described = [run for run, names in changed.items() if run not in gone and "run.yaml" in names]
-    of_recording = {*RECORDINGS, "capture.json"}
-    recorded = [run for run, names in changed.items() if run not in gone and of_recording.intersection(names)]
+    recorded = [run for run, names in changed.items() if run not in gone and set(RECORDINGS).intersection(names)]
     new = [
         folder.name
         for folder in find_runs(root / RAW)
