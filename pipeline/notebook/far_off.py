@@ -45,7 +45,7 @@ def far_off(
             sentences.append((f"{numbered(rows).capitalize()}: {words} {equations}{COMPARE}", EQUATIONS))
         if rows := (questions.rows[is_apart & ~has_load & (is_outside | by_equations)] + 1).tolist():
             sentences.append((f"{numbered(rows).capitalize()}: {words} {NO_LOAD}", ""))
-    if sentences and EQUATIONS in dict(sentences).values():
+    if any(compare == EQUATIONS for _, compare in sentences):
         sentences.append((beside.of_simulator, ""))
     is_together = np.array([why.tells(Kind.TOGETHER) for why in table["why"]], bool)[questions.rows]
     new = [(is_together, TOGETHER), (beyond_all_loads(points, dataset), BEYOND)]

@@ -1,6 +1,6 @@
 """How many of a thing, and which, in words."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 
 def counted(count: int, what: str) -> str:
@@ -11,6 +11,13 @@ def counted(count: int, what: str) -> str:
 def are(count: int) -> str:
     """The verb for a count: is, or are."""
     return "is" if count == 1 else "are"
+
+
+def listing(words: Sequence[str], last: str = "and") -> str:
+    """Words as a list: a; a and b; a, b and c."""
+    if len(words) < 2:
+        return "".join(words)
+    return f"{', '.join(words[:-1])} {last} {words[-1]}"
 
 
 def consecutive(numbers: Iterable[int]) -> list[list[int]]:

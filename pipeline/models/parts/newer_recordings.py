@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ...ground.command import make_command
 from ...ground.errors import BadInput
+from ...ground.words.counts import are, listing
 from ...run.description import STRING_ACTUATORS
 from ...run.folder import RECORDINGS, find_runs, is_recorded, read_run
 from ...run.made_from import NAME, changed_files, read_runs
@@ -45,12 +46,12 @@ def beware_of_newer(dataset: Path) -> str:
         return ""  # whoever reads the dataset says what is wrong with its path, the main job what is with the note
     parts = [f"run.yaml of {_names(newer.described)} changed"] if newer.described else []
     parts += [f"the recording of {_names(newer.recorded)} changed"] if newer.recorded else []
-    parts += [f"{_names(newer.gone)} {_is(newer.gone)} gone from {RAW}/"] if newer.gone else []
-    parts += [f"{_names(newer.new)} in {RAW}/ {_is(newer.new)} not in it"] if newer.new else []
+    parts += [f"{_names(newer.gone)} {are(len(newer.gone))} gone from {RAW}/"] if newer.gone else []
+    parts += [f"{_names(newer.new)} in {RAW}/ {are(len(newer.new))} not in it"] if newer.new else []
     if not parts:
         return ""
     to_root = "" if Path.cwd() == root else f"cd {shlex.quote(str(root))} && "
-    return f"beware: {dataset} was made before this: {_listed(parts)}. To make it anew: {to_root}{make}"
+    return f"beware: {dataset} was made before this: {listing(parts)}. To make it anew: {to_root}{make}"
 
 
 def _newer(root: Path, material: str, note: Path) -> Newer:
@@ -89,16 +90,8 @@ def _is_refused(root: Path, folder: Path) -> bool:
         return False
 
 
-def _is(runs: list[str]) -> str:
-    return "is" if len(runs) == 1 else "are"
-
-
 def _names(runs: list[str]) -> str:
     """Some runs by name, and how many more."""
     ordered = sorted(runs)
     last = ordered[NAMED:] and f"{len(ordered) - NAMED} more"
-    return _listed([*ordered[:NAMED], last] if last else ordered)
-
-
-def _listed(words: list[str]) -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    return listing([*ordered[:NAMED], last] if last else ordered)

@@ -4,6 +4,8 @@ import math
 import re
 from collections.abc import Sequence
 
+from ....ground.words.counts import listing as listing  # its home is below: models make lists of words too
+
 SMALLER = {"mm": "µm", "m": "mm", "cm": "µm", "N": "mN", "Nm": "mNm", "V": "mV", "A": "mA", "rad": "mrad", "s": "ms"}
 FACTOR = {"cm": 1e4}  # 1e3 else
 NEAR_0 = 0.01  # of an axis: what is nearer to 0 is said to be there
@@ -135,10 +137,3 @@ def reaches(share: float, limit: float) -> bool:
 def first_upper(phrase: str) -> str:
     """A phrase as a sentence begins."""
     return f"{phrase[:1].upper()}{phrase[1:]}"
-
-
-def listing(words: Sequence[str], last: str = "and") -> str:
-    """Words as a list: a; a and b; a, b and c."""
-    if len(words) < 2:
-        return "".join(words)
-    return f"{', '.join(words[:-1])} {last} {words[-1]}"

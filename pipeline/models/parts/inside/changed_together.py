@@ -8,13 +8,12 @@ in a campaign of many strings that differ in everything. A stiffness follows the
 Source: Belsley, Kuh and Welsch, Regression Diagnostics, 1980 (columns of a fit that others nearly follow).
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 import pandas as pd
 
 from ....ground.kinematics import Array
 from ....ground.units import unit_of
+from ....ground.words.counts import listing
 from ..conditions import Conditions
 from .beyond_range import WORDS
 from .recorded_strokes import LOAD
@@ -35,19 +34,14 @@ def changed_together(points: pd.DataFrame) -> str:
         return ""
     ordered = levels.sort_values(names[0], kind="stable")
     least, most = ordered.iloc[0], ordered.iloc[-1]
-    ends = ", ".join(f"{_listed([_amount(end, name) for name in names])} of {end.name}" for end in (least, most))
+    ends = ", ".join(f"{listing([_amount(end, name) for name in names])} of {end.name}" for end in (least, most))
     mends = [f"string {least.name} under {most[name]:.3g} N too" for name in names if name == LOAD]
     sizes = [WORDS[name] for name in names if name != LOAD]
     mends += [f"a string that differs from {least.name} in {size} alone" for size in sizes[:-1]]
     return (
-        f"among the recorded strings {_listed([WORDS[name] for name in names])} changed together ({ends}), so their "
-        f"effects cannot be told apart and the answer may be far off: record {_listed(mends)}"
+        f"among the recorded strings {listing([WORDS[name] for name in names])} changed together ({ends}), so their "
+        f"effects cannot be told apart and the answer may be far off: record {listing(mends)}"
     )
-
-
-def _listed(words: Sequence[str]) -> str:
-    """Words as a list: a and b; a, b and c."""
-    return " and ".join(filter(None, [", ".join(words[:-1]), words[-1]]))
 
 
 def _amount(level: pd.Series, name: str) -> str:
