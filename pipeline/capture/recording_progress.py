@@ -1,6 +1,7 @@
 """The progress of a recording of frames: what came, what is lost, the sensors' values, and the remaining time."""
 
 import time
+from pathlib import Path
 
 from ..ground.numbers.unwound import Unwound
 from ..ground.words.counts import counted
@@ -17,12 +18,15 @@ SHOWN = {"motor_turns": "turns", "displacement_mm": "mm", "load_n": "N"}
 
 
 class Progress:
-    """Counts what comes and shows it; what is wrong it says at once. `motion_s`: what a program takes."""
+    """Counts what comes and shows it; what is wrong it says at once.
 
-    def __init__(self, hello: Hello, motion_s: float | None = None) -> None:
+    `motion_s`: what a program takes. `folder`: that of the run.
+    """
+
+    def __init__(self, hello: Hello, motion_s: float | None = None, folder: Path | None = None) -> None:
         self.hello = hello
         self.samples = self.lost = self.bad = 0
-        self.screen, self.watch, self.left = Screen(), Watch(hello), Left(hello.strokes, motion_s)
+        self.screen, self.watch, self.left = Screen(), Watch(hello, folder), Left(hello.strokes, motion_s)
         self.numbers = Numbers(hello.rate_hz)
         self._stroke, self._unwound = 0, Unwound()  # the one under way
         self._missing: set[int] = set()

@@ -1,8 +1,13 @@
 """While recording: faults of the samples themselves, each told in one sentence, once."""
 
 import struct
+from pathlib import Path
 
-from ..run.doubts.wrong_sign import FALLS, POSITIVE
+from ..ground.errors import BadInput
+from ..run.description import Run
+from ..run.doubts.wrong_sign import FALLS, POSITIVE, turned_sign
+from ..run.folder import read_run
+from ..run.mend_command import mend_command
 from ..wire import Frame, Hello
 from .motion_faults import FROZEN, LEAST_TURNS, REVERSED, MotionFaults, stands_words
 
@@ -12,10 +17,14 @@ STANDS = 10  # so many looks in a row at which a clock has not gone on
 
 
 class Watch:
-    """Looks at some samples of a recording: the newest values, and whether a sensor is frozen or reversed."""
+    """Looks at some samples of a recording: the newest values, and whether a sensor is frozen or reversed.
 
-    def __init__(self, hello: Hello) -> None:
-        self.hello = hello
+    `folder` is that of the run: a channel that its run.yaml turns over is read so.
+    """
+
+    def __init__(self, hello: Hello, folder: Path | None = None) -> None:
+        self.hello, self._folder = hello, folder
+        self._run = _described(folder)
         self.now: dict[str, float] = {}
         self._layout = struct.Struct("<I" + "".join(CODES[channel.type] for channel in hello.channels))
         self._every = max(1, round(hello.rate_hz / LOOKS_HZ))
@@ -37,16 +46,29 @@ class Watch:
             return clock
         channels = self.hello.channels
         self.now = {c.name: c.scale * n + c.offset for c, n in zip(channels, numbers, strict=True)}
-        turns, measured_mm = self.now.get("motor_turns"), self.now.get("displacement_mm")
+        turns, measured_mm = self._as_read("motor_turns"), self._as_read("displacement_mm")
         if turns is None or measured_mm is None:
             return None
         wrong = self._motion.look(turns, measured_mm)
         if wrong == FROZEN:
             return self._say(wrong, stands_words(LEAST_TURNS))
         if wrong == REVERSED:
-            mend = f"{POSITIVE}: swap the sensor's sign in the firmware, or set scale to -1 in run.yaml"
-            return self._say(wrong, f"displacement_mm {FALLS}; {mend}")
+            return self._say(wrong, f"displacement_mm {FALLS}; {self._turned()}")
         return None
+
+    def _as_read(self, name: str) -> float | None:
+        """The newest value of a channel, with the scale that run.yaml gives it; None where it did not come."""
+        own = self._run.channels.get(name) if self._run else None
+        value = self.now.get(str(own.column) if own and own.column is not None else name)
+        return value if value is None or own is None else value * own.scale
+
+    def _turned(self) -> str:
+        """The mend of a displacement that falls, with the command where the run is described."""
+        firmware = "swap the sensor's sign in the firmware, or"
+        if self._run is None or self._folder is None:
+            return f"{POSITIVE}: {firmware} set channels.displacement_mm.scale to -1 in run.yaml"
+        to_type = mend_command(turned_sign(self._run), self._folder)
+        return f"{POSITIVE}: {firmware}, when the recording has ended: {to_type}"
 
     def _clock(self, t_us: int) -> str | None:
         """A sentence when the device's clock stands or runs backwards."""
@@ -63,3 +85,13 @@ class Watch:
             return None
         self._said.add(what)
         return sentence
+
+
+def _described(folder: Path | None) -> Run | None:
+    """The description of the run in a folder, where there is one that can be read."""
+    if folder is None:
+        return None
+    try:
+        return read_run(folder)
+    except BadInput:
+        return None  # said when the recording begins

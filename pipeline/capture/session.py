@@ -136,7 +136,7 @@ def capture(
                 log.append(beginning)
                 began = datetime.now(UTC)
                 motion_s = sum(leg.seconds for leg in legs) if legs else None
-                outcome = record(port, log, hello, lambda: end_request() + stopped(), longest_s, motion_s)
+                outcome = record(port, log, hello, lambda: end_request() + stopped(), longest_s, motion_s, folder)
             except OSError as error:
                 mend = f"make room, then run {recover_command(folder)}"
                 raise BadInput(folder, NAME, f"could not be written ({error}); what it has is kept", mend) from None

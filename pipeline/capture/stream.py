@@ -4,6 +4,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 from ..run.ended_words import ABORTED, PERSON
 from ..wire import Decoder, Frame, Hello, Kind, Reason, encode
@@ -36,8 +37,8 @@ class Outcome:
 class Listener:
     """Looks at the bytes that come: whether they end the recording, and how many of them belong to it."""
 
-    def __init__(self, hello: Hello, motion_s: float | None = None) -> None:
-        self.hello, self.decoder, self.progress = hello, Decoder(hello.protocol), Progress(hello, motion_s)
+    def __init__(self, hello: Hello, motion_s: float | None = None, folder: Path | None = None) -> None:
+        self.hello, self.decoder, self.progress = hello, Decoder(hello.protocol), Progress(hello, motion_s, folder)
         self.end_seq: int | None = None  # of an END that is to be acknowledged
         self._wrong_ends = 0
 
@@ -78,14 +79,15 @@ def record(
     stops: Callable[[], int],
     longest_s: float = math.inf,
     motion_s: float | None = None,
+    folder: Path | None = None,
 ) -> Outcome:
     """Record from START to END; what is in the log afterwards is on the disk, and then the END is acknowledged.
 
     `stops` says how often the person has asked to stop: once, or `longest_s` over, sends STOP and waits for the END;
     twice ends it. `motion_s` is what a program takes that the device follows: it is told again and again that somebody
-    is there.
+    is there. `folder` is that of the run, whose run.yaml says how its channels are read.
     """
-    listener = Listener(hello, motion_s)
+    listener = Listener(hello, motion_s, folder)
     progress = listener.progress
     silence_s, idle_s = max(SILENCE_S, 5.0 / hello.rate_hz), max(IDLE_S, 5.0 / hello.rate_hz)
     began_s = heard_s = new_s = time.monotonic()

@@ -13,6 +13,7 @@ from pipeline.capture.recording_progress import Progress
 from pipeline.capture.sample_faults import Watch
 from pipeline.rig.recorded_at_once import simulate
 from pipeline.rig.setup import read_setup
+from pipeline.run.mend_command import MEND
 from pipeline.wire import Channel, Event, Frame, Hello, Kind, encode
 from pipeline.wire.frames import EVENT
 
@@ -41,8 +42,8 @@ def test_what_a_port_sends_is_guessed(heard, faster, expected_words):
     assert expected_words in guess(heard if faster == 1 else received(heard, faster), 115_200)[0]
 
 
-def watched(turns, measured_mm) -> list[tuple[float, str]]:
-    watch, warnings = Watch(HELLO), []
+def watched(turns, measured_mm, folder=None) -> list[tuple[float, str]]:
+    watch, warnings = Watch(HELLO, folder), []
     for number, (turn, mm) in enumerate(zip(turns, measured_mm, strict=True)):
         payload = struct.pack("<Iih", number * 10_000, round(turn / 0.01), round(mm / 0.02))
         warnings.append(watch.look(Frame(Kind.SAMPLE, number, payload)))
@@ -73,6 +74,29 @@ def test_a_frozen_displacement_is_told_once_and_soon():
 def test_a_displacement_that_goes_the_wrong_way_is_told_once_and_soon():
     ((said_s, sentence),) = watched(TURNS, 30 - CONTRACTION_MM)
     assert "falls while the motor winds" in sentence and said_s < 1 + 3.0
+
+
+def described(folder, more=""):
+    """A run folder with a description of a string, and `more` lines of it."""
+    run = folder / "raw" / "run-1"
+    run.mkdir(parents=True)
+    sizes = "string: {material: nylon, radius_mm: 0.4, length_mm: 400}\n"
+    rig = "rig: {torsion_zone_mm: 150, separator_mm: 8, load_n: 20}\n"
+    (run / "run.yaml").write_text(f"run: run-1\n{sizes}{rig}{more}")
+    return run
+
+
+def test_a_wrong_direction_is_turned_by_a_command_that_can_be_copied(tmp_path):
+    run = described(tmp_path)
+    ((_, sentence),) = watched(TURNS, 30 - CONTRACTION_MM, run)
+    assert sentence.endswith(f"when the recording has ended: {MEND} {run} channels.displacement_mm.scale=-1")
+
+
+def test_a_channel_is_looked_at_as_the_runs_description_reads_it(tmp_path):
+    run = described(tmp_path, "channels: {displacement_mm: {scale: -1}}\n")
+    assert watched(TURNS, 30 - CONTRACTION_MM, run) == []
+    ((_, sentence),) = watched(TURNS, CONTRACTION_MM, run)
+    assert sentence.endswith("channels.displacement_mm.scale=1")
 
 
 def test_samples_of_another_size_are_told():
