@@ -10,6 +10,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..diagnosis.planned_columns import planned_columns
+from ..diagnosis.planned_words import of_outside
 from ..diagnosis.recording.recorded_run import RecordedRun
 from ..diagnosis.simulated_plan import simulated_plan
 from ..diagnosis.simulated_recording import SimulatedRecording
@@ -102,8 +103,8 @@ class Recording:
         With a diagnosis its mechanisms and dimensions act; without one those that the description has adopted. The
         measured channel serves for the zero alone; a recording that the diagnosis was made of has its zero there. A
         later run of a diagnosis of several goes on after those before it, which the diagnosis holds; one that was read
-        from a file holds none, and they must lie beside the recording's folder. Warns where they are not at hand, and
-        of a recording of another rig.
+        from a file holds none, and they must lie beside the recording's folder. Warns where they are not at hand, of a
+        recording of another rig, and of a motion that leaves what was recorded.
 
         `motion` is one that nobody has recorded, in place of the recording's: `time_s`, the rig's motion (`motor_turns`
         of a string) and its load, one row a sample; corners of a string's motion will do. The answer has more columns
@@ -125,6 +126,7 @@ class Recording:
         simulator = Simulator.of(self.run, source, diagnosis.content if diagnosis else None)
         recorded = RecordedRun(self.run, self.samples, self.strokes, self.folder)
         at_hand = beside(recorded, diagnosis)
+        leaves: list[str] = []
         if motion is None:
             simulated = SimulatedRecording(recorded, simulator, beside=at_hand)
             columns, before = {self.run.system.channel: simulated.predicted}, simulated.before
@@ -134,7 +136,8 @@ class Recording:
             more = after_recording, at_hand, by_index(motion.index)
             plan = simulated_plan(self.run, self.folder, recorded, simulator, motion, path, *more)
             table, before = plan.table(planned_columns(plan, simulator).columns), plan.before
-        for words in doubts(recorded, before, simulator, diagnosis):
+            leaves = of_outside(plan, Path("motion"))
+        for words in [*doubts(recorded, before, simulator, diagnosis), *leaves]:
             warnings.warn(words, stacklevel=3)  # said of the line that called simulate
         return table
 

@@ -269,6 +269,13 @@ def test_a_plan_may_go_on_after_the_recording(nylon: tb.Recording, diagnosis: tb
     assert not np.allclose(fresh["displacement_mm"], after["displacement_mm"], atol=1e-3)
 
 
+def test_a_plan_that_leaves_what_was_recorded_is_warned_of(nylon: tb.Recording, diagnosis: tb.Diagnosis) -> None:
+    motion = pd.DataFrame({"time_s": [0.0, 5.0, 10.0], "motor_turns": [0.0, 10.0, 0.0], "load_n": 90.0})
+    warned = r"^motion: it asks for load_n of 90 .* Mend: keep load_n at 20, or record a stroke that does as the plan"
+    with pytest.warns(UserWarning, match=warned):
+        assert nylon.simulate(diagnosis, motion)["outside"].any()
+
+
 @pytest.mark.long
 def test_the_example_of_the_reference_runs(
     nylon: tb.Recording, diagnosis: tb.Diagnosis, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
