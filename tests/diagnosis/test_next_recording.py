@@ -114,6 +114,17 @@ def test_a_name_beyond_doubt_asks_for_no_further_run():
         assert ("to be surer of a name" in " ".join(full(copy.deepcopy(diagnosis)).split())) == asks
 
 
+def test_a_run_that_tells_nothing_is_asked_for_no_more_where_each_name_is_sure():
+    creep = foretold(0.2, ["creep"], loop_as_before=0.18, hold=-0.35, rest=0.26)
+    alike = {**creep, "ids": ["plastic_elongation"]}
+    two_loads = {"loaded": True, "covered": COVERED | {"load": [13.2, 26.4]}}
+    for share, rival, asks in ((0.9, alike, False), (0.7, alike, True), (0.9, LASTING, True)):
+        diagnosis = named(["creep"], [creep, rival], {"creep": share}, recorded=0.18)
+        diagnosis["mechanisms"][0]["confidence"] = share
+        diagnosis["evidence"] |= two_loads
+        assert ("to be surer of a name" in " ".join(full(diagnosis).split())) == asks, share
+
+
 def test_where_a_hold_has_no_telling_number_the_page_says_in_words_what_it_shows_and_why():
     text = " ".join(full(named(["creep"], [CREEP, LASTING], {"creep": 0.8}, recorded=0.5)).split())
     assert (

@@ -165,6 +165,8 @@ def test_where_no_number_tells_the_explanations_apart_no_table_stands_and_one_se
     table = lines(content(evidence__expected=expectation, next_run=None), WORDS)
     assert len(table) == 2 and table[0].startswith("No number of one stroke, hold or rest tells the explanations apart")
     assert table[-1] == "A hold and a rest of 2 min do not tell creep from thermal here.", "said plainly"
+    alone = content(evidence__expected=expectation, next_run=None, evidence__loaded=False)
+    assert lines(alone, WORDS)[-1] == "A hold and a rest of 2 min do not tell creep from thermal under one load."
     more = with_spread(CREEP | {"ids": [*BOTH, "sensor_drift"]}, 0.3)
     table = lines(content(evidence__expected=EXPECTED | {"explanations": [both[0], more]}, next_run=None), WORDS)
     best = "friction_hysteresis + creep"

@@ -59,6 +59,11 @@ def lines(content: Verdict, words: Vocabulary, shown: set[str] | None = None) ->
     return [*best, *(columns_of.not_in(content) if best else []), *recorded_evidence.lines(content, words), *sign]
 
 
+def tells_nothing(numbers: list[str]) -> bool:
+    """Whether lines of this table say that neither a number nor a hold and a rest tell the explanations apart."""
+    return NO_NUMBER in numbers and any(map(slow_sign.is_untelling, numbers))
+
+
 def _table(
     content: Verdict,
     expected: Expected,

@@ -11,6 +11,7 @@ from ..language.vocabulary import Vocabulary
 from .foretold_numbers import Number, apart, of_explanation
 
 STANDS = ("hold", "rest")
+UNTELLING = "A hold and a rest of {} do not tell {} from {} {}."
 WHOLE_RUN = "A single number does not decide. Only the fit of the whole run together with this one does."
 
 
@@ -51,11 +52,18 @@ def lines(content: Verdict, words: Vocabulary, compared: list[ExpectedExplanatio
     stand = duration(content["evidence"]["expected"]["stand_s"])
     if not best.stands:
         names = listing([apart(first, other)[1] for other in others], "or")
-        return [f"A hold and a rest of {stand} do not tell {apart(first, others[0])[0]} from {names} here."]
+        where = "here" if content["evidence"]["loaded"] or words.load is None else "under one load"
+        return [UNTELLING.format(stand, apart(first, others[0])[0], names, where)]
     named, rival = apart(first, best.rival)
     if not best.firm:
         return [_undecided(named, rival, best, stand, content, words)]
     return [_decision(named, rival, best, own, stand, words)]
+
+
+def is_untelling(line: str) -> bool:
+    """Whether a line says that a hold and a rest do not tell."""
+    begin, tell, _ = UNTELLING.split("{}", 2)
+    return line.startswith(begin) and tell in line
 
 
 def _sign(first: ExpectedExplanation, other: ExpectedExplanation, content: Verdict, words: Vocabulary) -> _Sign:

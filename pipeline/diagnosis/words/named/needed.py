@@ -6,6 +6,8 @@ from . import certainty
 
 ABSENT = ("more likely absent than", "about as likely absent as")  # below `certainty.EVEN`, and from there on
 
+IN_PLACE = "{0} is open: explanations of {1} have it, and the others that are likely have another effect in its place."
+
 
 def lines(content: Verdict) -> list[str]:
     """What to think of an effect of the best explanation that is less likely than not."""
@@ -19,6 +21,8 @@ def lines(content: Verdict) -> list[str]:
         if others and len(swapped) == len(others) and all(len(swap) == 1 for swap in swapped):
             instead = dict.fromkeys(other for swap in swapped for other in sorted(swap))
             lines.append(f"One of {listing([id_, *instead])} is needed; it is not known which.")
+        elif others and all(ids - best for ids in others if id_ not in ids) and any(id_ not in ids for ids in others):
+            lines.append(IN_PLACE.format(id_, percent(share)))
         else:
             lines.append(f"{id_} is {ABSENT[share >= certainty.EVEN]} at work ({percent(share)}).")
     return lines

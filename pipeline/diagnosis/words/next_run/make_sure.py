@@ -1,5 +1,6 @@
 """How to confirm the one explanation: more strokes where something is still missing, and the test of each effect."""
 
+from functools import partial
 from pathlib import Path
 
 from ....ground.command import program_name
@@ -20,10 +21,7 @@ from ..named.missing_signs import recorded
 from . import commands, recipe, recorded_so_far, second_load, worth
 from .run_asked import as_many_again, to_settle
 
-OTHER_LOAD = (
-    "Better under another load, {half} or {twice}, if the rig bears it: under one load alone no slow effect's name is "
-    "sure."
-)
+OTHER_LOAD = "Under one load alone no slow effect's name is sure."
 MORE_OF_IT = (
     "Better with more strokes under {load}: a second load that only {few} had makes no slow effect's name sure."
 )
@@ -119,9 +117,11 @@ def of_names(
         return []
     if not tests:
         return loop_to_see.step(content, words, numbers, short)
-    run = recipe.sentence(content, words, ids)
+    if all(map(partial(_is_sure, content, words), ids)) and expectation.tells_nothing(numbers):
+        return []
+    loads, other = _other_load(content, words) if recipe.load(content, words, ids) is None else ("", [])
+    run = recipe.sentence(content, words, ids, loads)
     load = recipe.to_type(content, words, ids)
-    other = [] if recipe.load(content, words, ids) is not None else _other_load(content, words)
     if short and run:
         return [
             [
@@ -154,15 +154,21 @@ def _where(parts: list[str]) -> str:
     return WHERE.format(listing([kept[0][0].upper() + kept[0][1:], *kept[1:]]), DETAILS)
 
 
-def _other_load(content: Verdict, words: Vocabulary) -> list[str]:
-    """The remark that the same run under another load settles a slow effect's name; nothing where not needed."""
+def _is_sure(content: Verdict, words: Vocabulary, id_: str) -> bool:
+    return certainty.is_likely(content, id_) and not certainty.held_back(content, words, id_)
+
+
+def _other_load(content: Verdict, words: Vocabulary) -> tuple[str, list[str]]:
+    """The loads under which the run settles a slow effect's name, and the remark why; nothing where not needed."""
     if not certainty.slow_alike(content, words) or not content["evidence"].get("covered"):
-        return []
+        return "", []
     if few := other_load.only_in(content):
-        return [MORE_OF_IT.format(load=other_load.size(content, words), few=few)]
+        return "", [MORE_OF_IT.format(load=other_load.size(content, words), few=few)]
     base = second_load.base(content)
+    if base <= 0.0:
+        return "", []
     half, twice = number(second_load.HALF * base), quantity(second_load.TWICE * base, words.load_unit)
-    return [OTHER_LOAD.format(half=half, twice=twice)] if base > 0.0 else []
+    return f"{half} or {twice}", [OTHER_LOAD]
 
 
 def again(old: Path, load: str, words: Vocabulary) -> str:

@@ -46,8 +46,11 @@ def to_type(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
     return f"{new_load:g}"
 
 
-def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
-    """The recording for the tests of the effects `ids`; nothing where these need no new load, speed, hold or rest."""
+def sentence(content: Verdict, words: Vocabulary, ids: list[str], loads: str = "") -> str:
+    """The recording for the tests of the effects `ids`; nothing where these need no new load, speed, hold or rest.
+
+    `loads`: those in words under one of which it is better made, if the rig bears it.
+    """
     covered, lacking = content["evidence"].get("covered"), _lacking(content, words, ids)
     lasting = _lasting(content, ids)
     if covered is None or not words.twisted or not (lacking or lasting):
@@ -63,6 +66,8 @@ def sentence(content: Verdict, words: Vocabulary, ids: list[str]) -> str:
         other = "all of them under" if content["evidence"]["loaded"] else "under"
         instead = "" if content["evidence"]["loaded"] else f" in place of {before}"
         under = f", but {other} {quantity(new_load, words.load_unit)}{instead}"
+    elif loads and under:
+        under = f", under {loads} in place of {before} if the rig bears it"
     speed = ends(slow, fast, f"{words.motion_unit}/s", 2)
     if "speed" in lacking:
         usual, half = (quantity(each, f"{words.motion_unit}/s") for each in (fast, fast / 2.0))

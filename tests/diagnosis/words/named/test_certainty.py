@@ -60,6 +60,10 @@ def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
     assert "One of creep and thermal is needed; it is not known which." in text and "more likely absent" not in text
     text = told(confident(0.93, 0.46, alternatives=[["friction_hysteresis", "thermal"], ["friction_hysteresis"]]))
     assert "creep is about as likely absent as at work (46 %)." in text and "is needed; it" not in text
+    several = [["friction_hysteresis", "thermal"], ["friction_hysteresis", "sensor_drift", "wear"]]
+    text = " ".join(told(confident(0.93, 0.34, alternatives=several)).split())
+    others = "explanations of 34 % have it, and the others that are likely have another effect in its place"
+    assert f"creep is open: {others}." in text and "absent" not in text, "a reader took it for no creep"
     text = told(confident(0.93, 0.62))
     assert "is needed; it" not in text and "more likely absent" not in text
 
