@@ -1,37 +1,48 @@
 """The next steps after a recording: what the simulator leaves out, and the string's next run or its life."""
 
+import io
 import shlex
-from collections.abc import Container
+from collections.abc import Container, Sequence
+from contextlib import redirect_stderr
 from pathlib import Path
 
 from ..ground.command import command
+from ..ground.errors import BadInput
 from ..ground.words.counts import counted
 from ..run.copied_run import of_another_string
 from ..run.folder import read_run
 from ..run.next_command import following
+from .jumps_beside import Reader
 from .same_string import next_name, others_recorded
 
 DIAGNOSIS = 6  # strokes that a diagnosis needs at least, as docs/record.md says; a test holds it to that page
 LIFE = 12  # strokes from which a forecast of a string's life is made; a test holds it to that program's own number
 
 
-def next_steps(folder: Path, strokes: int | None, anew: bool = False, but: Container[Path] = ()) -> list[str]:
+def next_steps(
+    folder: Path,
+    strokes: int | None,
+    anew: bool = False,
+    but: Container[Path] = (),
+    reader: Reader | None = None,
+) -> list[str]:
     """Lines, each with a command to paste, for a run that was recorded with so many strokes, None if nobody counted.
 
-    Fewer than a diagnosis needs are said in place of its command. `anew`: the rig's next recording is of another
-    string, as those of the synthetic rig are that keeps none. No run of `but`, whose paths are resolved, is named:
-    those cannot be read. Raises BadInput.
+    Fewer than a diagnosis needs are said in place of its command; a `reader` counts those of the string's other runs
+    too. `anew`: the rig's next recording is of another string, as those of the synthetic rig are that keeps none. No
+    run of `but`, whose paths are resolved, is named: those cannot be read. Raises BadInput.
     """
     run = read_run(folder)
     others = [other for other in others_recorded(folder, run) if other.resolve() not in but]
     lines = following(folder, recorded=True, others=others)
     if run.string is None:
         return lines
-    if not others and strokes is not None and strokes < DIAGNOSIS:
+    strokes = _in_all(strokes, others, reader)
+    if strokes is not None and strokes < DIAGNOSIS:
         needs = f"a diagnosis needs at least {DIAGNOSIS} to 8, with holds (docs/record.md)"
         more = "let a recording go on for longer" if anew else "record more of this rig"
         lines = [f"Next: {more}: {counted(strokes, 'stroke')} so far, and {needs}"]
-    if others or (strokes or 0) >= LIFE:
+    if (others and strokes is None) or (strokes or 0) >= LIFE:
         runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
         lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")
     elif anew:
@@ -41,3 +52,21 @@ def next_steps(folder: Path, strokes: int | None, anew: bool = False, but: Conta
         again = f"{command('new_run')} {next_name(folder)} --like {shlex.quote(str(folder))}"
         lines.append(f"Next: for another recording of this string: {again}, then record into it")
     return lines
+
+
+def _in_all(strokes: int | None, others: Sequence[Path], reader: Reader | None) -> int | None:
+    """The strokes of a run and those of the string's other runs; None where nobody has counted one of them.
+
+    As soon as they are enough for each of the steps no further run is read.
+    """
+    if strokes is None or (others and reader is None):
+        return None
+    for other in others:
+        if strokes >= LIFE or reader is None:
+            break
+        try:
+            with redirect_stderr(io.StringIO()):  # what is read as what is said when that run is used
+                strokes += int(reader(other).strokes["stroke"].max())
+        except BadInput:
+            return None
+    return strokes

@@ -4,6 +4,7 @@ import json
 import shlex
 from pathlib import Path
 
+import pandas as pd
 import programs
 import pytest
 from made_recording import content
@@ -11,6 +12,8 @@ from stages.nine_strokes import string
 
 from pipeline.lifespan.forecast.strokes_left import LEAST_STROKES
 from pipeline.run.folder import read_run
+from pipeline.string.history import Recorded
+from pipeline.string.jumps_beside import Reader
 from pipeline.string.next_steps import DIAGNOSIS, LIFE, next_steps
 from pipeline.string.same_string import next_name, others_recorded, tares
 
@@ -64,6 +67,21 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
     other = read_run(alone.parent / "raw" / "b-2")
     assert other.string_id == "b-2" and other.rig == read_run(alone).rig
     assert "pipeline.lifespan" in next_steps(alone, LIFE)[1] and LIFE == LEAST_STROKES
+
+
+def test_strokes_of_all_runs_of_the_string_are_counted_for_what_comes_next(runs: list[Path]) -> None:
+    """Of a second run the end said `diagnose` and `lifespan`, though both runs had three strokes in all."""
+
+    def of_each(strokes: int) -> Reader:
+        table = pd.DataFrame({"stroke": range(1, strokes + 1)})
+        return lambda folder: Recorded(read_run(folder), "", table, table, folder)
+
+    more, again = next_steps(runs[0], 1, reader=of_each(2))
+    assert more.startswith("Next: record more of this rig: 5 strokes so far, and a diagnosis needs at least 6 to 8")
+    assert again.startswith("Next: for another recording of this string: ")
+    diagnose, again = next_steps(runs[0], 2, reader=of_each(2))
+    assert "--together" in diagnose and "new_run" in again and "lifespan" not in again
+    assert "pipeline.lifespan" in next_steps(runs[0], 4, reader=of_each(4))[-1]
 
 
 def test_fewer_strokes_than_a_diagnosis_needs_are_said_and_not_diagnosed(runs: list[Path]) -> None:
