@@ -71,7 +71,7 @@ class Decided:
             self.content["zero_jumps"] = entries
         for note in optional(ZEROS, self.name, lambda: not_compared(self.rests)) or []:
             print(f"{self.name}: {note} {OWN_ZERO}", file=sys.stderr)
-        doubts = [f"{jump.advice} {OWN_ZERO}" for jump in jumps]
+        doubts = [f"{jump.in_short} {OWN_ZERO}" for jump in jumps]
         return write_words(self.content, self.runs[0].system, self.folders, self.out, doubts)
 
 

@@ -92,6 +92,17 @@ class Jump:
         )
 
     @property
+    def in_short(self) -> str:
+        """What a page says on which nothing depends on it: all of it only where nobody has said what the zero did."""
+        if self.taken_off:
+            moved = f"The zero of {self.run} was moved by {self.moved_mm:+.2g} mm since {self.before}"
+            return f"{moved}, as its run.yaml says (`tare: run`)."
+        if self.checked:
+            reads = f"At rest {self.run} reads {self._more} than {self.before} at its end"
+            return f"{reads}. Its run.yaml says `tare: checked`: so the change is the string's own."
+        return self.advice
+
+    @property
     def advice(self) -> str:
         """The observed change, and what to do if the zero was moved, or was not, or that it was done."""
         if self.taken_off:

@@ -239,8 +239,13 @@ def test_a_change_at_a_zero_that_was_checked_is_the_strings_own(whole: pd.DataFr
     assert advice_on(run_folders[1]) == [change.advice], "capture and new_run say it too"
 
 
-@pytest.mark.parametrize("tare", [None, "checked"])
-def test_a_verdict_says_a_checked_zero_without_a_jump(tmp_path: Path, monkeypatch, tare: str | None) -> None:
+@pytest.mark.parametrize(
+    ("tare", "begins"),
+    [(None, "The zero jumps"), ("checked", "At rest a-2 reads"), ("run", "The zero of a-2 was moved")],
+)
+def test_a_verdict_says_in_short_what_run_yaml_tells_of_a_zero(
+    tmp_path: Path, monkeypatch, tare: str | None, begins: str
+) -> None:
     from pipeline.notebook import of_folders
     from pipeline.string.from_raw import read
 
@@ -253,8 +258,9 @@ def test_a_verdict_says_a_checked_zero_without_a_jump(tmp_path: Path, monkeypatc
         Beside(rests)
     )
     (doubt,) = doubts
-    assert doubt.endswith(of_folders.OWN_ZERO) and ("zero_jumps" in written) == (tare is None)
-    assert doubt.startswith("At rest a-2 reads" if tare else "The zero jumps") and "`tare: checked`" in doubt
+    assert doubt.endswith(of_folders.OWN_ZERO) and ("zero_jumps" in written) == (tare != "checked")
+    assert doubt.startswith(begins) and f"`tare: {tare or 'checked'}`" in doubt
+    assert (len(doubt) < 250) == (tare is not None), "what is settled, and what nothing depends on, is said in short"
 
 
 def test_of_a_zero_that_was_checked_nothing_more_is_asked() -> None:

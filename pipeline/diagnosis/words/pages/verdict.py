@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
+from ....ground.words.counts import counted
 from ....systems import System
 from ...document.content import Verdict
 from ...document.made_keys import amount, by_name
@@ -22,6 +23,7 @@ from . import adoption, error_table, spikes, to_do
 from .headline import headline
 
 DOUBTS = "What to know first"
+ENOUGH_STROKES = 6  # for names of effects of a string; a test holds it to what the end of a capture says
 LONG = 200  # letters of a doubt on the page
 MORE = "More: details.txt (reasons, steps in full, what can be reported, words), diagnosis.pdf (figures)."
 
@@ -68,12 +70,22 @@ def what_first(content: Verdict, words: Vocabulary, rest: str = "") -> list[str]
     Slow effects that look alike are not in it: the page has a line on them, and the details have one on each.
     """
     after = [
+        *_few_strokes(content, words),
         *breaks.changed(content),
         *_provisional(content, words),
         *unseen_doubts.cautions(content, words),
         *_left(content, words),
     ]
     return [*adoption.cautions(content, "\n".join([rest, *after])), *after]
+
+
+def _few_strokes(content: Verdict, words: Vocabulary) -> list[str]:
+    """That names of a string are provisional which so few strokes gave."""
+    first, last = content["evidence"]["strokes"]
+    if not words.twisted or not content["mechanisms"] or last - first + 1 >= ENOUGH_STROKES:
+        return []
+    strokes = counted(last - first + 1, "stroke")
+    return [f"There are only {strokes}, and names need {ENOUGH_STROKES} to 8, with holds: take these as provisional."]
 
 
 def _left(content: Verdict, words: Vocabulary) -> list[str]:

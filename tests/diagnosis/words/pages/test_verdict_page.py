@@ -12,6 +12,7 @@ from pipeline.diagnosis.words.language.vocabulary import Vocabulary
 from pipeline.diagnosis.words.pages import advice
 from pipeline.diagnosis.words.pages.details import details_text
 from pipeline.ground.words.wrapped_lines import WIDE, wrapped
+from pipeline.string.next_steps import DIAGNOSIS
 
 STEPS = "What to do, in this order"
 NEAR = {"radius_mm": 0.4}
@@ -1176,3 +1177,10 @@ def test_a_single_effect_has_one_number_in_the_head_and_in_the_table(confidence,
     diagnosis["mechanisms"] = [diagnosis["mechanisms"][0] | {"confidence": confidence}]
     diagnosis["evidence"]["explanations"][-1]["ids"] = [diagnosis["mechanisms"][0]["id"]]
     assert f"explained by {diagnosis['mechanisms'][0]['id']} ({100 * shown_share:.0f} %" in page(diagnosis)
+
+
+def test_names_of_a_few_strokes_are_provisional():
+    """Two runs with three strokes in all gave percentages without a word of it."""
+    words = f"There are only 5 strokes, and names need {DIAGNOSIS} to 8, with holds: take these as provisional."
+    assert words in " ".join(page(content(evidence__strokes=[1, DIAGNOSIS - 1])).split())
+    assert "names need" not in page(content(evidence__strokes=[1, DIAGNOSIS]))
