@@ -136,7 +136,7 @@ def main() -> None:
     counts = [f"{outside} of them {less}"] * (outside > 0)
     counts += [f"{noted[kind]} {words}" for kind, words in NOTED.items() if noted[kind]]
     none = sum(each.tells(Kind.IMPOSSIBLE) for each in table["why"])
-    counts += [f"{none} of them without a number, for the model's cannot be"] * bool(none)
+    counts += [f"{none} of them without a number: no string can do what the model answers"] * bool(none)
     counts += [f"{counted(len(questions.bad), 'row')} without an answer"] * bool(questions.bad)
     print("; ".join([f"{counted(len(questions.points), 'answer')} in {arguments.out}, {by}", *counts]), end="")
     refused = {entry.row for entry in questions.bad}  # said once, at the end

@@ -85,11 +85,11 @@ def test_the_first_stroke_under_a_load_is_that_of_the_string_itself(tmp_path: Pa
     rows = ["2,1,12,,30,A", "2,1,12,,30,C", "2,1,12,,30,D", "8,1,12,,30,C", "12,1,12,,15,C"]
     table, _ = ask(dataset, rows, "--model", "polynomial")
     assert table["why"].tolist() == [
-        "stroke 2 of string A was not recorded under load 30 N: the first there is 8",
-        "stroke 2 of string C was not recorded under load 30 N: the first there is 4",
+        "stroke 2 of string A was not recorded under load 30 N: the first stroke there is 8",
+        "stroke 2 of string C was not recorded under load 30 N: the first stroke there is 4",
         "string D was recorded at 15 N only; at 30 N the answer leans on strings A and C of the material",
         "",
-        "stroke 12 of string C was not recorded under load 15 N: the last there is 3",
+        "stroke 12 of string C was not recorded under load 15 N: the last stroke there is 3",
     ]
 
 

@@ -43,8 +43,10 @@ def test_a_stroke_that_no_run_under_its_load_came_near_is_not_inside(dataset: Pa
     table = ask(dataset, rows, *words)
     assert table["inside"].tolist() == [False] * 3 + [True] * 4
     why = table["why"].tolist()
-    assert all(each.startswith("stroke 9 was not recorded under load 30 N: the last there is 6") for each in why[:2])
-    assert why[2].startswith("stroke 3 was not recorded under load 20 N: the first there is 7")
+    assert all(
+        each.startswith("stroke 9 was not recorded under load 30 N: the last stroke there is 6") for each in why[:2]
+    )
+    assert why[2].startswith("stroke 3 was not recorded under load 20 N: the first stroke there is 7")
     assert why[3:] == [""] * 4
     assert all(("tsa_recorded says of which" in each) == saved for each in why[:3])
 
@@ -71,9 +73,9 @@ def test_between_two_loads_a_stroke_is_inside_only_where_strokes_under_both_came
     schemas.write(points, schemas.DATASET, path)
     table = ask(path, ["2,1,28,10,", "2,-1,28,,3", "5,1,28,10,", "9,1,28,10,", "2,1,20,10,"])
     assert table["inside"].tolist() == [False, False, True, False, True]
-    first = "stroke 2 was not recorded both below and above load 28 N: the first near both is 3"
+    first = "stroke 2 was not recorded both below and above load 28 N: the first stroke near both is 3"
     assert all(reason.startswith(first) for reason in table["why"][:2])
-    last = "stroke 9 was not recorded both below and above load 28 N: the last near both is 7"
+    last = "stroke 9 was not recorded both below and above load 28 N: the last stroke near both is 7"
     assert table["why"][3].startswith(last)
     assert "was not recorded both" not in table["why"][2]
 
@@ -128,8 +130,8 @@ def test_a_stroke_counts_under_a_load_only_as_far_as_it_was_wound_there() -> Non
     questions = pd.DataFrame({"load_n": 40.0, "stroke": [6.0, 6.0, 7.0, 3.0, 3.0, 2.0, 13.0, 5.0]})
     why = under.never(questions, np.array([0.0, 26.0, 26.0, 5.0, 20.0, 0.0, 26.0, 5.0]))
     assert [bool(reason) for reason in why] == [False, True, False, False, True, True, False, False]
-    assert why[1] == "stroke 6 was not recorded under load 40 N as far as 26 turns: the first there is 7"
-    assert why[5] == "stroke 2 was not recorded under load 40 N: the first there is 3"
+    assert why[1] == "stroke 6 was not recorded under load 40 N as far as 26 turns: the first stroke there is 7"
+    assert why[5] == "stroke 2 was not recorded under load 40 N: the first stroke there is 3"
     assert not any(under.never(points, points["motor_turns"].to_numpy(float))), "what was recorded counts as that"
 
 

@@ -428,8 +428,8 @@ def test_the_main_job_says_why_the_model_to_take_is_not_the_best_of_the_tables(t
     rows = [f"{model},{split},forward,all,{error}" for (model, split), error in errors.items()]
     (tmp_path / "models.csv").write_text("\n".join(["model,split,map,column,median", *rows]) + "\n")
     assert lines_at_end("nylon", models, tmp_path / "models.csv")[0] == (
-        "model to take: spline. Its forward error on later strokes is at most 1.1 times the least of those that can be "
-        "exported: 0.039 mm. Inside strokes, which the tables show, polynomial errs less: 0.038 mm against 0.049 mm. "
+        "model to take: spline. Its forward error on later strokes, 0.039 mm, is at most 1.1 times the least of those "
+        "that can be exported. Inside strokes, which the tables show, polynomial errs less: 0.038 mm against 0.049 mm. "
         "If your strokes stay as recorded, take polynomial."
     )
 

@@ -75,8 +75,10 @@ def ranked(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
     exportable = set(models) - {WHOLE_MOTION}
     least_mm = min(errors_mm[model, split] for model in exportable if (model, split) in errors_mm)
     own_mm = errors_mm[chosen, split]
-    rank = "the least" if own_mm <= least_mm else f"at most {LESS:g} times the least"
-    return f"Its forward error {WHERE[split]} is {rank} of those that can be exported: {own_mm:.3f} mm."
+    if own_mm <= least_mm:
+        return f"Its forward error {WHERE[split]} is the least of those that can be exported: {own_mm:.3f} mm."
+    rank = f"at most {LESS:g} times the least of those that can be exported"
+    return f"Its forward error {WHERE[split]}, {own_mm:.3f} mm, is {rank}."
 
 
 def why(chosen: str, models: Iterable[str], errors_mm: Errors, floor_mm: float) -> str:

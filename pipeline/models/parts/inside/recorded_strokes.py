@@ -92,7 +92,7 @@ class Under:
             far = f" as far as {turns[row]:.4g} turns" if level[row] else ""
             above = strokes[row] > last[row]
             end = math.floor(last[row] - NEXT * (not is_between)) if above else math.ceil(first[row] - 1e-6)
-            which = f"the {'last' if above else 'first'} {'near both' if is_between else 'there'} is {end}"
+            which = f"the {'last' if above else 'first'} stroke {'near both' if is_between else 'there'} is {end}"
             which = which if first[row] <= last[row] else "no stroke is near both"
             stroke = f"stroke {points['stroke'].iloc[row]:.0f}{self.whose}"
             sentences[row] = f"{stroke} was not recorded {where}{far}: {which}"
