@@ -7,18 +7,15 @@ import pandas as pd
 
 from .forecast.law_choice import Choice
 from .forecast.life_questions import Answer, first
+from .json_recovery import RecoverySaid, finite, recovered
 from .stroke_health.health import INDICATORS, Health
 from .stroke_health.reading_jump import JUMPING, steps
+from .stroke_health.recovery import recovery
 from .words.calibration_advice import ask_again_after, recalibrate_after
 from .words.sentences import UNFORESEEN, zero
 
 STIFFNESS_ABSENT = "the load varies too little within a stroke, or the length does not follow it"
 SHOWN_WEIGHT = 0.005
-
-
-def finite(value: float, digits: int = 6) -> float | None:
-    """A number for JSON: rounded, None for NaN and infinity."""
-    return float(f"{value:.{digits}g}") if np.isfinite(value) else None
 
 
 class LawSaid(TypedDict):
@@ -77,6 +74,7 @@ class LifespanSaid(TypedDict):
     strokes_of_another_load: list[int]
     zero_jumps: list[JumpSaid]
     jumps: list[StepSaid]
+    recovery: RecoverySaid
     tares: list[str]
     zeros_not_compared: list[str]
     starts_anew: list[str]
@@ -157,6 +155,7 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> LifespanSai
             for name in JUMPING
             for step in steps(table, name)
         ],
+        "recovery": recovered(recovery(table)),
         "tares": [*health.tares, *(zero(jump) for jump in health.jumps if jump.checked)],
         "zeros_not_compared": health.uncompared,
         "starts_anew": health.anew,

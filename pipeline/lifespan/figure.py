@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from ..ground.stored.figure_file import write_figure
+from .bar import ROOM, interval
 from .forecast.band import until
 from .forecast.life_questions import Answer
 from .forecast.strokes_left import LEAST_STROKES
@@ -22,8 +23,9 @@ from .stroke_axis import farthest, span_of_strokes
 from .stroke_health.health import Health
 from .stroke_health.indicators import REFERENCE
 from .words.figure_words import HEADS, NEGATIVE_LOOP, WHAT, footnote, left_out, no_claim, tail_of, which_run
-from .words.percent import percent, tail
-from .words.stroke_counts import at_least, strokes, strokes_at_least, strokes_at_most
+from .words.percent import tail
+from .words.recovery_said import head as recovery_head
+from .words.stroke_counts import strokes
 
 SEEN, LAW, FITTED, LIMIT = "#0072b2", "#d55e00", "#009e73", "0.25"  # Okabe and Ito: for colour-blind readers too
 TITLE_LETTERS = 80  # of a line of the title: more do not fit the width
@@ -121,13 +123,16 @@ def question(
     axes.set_ylabel(f"{WHAT[answer.question]} ({'%' if answer.unit == '1' else answer.unit})")
     top = scale * 1.6 * max(answer.limit, float(np.nanmax(answer.values, initial=0.0)))
     is_open = span.state == "no claim"
-    head = HEADS[answer.question] + (f"\n{no_claim(forecast.reason)}" if is_open else "")
+    more = [no_claim(forecast.reason)] if is_open else [recovery_head(answer.recovery)]
+    head = "\n".join([HEADS[answer.question], *filter(None, more)])
     if forecast.choice and forecast.band is not None:
         seen = float(answer.n[-1])
         end = shown[1] if shown else seen + farthest(span.high, seen, forecast.horizon)
-        past = np.linspace(answer.n[0], seen, 200)
+        past, name = np.linspace(answer.n[0], seen, 200), forecast.choice.best.law.name
         fitted = scale * forecast.choice.curve(past - answer.n[0] + 1.0)
-        name = forecast.choice.best.law.name
+        if forecast.lacks is not None:  # by stroke: it falls back in each break
+            past, name = answer.n, f"{name}, less what came back"
+            fitted = scale * np.abs(forecast.choice.curve(past - answer.n[0] + 1.0) - forecast.lacks)
         axes.plot(past, fitted, color=FITTED, lw=2.0, zorder=3, label=f"law fitted, mostly: {name}")
         least = -np.inf if answer.unit == "1" else 0.0  # a root mean square is not below 0
         out = tail_of(span, level)
@@ -140,9 +145,11 @@ def question(
             label=f"the middle {tail(1.0 - 2.0 * out)} of the futures",
         )  # fmt: skip
         axes.set_ylim(min(0.0, scale * float(np.nanmin(answer.values))) - 0.03 * top, top)
-        interval(axes, answer, level, end, scale * answer.limit)
+        last = n[-1] - np.array([0.01, 0.0]), np.array([low[-1], high[-1]])  # where the shade ends
+        curves = [*((n, edge) for edge in (low, middle, high)), last]
+        interval(axes, answer, level, end, scale * answer.limit, curves)
     if shown:
-        axes.set_xlim(shown[0] - 0.02 * shown[1], shown[1])
+        axes.set_xlim(shown[0] - 0.02 * shown[1], shown[1] + ROOM * (shown[1] - shown[0]))
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.axvline(answer.n[-1], color="0.7", lw=0.8, label="last stroke seen")
     names_here, above = legend(axes, named)
@@ -159,32 +166,3 @@ def nothing(axes: Axes, answer: Answer) -> None:
     axes.text(0.5, 0.5, words, ha="center", va="center", transform=axes.transAxes)
     axes.set(xticks=[], yticks=[])
     axes.spines[:].set_visible(False)
-
-
-def interval(axes: Axes, answer: Answer, level: float, end: float, height: float) -> None:
-    """The interval of the stroke that passes the limit, on the limit's line; an arrow where it has no end."""
-    left_span, seen = answer.left.span(level), float(answer.n[-1])
-    low, high = seen + left_span.low, seen + left_span.high
-    bar: dict[str, Any] = {"color": "k", "lw": 2.2, "solid_capstyle": "butt", "zorder": 4}
-    axes.plot([low, min(high, end)], [height, height], **bar)
-    axes.plot([low], [height], marker="|", ms=11, mew=2.0, color="k", zorder=4)
-    axes.plot(
-        [min(high, end)],
-        [height],
-        marker="|" if high <= end else ">",
-        ms=11 if high <= end else 6,
-        mew=2.0,
-        color="k",
-        clip_on=False,
-    )
-    words = f"{at_least(left_span.low)} to {strokes_at_most(left_span.high)}" if left_span.state == "interval" else (
-        f"{'more than' if left_span.state == 'censored' else 'at least'} {strokes_at_least(left_span.low)}"
-    )  # fmt: skip
-    words += f" left in {percent(level)} of the futures"
-    late = low > 0.5 * end  # words that begin there would leave the axes; above the limit they hide no line
-    place, away = ((min(high, end), height), (-3, 8)) if late else ((low, height), (3, -6))
-    axes.annotate(
-        words, place, xytext=away, textcoords="offset points", ha="right" if late else "left", fontsize=8,
-        va="bottom" if late else "top",
-        bbox={"facecolor": "w", "edgecolor": "none", "alpha": 0.7, "pad": 0.8},
-    )  # fmt: skip

@@ -107,7 +107,7 @@ def test_an_interval_with_an_end_is_drawn_to_its_end_and_one_without_to_an_arrow
         axes = drawn(*when)
         ends = [line for line in axes.get_lines() if line.get_marker() == ">"]
         assert bool(ends) == arrow
-        assert axes.get_xlim()[1] == (24 + 240 if arrow else pytest.approx(24 + 1.15 * 136, rel=0.02))
+        assert axes.get_xlim()[1] == pytest.approx(24 + 240 if arrow else 24 + 1.15 * 136, rel=0.06)
         assert any(f"{'at least' if arrow else 'to'} " in text.get_text() for text in axes.texts)
 
 
@@ -131,9 +131,10 @@ def test_the_axis_reaches_as_far_as_the_words_and_both_bounds_are_the_same_whole
         claim_text = " ".join(sentence(answer, 0.9))
         (least,) = re.findall(r"at least ([0-9]+) strokes left in 90 % of the futures", claim_text)
         assert int(least) == int(answer.left.span(0.9).low)
-        assert [f"at least {least} strokes left in 90 % of the futures"] == [text.get_text() for text in axes.texts]
+        beside = [text.get_text().replace("\n", " ") for text in axes.texts]
+        assert [f"at least {least} strokes left in 90 % of the futures"] == beside
         axes.figure.canvas.draw()
-        assert axes.get_xlim()[1] == 24 + answer.left.horizon
+        assert axes.get_xlim()[1] == pytest.approx(24 + answer.left.horizon, rel=0.06)
         (begins,) = [line.get_xdata()[0] for line in axes.get_lines() if line.get_marker() == "|"]
         assert int(begins) == 24 + int(least) < axes.get_xlim()[1]
 
@@ -620,8 +621,13 @@ def test_a_stroke_that_the_string_has_passed_is_not_advised_as_one_to_come():
     """ "Ask again after 15 strokes, at stroke 39" of a string that had done 44, under another load."""
     answers = [claim("stroke_loss", *[30.0] * 50, *[np.inf] * 50), claim("model_error", *[22.4] * 100)]
     text = advice(answers, done=39)
-    assert "after about 22 strokes, at stroke 46. Ask" in text, "this stroke is still to come"
+    still_to_come = "again at about stroke 46, 7 strokes from now: the string has done 39. Ask"
+    assert still_to_come in text
     assert "Ask again once strokes are recorded after stroke 39: stroke 35, at which that was due, is done." in text
+    text = advice(answers, done=34)
+    assert "Ask again at stroke 35, the next one: the string has done 34." in text, "`after 11 strokes` was one"
+    (claimed, _) = sentence(answers[0], 0.9, after=" after stroke 24")
+    assert "at least 30 strokes left after stroke 24 in 90 % of the futures" in claimed
     text = advice(answers, done=24, beside=True)
     assert "Ask again after 11 strokes, counted from stroke 24. Strokes of runs that were not given count too." in text
     assert "at stroke 35" not in text and "is done" not in text

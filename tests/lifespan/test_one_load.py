@@ -118,6 +118,9 @@ def test_a_stroke_that_was_done_under_another_load_is_no_stroke_to_ask_again_at(
     text = " ".join(asked(tmp_path, (13, 20.0), (10, 40.0), (10, 60.0))[0].split())
     again = "Ask again once strokes under 20 N are recorded after stroke 33: stroke 26, at which that was due, is done."
     assert again in text and "passed already" not in text
+    text = " ".join(asked(tmp_path / "fewer", (13, 20.0), (5, 40.0))[0].split())
+    assert re.search(r"\d+ strokes left after stroke 13 in 90 % of the futures", text)
+    assert re.search(r"Ask again at stroke \d+, (the next one|\d+ strokes from now): the string has done 18\.", text)
 
 
 def test_where_calibration_and_question_are_both_overdue_one_sentence_says_what_to_do_now(tmp_path: Path) -> None:
@@ -135,7 +138,7 @@ def test_where_calibration_and_question_are_both_overdue_one_sentence_says_what_
     done = programs.run("pipeline.lifespan", *runs, "--drift-mm", "0.9", "--out", tmp_path / "out")
     assert done.returncode == 0, done.stderr
     text = " ".join(done.stdout.split())
-    assert len(done.stdout.splitlines()) <= 30
+    assert len(done.stdout.splitlines()) <= 32
     assert text.startswith(
         "a: 22 strokes recorded, 14 of them compared under 20 N over 0 to 20 turns (1 to 12, 17 to 18)."
     )

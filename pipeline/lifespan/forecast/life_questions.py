@@ -8,6 +8,7 @@ from ...ground.kinematics import Array
 from ..stroke_health.health import Health
 from ..stroke_health.indicators import REFERENCE
 from ..stroke_health.reading_jump import JUMPING, LEFT, Step, steps
+from ..stroke_health.recovery import NO_BREAK, Recovery, recovery
 from .futures_margin import LATER
 from .strokes_left import LEAST_STROKES, Left, strokes_left
 
@@ -24,6 +25,7 @@ class Answer:
     errors: Array  # standard errors, in the indicator's unit
     limit: float
     left: Left
+    recovery: Recovery = NO_BREAK  # the breaks that took back a part of it
 
 
 def lived(health: Health) -> float:
@@ -68,7 +70,10 @@ def model_error(health: Health, drift_mm: float) -> Answer:
     before = min(REFERENCE, len(health.strokes))
     n, off_mm = table["stroke"].to_numpy(float), table["model_error_mm"].to_numpy()
     errors = table["model_error_mm_error"].to_numpy()
-    forecast = strokes_left(n, off_mm, drift_mm, before=before, lived=lived(health), power=LATER["model_error"])
+    came_back = recovery(health.strokes)
+    since = came_back.since[-len(n) :] if came_back.is_known else None
+    power = LATER["model_error"]
+    forecast = strokes_left(n, off_mm, drift_mm, before=before, lived=lived(health), power=power, since=since)
     if not forecast.reason:
         jumps = [step for name in JUMPING for step in steps(health.strokes, name)]
         is_most = sum(abs(step.moved_mm) for step in jumps) > LEFT * float(np.median(off_mm[-REFERENCE:]))
@@ -82,6 +87,7 @@ def model_error(health: Health, drift_mm: float) -> Answer:
         errors,
         drift_mm,
         forecast,
+        came_back,
     )
 
 

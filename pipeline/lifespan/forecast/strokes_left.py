@@ -11,6 +11,7 @@ from ...ground.kinematics import Array
 from .band import Band, band_of
 from .futures_margin import later, middle_of, put_later
 from .law_choice import Choice, choose
+from .recovering import CALIBRATED, recovering
 
 LEAST_STROKES = 12  # 3 set the reference, 6 are fitted at least, 3 are left out at least
 FUTURES = 2000
@@ -50,6 +51,7 @@ class Left:
     band: Band | None = None  # what is drawn of the futures
     drifts: bool = True  # whether it has changed by more than its noise
     jumped: bool = False  # whether most of its change is a jump, which no law foretells
+    lacks: Array | None = None  # where breaks take a part back: what each stroke lacks of it, (strokes,), in mm
 
     def span(self, level: float) -> Span:
         """The interval that holds the strokes left with probability `level`."""
@@ -135,6 +137,7 @@ def strokes_left(
     seed: int = 0,
     lived: float | None = None,
     power: float = 1.0,
+    since: Array | None = None,
 ) -> Left:
     """Strokes left until the indicator `values` over strokes n, both of shape (strokes,), passes a limit.
 
@@ -142,7 +145,8 @@ def strokes_left(
 
     `limit_error` is the limit's standard error, `before` how many strokes set the reference and are not among these.
     `lived` is how many strokes the string was seen for, which sets the horizon; without it those from first n to last.
-    `power` is that of `calibrated.later`.
+    `power` is that of `calibrated.later`. `since` counts each stroke from the break before it, shape (strokes,), where
+    breaks take back a part of the values: that part is no wear.
     """
     if len(n) + before < LEAST_STROKES:
         count = len(n) + before
@@ -151,19 +155,28 @@ def strokes_left(
     passed = first_passed(n, values, limit)
     if np.isfinite(passed):
         return Left(passed_at=passed)
-    choice = choose(n - n[0] + 1.0, values)
+    recovers = None if since is None else recovering(n, values, since)
+    lacks = None if recovers is None else recovers.at(recovers.since[-1:]) - recovers.at(recovers.since)
+    if lacks is not None:  # as if each stroke were as far from a break as the last one
+        values = values + lacks
+    used = np.full(len(n), True) if recovers is None else recovers.since > CALIBRATED
+    choice = choose(n[used] - n[0] + 1.0, values[used])
     seen = float(n[-1] - n[0] + 1.0)
     horizon = HORIZON * (seen if lived is None else lived)
     ahead = np.concatenate([[0.0], np.geomspace(0.25, horizon, STEPS)])
     generator = np.random.default_rng(seed)
-    paths = futures(choice, ahead, generator)
+    paths = futures(choice, ahead + (n[-1] - n[used][-1]), generator)
+    if recovers is not None:
+        paths = paths + recovers.ahead(ahead, FUTURES)
     off = limit_error * generator.standard_normal(FUTURES)
     ends = surprises(seen, generator)
     when = np.minimum(passages(paths, limit + off, ahead), ends)
     when = np.where(when > horizon, np.inf, when)
     band = band_of(paths, off, ends, ahead)
     band = replace(band, ahead=put_later(ahead, middle_of(when), power))
-    return Left("", np.nan, later(when, horizon, power), horizon, choice, band, drifts(n, values))
+    return Left(
+        "", np.nan, later(when, horizon, power), horizon, choice, band, drifts(n[used], values[used]), lacks=lacks
+    )
 
 
 def drifts(n: Array, values: Array) -> bool:

@@ -35,7 +35,8 @@ class Health:
     `loads` under which load they are, and which strokes of other loads are left out. `jumps` is what the rest did from
     run to run: one between which no stroke went unrecorded, and whose zero was not checked, is taken off, as it is no
     wear. `anew` are the runs that begin as the string began, and may be of another one. `tares` says what a person
-    should know of `tare: run` where no jump is seen, `uncompared` between which runs the zero was not compared.
+    should know of `tare: run` where no jump is seen, `uncompared` between which runs the zero was not compared. The
+    longest run took `longest_min` minutes.
     """
 
     string: str
@@ -49,6 +50,7 @@ class Health:
     loads: Loads = field(default_factory=Loads)
     uncompared: list[str] = field(default_factory=list)
     range_turns: tuple[float, float] = (0.0, 0.0)
+    longest_min: float = 0.0
 
     @property
     def done(self) -> int:
@@ -122,5 +124,5 @@ def health(runs: list[Recorded]) -> Health:
     material = first.run.string.material if first.run.string else ""
     return Health(
         first.run.string_id, names, table, left_out, seen, runs_anew(table), tares, material, loads,
-        not_compared(rests), (low, high),
+        not_compared(rests), (low, high), max(float(np.ptp(recorded.span_s)) for recorded in runs) / 60.0,
     )  # fmt: skip

@@ -52,13 +52,18 @@ def advice(answers: list[Answer], done: int = 0, beside: bool = False, like: str
     """
     last = max((int(answer.n[-1]) for answer in answers if len(answer.n)), default=0)
 
-    def after(count: int) -> str:
-        at = f"counted from stroke {last}" if beside else f"at stroke {last + count}"
-        return f"{strokes(count)}, {at}"
+    def after(count: int, about: str = "") -> str:
+        if beside:
+            return f"after {about}{strokes(count)}, counted from stroke {last}"
+        if done <= last:
+            return f"after {about}{strokes(count)}, at stroke {last + count}"
+        ahead = last + count - done
+        which = "the next one" if ahead == 1 else f"{strokes(ahead)} from now"
+        return f"at {about}stroke {last + count}, {which}: the string has done {done}"
 
     asked_after, when = ask_again_after(answers), recalibrate_after(answers)
     too = " Strokes of runs that were not given count too." if beside else ""
-    again = f"Ask again after {after(asked_after)}.{too}"
+    again = f"Ask again {after(asked_after)}.{too}"
     if done >= last + asked_after:
         anew = f"again once strokes{like} are recorded after stroke {done}"
         if when and due(answers) and done >= last + when:
@@ -72,8 +77,9 @@ def advice(answers: list[Answer], done: int = 0, beside: bool = False, like: str
     if when == 0:
         return f"Advice: calibrate your model again now. {again}"
     if drift(answers).state == "censored":
-        return f"Advice: your model need not be calibrated again within {strokes(when)}. {again}"
-    return f"Advice: calibrate your model again after about {after(when)}. {again}"
+        since = f" after stroke {last}" * (done > last)
+        return f"Advice: your model need not be calibrated again within {strokes(when)}{since}. {again}"
+    return f"Advice: calibrate your model again {after(when, 'about ')}. {again}"
 
 
 def no_ageing(answers: list[Answer], strokes_seen: int, at_rest: str = "") -> str:
@@ -97,8 +103,11 @@ def due(answers: list[Answer]) -> bool:
     return not jumped(answers) and drift(answers).state in ("passed", "one-sided", "interval")
 
 
-def rests_on(answers: list[Answer]) -> list[str]:
-    """The reasons of the advice: why to calibrate or not, and why to ask again."""
+def rests_on(answers: list[Answer], since: str = "") -> list[str]:
+    """The reasons of the advice: why to calibrate or not, and why to ask again.
+
+    `since`: the stroke after which strokes are counted, where the string has done more.
+    """
     error = next(answer for answer in answers if answer.question == "model_error")
     limit, model = f"{error.limit:g} {error.unit}", "that model"
     why = {
@@ -109,7 +118,7 @@ def rests_on(answers: list[Answer]) -> list[str]:
     seen = max(len(answer.n) for answer in answers)
     least = math.floor(min(lows(answers), default=0.0))
     half = (
-        f"at least {least} strokes are left, and half of those {least} strokes are then done"
+        f"at least {least} strokes are left{since}, and half of those {least} strokes are then done"
         if least > 1
         else SOON_PASSED
     )
@@ -118,7 +127,14 @@ def rests_on(answers: list[Answer]) -> list[str]:
         first = "Why that first: a model calibrated on strokes before a jump and after it fits neither"
         return [f"{first}.", f"Why ask again: {again}."]
     calibrate = "Why calibrate" if due(answers) else "Why no calibration"
-    return [f"{calibrate}: {why}.{_cautious(error)}", f"Why ask again: {again}."]
+    return [f"{calibrate}: {why}.{_as_wear(error)}{_cautious(error)}", f"Why ask again: {again}."]
+
+
+def _as_wear(error: Answer) -> str:
+    """That the bound counts what came back in a break as wear; empty where nothing did, or breaks tell recovery."""
+    if not error.recovery.breaks or error.recovery.is_known or not len(error.left.when):
+        return ""
+    return " That bound takes what came back in a break for wear."
 
 
 def _cautious(error: Answer) -> str:

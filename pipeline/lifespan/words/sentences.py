@@ -19,6 +19,7 @@ from .calibrate_again import AFTERWARDS
 from .calibration_advice import advice, due, no_ageing, rests_on
 from .claims_held import measured
 from .percent import of_100, percent, tail
+from .recovery_said import recovery_line
 from .so_far import not_yet, so_far
 from .stroke_counts import at_least, strokes_at_least, strokes_at_most
 from .strokes_compared import CALIBRATED, left_out, recorded
@@ -79,8 +80,11 @@ def heading(health: Health, beside: bool = False) -> list[str]:
     ]
 
 
-def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
-    """One question's answer in words, one fact a sentence; with `enough`, also the reason why there is none."""
+def sentence(answer: Answer, level: float, enough: bool = True, after: str = "") -> list[str]:
+    """One question's answer in words, one fact a sentence; with `enough`, also the reason why there is none.
+
+    `after`: the stroke after which strokes left are counted, where the string has done more.
+    """
     forecast, span = answer.left, answer.left.span(level)
     model = "that model" if len(answer.n) else f"a model calibrated on the first {REFERENCE} strokes"
     limit = f"{model} is off by {answer.limit:g} {answer.unit}"
@@ -91,7 +95,7 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
         return [f"Until {limit}: passed already at stroke {forecast.passed_at:.0f}."]
     most = f"{at_least(forecast.horizon)} strokes"
     if span.state == "censored":
-        return [f"Until {limit}: more than {most} left in {percent(level)} of the futures."]
+        return [f"Until {limit}: more than {most} left{after} in {percent(level)} of the futures."]
     if not np.isfinite(span.median):
         half = f"At least half of the futures stay below the limit for all {most}."
     elif span.median < 1.0:
@@ -100,22 +104,28 @@ def sentence(answer: Answer, level: float, enough: bool = True) -> list[str]:
         half = f"Half of the futures stay below the limit for longer than {strokes_at_least(span.median)}."
     if span.state == "interval":
         ends = tail((1.0 - level) / 2.0)
-        between = f"{at_least(span.low)} to {strokes_at_most(span.high)} left in {percent(level)} of the futures"
+        between = f"{at_least(span.low)} to {strokes_at_most(span.high)} left{after} in {percent(level)} of the futures"
         return [f"Until {limit}: {between} ({ends} pass it sooner, {ends} later).", half]
-    least = f"at least {strokes_at_least(span.low)} left in {percent(level)} of the futures"
+    least = f"at least {strokes_at_least(span.low)} left{after} in {percent(level)} of the futures"
     sooner = f"({tail(1.0 - level)} pass it sooner)"
     if span.low < 1.0:
         least, sooner = "not one stroke is sure", f"({tail(1.0 - level)} of the futures pass it within the next one)"
     return [f"Until {limit}: {least} {sooner}.", half]
 
 
-def answered(answer: Answer, level: float, enough: bool, at_rest: str = "") -> list[str]:
-    """The lines of one question: how far the limit is, how long it stays unpassed, and how far to trust that."""
+def answered(
+    answer: Answer, level: float, enough: bool, at_rest: str = "", rest_min: float = 0.0, after: str = ""
+) -> list[str]:
+    """The lines of one question: how far the limit is, how long it stays unpassed, and how far to trust that.
+
+    `rest_min` is the rest, in minutes, that would tell recovery; `after` as `sentence` takes it.
+    """
     state = answer.left.span(level).state
     is_loss, now = answer.unit == "1", so_far(answer, at_rest)
     within = "" if answer.left.drifts or (is_loss and at_rest) else STEADY[is_loss]
-    claim, *more = sentence(answer, level, enough)
-    lines = [f"  {now}{within}"] * bool(now) + [f"  {claim}"]
+    claim, *more = sentence(answer, level, enough, after)
+    back = recovery_line(answer.recovery, len(answer.left.when) > 0, rest_min)
+    lines = [f"  {line}" for line in (f"{now}{within}" if now else "", back, claim) if line]
     if state in ("no claim", "passed"):
         return lines
     trust = " ".join(line for line in (*more, measured(answer.question, state)) if line)
@@ -174,9 +184,11 @@ def sentences(
     horizons = [answer.left.horizon for answer in answers if len(answer.left.when)]
     lines += [f"  {WAYS_ON.format(at_least(horizons[0]))}", f"  {SUDDEN}"] if horizons else []
     lines += [] if any(so_far(answer) for answer in answers) else [f"  {not_yet(len(health.strokes))}"]
-    lines += [line for answer in answers for line in answered(answer, level, enough, at_rest)]
+    last, done = int(health.strokes["stroke"].iloc[-1]), health.done
+    after, rest_min = f" after stroke {last}" if done > last else "", health.longest_min
+    lines += [line for answer in answers for line in answered(answer, level, enough, at_rest, rest_min, after)]
     if enough:
-        lines.append(f"  {advice(answers, health.done, beside, health.loads.under or LIKE * bool(health.left_out))}")
+        lines.append(f"  {advice(answers, done, beside, health.loads.under or LIKE * bool(health.left_out))}")
         then = [*calibrate_by, AFTERWARDS] if due(answers) else []
-        lines += [f"    {line}" for line in (*rests_on(answers), *then) if line]
+        lines += [f"    {line}" for line in (*rests_on(answers, after), *then) if line]
     return "\n".join(lines)
