@@ -21,7 +21,7 @@ VERDICT = {
     "parameters": {name: {"value": value} for name, value in FITTED.items()} | {"radius_mm": RADIUS},
     "simulation": [CREEP],
 }  # fmt: skip
-PLAN = pd.DataFrame({"time_s": [0.0, 4.0, 8.0], "motor_turns": [0.0, 8.0, 0.0], "load_n": 20.0})
+PLAN = pd.DataFrame({"time_s": [0.0, 2.0, 4.0], "motor_turns": [0.0, 8.0, 0.0], "load_n": 20.0})
 
 
 def of(name: str, seed: int = 0, **string: object) -> tb.Recording:

@@ -18,7 +18,7 @@ def recovery_line(recovery: Recovery, is_foretold: bool, rest_min: float) -> str
     if recovery.is_known:
         most = f"in {len(recovery.breaks)} of {recovery.count} breaks"
         line = f"Recovery: {most} that error fell back, by {recovery.middle_mm:.2g} mm in the median. "
-        return f"{line}That is creep, which recovers at rest, and no wear.{f' {AS_RECOVERY}' * is_foretold}"
+        return f"{line}That recovers at rest, as creep does, and is no wear.{f' {AS_RECOVERY}' * is_foretold}"
     return (
         f"Recovery: {fell(recovery)}. It may be creep, which recovers at rest, and no wear; {_few(recovery)} to tell."
         f"{f' {AS_WEAR}' * is_foretold} A run under the same load after a rest of {minutes(rest_min)} or more would "
