@@ -32,6 +32,7 @@ from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
 from .ground.words.counts import counted
 from .ground.words.jump_notes import NAME, beside_answers
+from .models.interface import names_with_motion
 from .models.parts.fitted_to import apart
 from .models.parts.inside.why import Kind
 from .models.parts.newer_recordings import beware_of_newer
@@ -180,8 +181,11 @@ def _errors_of_page(dataset: Path) -> Errors:
 
 
 def _taken_by(errors_mm: Errors) -> str:
-    """The model that a page with these errors takes; empty where there are none."""
-    return chosen_of({model for model, _ in errors_mm}, errors_mm)
+    """The model that a page with these errors takes; empty where there are none.
+
+    A page of an earlier version does not say which models need a whole motion: their own files do.
+    """
+    return chosen_of({model for model, _ in errors_mm} - set(names_with_motion()), errors_mm)
 
 
 if __name__ == "__main__":

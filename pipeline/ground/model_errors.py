@@ -7,10 +7,11 @@ import csv
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from .model_names import FLOORS, USUAL, WHOLE_MOTION
+from .model_names import FLOORS, USUAL
 
 LESS = 1.1  # times as large: from there on an error is told to be larger
 APART = "other_conditions"  # the column of errors on strokes under a load or a twist that few learnt strokes have
+NEEDS_MOTION = "needs_motion"  # the column that marks models which answer along a whole motion alone
 Errors = Mapping[tuple[str, str], float]
 
 
@@ -18,14 +19,21 @@ def errors_in(path: Path, way: str = "forward") -> dict[tuple[str, str], float]:
     """Errors by which models of a models.csv are compared, forward in mm, inverse in turns; none without the file.
 
     Errors on strokes under other conditions than most learnt ones are not among them: they are no errors of age alone.
+    Nor are those of models that need a whole motion: none can be taken. A file of an earlier version marks none.
     """
-    rows = [row for row in _rows(path) if row["column"] == "all" and row["map"] == way and not is_apart(row)]
+    rows = [row for row in _rows(path) if row["column"] == "all" and row["map"] == way]
+    rows = [row for row in rows if not (is_apart(row) or needs_motion(row))]
     return {(row["model"], row["split"]): float(row["median"]) for row in rows if row["model"] not in FLOORS}
 
 
 def is_apart(row: Mapping[str, str | float]) -> bool:
     """Whether a row of a models.csv is on strokes under other conditions than most learnt ones."""
     return str(row.get(APART)) == "True"
+
+
+def needs_motion(row: Mapping[str, str | float]) -> bool:
+    """Whether a row of a models.csv is of a model that answers along a whole motion alone."""
+    return str(row.get(NEEDS_MOTION)) == "True"
 
 
 def has_apart(path: Path) -> bool:
@@ -52,15 +60,15 @@ def floor_of(rows: Iterable[Mapping[str, str | float]]) -> float:
 
 
 def chosen_of(models: Iterable[str], errors_mm: Errors) -> str:
-    """The model to take among some; empty where there is none.
+    """The model to take among some that answer single questions; empty where there is none.
 
     It is the one of the least error on later strokes, or on held-out points where no later stroke is left out; the
     spline, if its error is at most `LESS` times that. Without errors it is the spline, if it is among them.
     """
-    exportable = sorted(set(models) - {WHOLE_MOTION})
+    named = sorted(set(models))
     for split in ("later", "within"):
-        errors = {model: errors_mm[model, split] for model in exportable if (model, split) in errors_mm}
+        errors = {model: errors_mm[model, split] for model in named if (model, split) in errors_mm}
         if errors:
             least = min(errors, key=lambda model: errors[model])
             return USUAL if USUAL in errors and errors[USUAL] <= LESS * errors[least] else least
-    return USUAL if USUAL in exportable else exportable[0] if exportable else ""
+    return USUAL if USUAL in named else named[0] if named else ""

@@ -53,9 +53,17 @@ def names_for_new_strings() -> tuple[str, ...]:
 
     None is imported: some take seconds, or need a package that is not installed.
     """
-    texts = {name: Path(__file__).with_name(f"{name}.py").read_text("utf-8") for name in names()}
-    declared = {name: said_true(ast.parse(text), "ABOUT") for name, text in texts.items()}
-    return tuple(name for name, own in declared.items() if not own & {"each_string_apart", "needs_motion"})
+    return tuple(name for name in names() if not _declared(name) & {"each_string_apart", "needs_motion"})
+
+
+@cache
+def names_with_motion() -> tuple[str, ...]:
+    """Names of the models that answer along a whole motion alone, as `ABOUT` declares; none is imported."""
+    return tuple(name for name in names() if "needs_motion" in _declared(name))
+
+
+def _declared(name: str) -> frozenset[str]:
+    return said_true(ast.parse(Path(__file__).with_name(f"{name}.py").read_text("utf-8")), "ABOUT")
 
 
 def settings_of(name: str) -> type | None:

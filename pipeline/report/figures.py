@@ -38,6 +38,9 @@ def main() -> None:
     meaning = "<model>/within-<seed>.predictions.parquet, of every model"
     parser.add_argument("--predictions", type=Path, nargs="+", required=True, help=meaning)
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
+    parser.add_argument(
+        "--whole-motion", nargs="*", default=[], metavar="MODEL", help="models that need a whole motion"
+    )
     parser.add_argument("--out-dir", type=Path, required=True, help="the folder of the figures; required")
     add_mark(parser)
     arguments = parser.parse_args()
@@ -48,7 +51,9 @@ def main() -> None:
     by_model: dict[str, list[Path]] = {}
     for path in arguments.predictions:
         by_model.setdefault(path.parent.name, []).append(path)
-    best, taken = best_other(metrics, titles), chosen_of(by_model, errors_of(metrics, bool(later_apart(dataset))))
+    errors_mm = errors_of(metrics, bool(later_apart(dataset)), arguments.whole_motion)
+    to_compare = set(by_model) - set(arguments.whole_motion)
+    best, taken = best_other(metrics, titles), chosen_of(to_compare, errors_mm)
     shown = [model for model in dict.fromkeys((PAPER, best, taken)) if model in by_model and model != NOMINAL]
     learned = {titles[model]: with_median(dataset, by_model[model]) for model in shown}
     with plt.rc_context(STYLE):

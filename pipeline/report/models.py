@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..ground.errors import program
-from ..ground.model_errors import APART, chosen_of, floor_of
+from ..ground.model_errors import APART, NEEDS_MOTION, chosen_of, floor_of
 from ..ground.model_names import FLOORS
 from ..ground.stored import schemas
 from ..ground.stored.files import write_text
@@ -36,6 +36,7 @@ COLUMNS: list[Column] = [
     ("high", "number", "highest of the seeds"), ("floor", "number", "RMSE of the floor for what the model knows"),
     ("ratio", "number", "median over floor"),
     (APART, "boolean", "whether these strokes were recorded under a load or to a twist that few learnt ones have"),
+    (NEEDS_MOTION, "boolean", "whether it answers along a whole motion alone: it is neither exported nor asked"),
 ]  # fmt: skip
 NOTES = """\
 RMSE on held-out points, winding and unwinding together unless a column says otherwise: the median over the seeds, with
@@ -91,7 +92,7 @@ def numbers(metrics: pd.DataFrame, titles: dict[str, str], directed: Iterable[st
                 least = values[floor, *where].median() if (floor, *where) in values else float("nan")
                 is_directed, unit = model in directed_names, chosen["unit"].iloc[0]
                 rows.append([model, title, is_directed, split, way, unit, head, *spread, least, spread[0] / least])
-    return pd.DataFrame(rows, columns=[head for head, _, _ in COLUMNS if head != APART])
+    return pd.DataFrame(rows, columns=[head for head, _, _ in COLUMNS if head not in (APART, NEEDS_MOTION)])
 
 
 def _cell(row: pd.Series, best: float) -> str:
@@ -120,8 +121,8 @@ def table(chosen: pd.DataFrame) -> list[str]:
 def on_model_to_take(table_of: pd.DataFrame) -> list[str]:
     """Lines that name the model to take, by which rule, and one that errs less on strokes like the recorded ones."""
     whole = table_of[(table_of["column"] == "all") & ~table_of["model"].isin(FLOORS)]
-    if APART in whole:
-        whole = whole[~whole[APART]]
+    for mark in (APART, NEEDS_MOTION):
+        whole = whole[~whole[mark]] if mark in whole else whole
     titles = {row["model"]: plain(row["title"]) for _, row in whole.iterrows()}
     errors_mm, errors_turns = (
         {(row["model"], row["split"]): float(row["median"]) for _, row in whole[whole["map"] == way].iterrows()}
@@ -166,6 +167,9 @@ def main() -> None:
     parser.add_argument("--titles", nargs="+", required=True, metavar="MODEL=TITLE")
     parser.add_argument("--directed", nargs="*", default=[], metavar="MODEL", help="models that know the direction")
     parser.add_argument(
+        "--whole-motion", nargs="*", default=[], metavar="MODEL", help="models that need a whole motion"
+    )
+    parser.add_argument(
         "--out", type=Path, required=True, help="the file of the page, .md, its .html beside it; required"
     )
     parser.add_argument("--table", type=Path, required=True)
@@ -179,8 +183,9 @@ def main() -> None:
     dataset = dataset_from(arguments.dataset)
     is_apart = bool(later_apart(dataset))
     table_numbers[APART] = (table_numbers["split"] == "later") & is_apart
+    table_numbers[NEEDS_MOTION] = table_numbers["model"].isin(arguments.whole_motion)
     first = page(table_numbers, material, dataset, read_jumps(arguments.jumps))
-    text = "\n".join([first, *lines_on_files(metrics, material, is_apart)])
+    text = "\n".join([first, *lines_on_files(metrics, material, is_apart, arguments.whole_motion)])
     write_page(arguments.out, text, mark)
     write_text(arguments.table, table_numbers.to_csv(index=False, float_format="%.9g"))
     describe(arguments.table, f"Every model beside the floor of the data, {material}", COLUMNS, mark)

@@ -1,8 +1,10 @@
 from pipeline.ground.input.words_by_file import by_file
 from pipeline.report.end_of_job.stale_reports import WORDS
 from pipeline.ground.words.left_out import to_json
+from pipeline.models.interface import names_with_motion
 
 TITLES = [f"{model}={config['models'][model]['title']}" for model in MODELS]
+WHOLE_MOTION = [model for model in MODELS if model in names_with_motion()]
 OF_MATERIAL = [*SHOWN, "index.html"]  # what is made of every material
 
 
@@ -81,14 +83,15 @@ rule models:
     params:
         titles=TITLES,
         directed=[model for model, settings in config["models"].items() if settings["direction"]],
+        whole_motion=WHOLE_MOTION,
         made_by=mark_of_material,
         code=fingerprint("pipeline.report.models", "pipeline.report.web.*"),
     message:
         "hold the models of {wildcards.material} against its floor"
     shell:
         "exec python -m pipeline.report.models {input.metrics:q} --dataset {input.dataset:q} --titles {params.titles:q}"
-        " --directed {params.directed:q} --jumps {input.jumps:q} --made-by {params.made_by:q} --out {output.page:q}"
-        " --table {output.table:q} > {log:q} 2>&1"
+        " --directed {params.directed:q} --whole-motion {params.whole_motion:q} --jumps {input.jumps:q}"
+        " --made-by {params.made_by:q} --out {output.page:q} --table {output.table:q} > {log:q} 2>&1"
 
 
 rule croissant:
@@ -122,13 +125,15 @@ rule figures:
         **NEEDS["figures"],
     params:
         titles=TITLES,
+        whole_motion=WHOLE_MOTION,
         made_by=mark_of_material,
         code=fingerprint("pipeline.report.figures"),
     message:
         "draw Figures 4 and 5 of {wildcards.material}"
     shell:
         "exec python -m pipeline.report.figures {input.dataset:q} {input.metrics:q} --predictions {input.predictions:q}"
-        " --titles {params.titles:q} --made-by {params.made_by:q} --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
+        " --titles {params.titles:q} --whole-motion {params.whole_motion:q} --made-by {params.made_by:q}"
+        " --out-dir reports/{wildcards.material:q} > {log:q} 2>&1"
 
 
 def leak_of_material(wildcards):

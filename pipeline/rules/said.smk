@@ -80,7 +80,7 @@ onerror:
     lost = unmade(MATERIALS, DIAGNOSED, {str(file) for job in jobs for file in job.output})
     last = [job for name in ("metrics", "index") for job in jobs if job.rule.name == name]
     wrong = [] if COPY else rewrite([job.shellcmd for job in last], lost, OF_MATERIAL, workflow.basedir)
-    print(ELSEWHERE or summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
+    print(ELSEWHERE or summary(made(), Path("reports"), MATERIALS, DIAGNOSED, names_with_motion()))
     for line in wrong + [one.why for one in lost]:
         print(line)
     failed = [
@@ -92,6 +92,6 @@ onerror:
 
 
 onsuccess:
-    print(ELSEWHERE or summary(made(), Path("reports"), MATERIALS, DIAGNOSED))
+    print(ELSEWHERE or summary(made(), Path("reports"), MATERIALS, DIAGNOSED, names_with_motion()))
     print(without(left()))
     end([])

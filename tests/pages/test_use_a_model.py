@@ -11,8 +11,9 @@ from models.made_dataset import made_dataset
 
 from pipeline.export.interface import names
 from pipeline.ground.kinematics import usual_stiffness
-from pipeline.ground.model_names import USUAL, WHOLE_MOTION
+from pipeline.ground.model_names import USUAL
 from pipeline.ground.stored import schemas
+from pipeline.models.interface import names_with_motion
 
 PAGE = " ".join((Path(__file__).parents[2] / "docs" / "use_a_model.md").read_text().split())
 
@@ -20,8 +21,9 @@ PAGE = " ".join((Path(__file__).parents[2] / "docs" / "use_a_model.md").read_tex
 def test_the_page_leaves_the_model_to_take_to_the_job_and_says_which_cannot_be_exported():
     """It called the spline the one to export where the job said to take another."""
     assert "the one to export, as a rule" not in PAGE and "Take the model that the job names" in PAGE
-    assert WHOLE_MOTION not in names()
-    _, _, why = PAGE.partition(f"**`{WHOLE_MOTION}` cannot be exported.**")
+    (with_motion,) = names_with_motion()
+    assert with_motion not in names()
+    _, _, why = PAGE.partition(f"**`{with_motion}` cannot be exported.**")
     assert "it answers along a whole motion, and a controller asks single points." in why
     assert "Simulate with it on a computer (`python -m pipeline.simulate`" in why
 

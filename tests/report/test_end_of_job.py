@@ -84,7 +84,7 @@ def test_a_job_that_made_the_tables_alone_says_why_its_model_is_the_one_to_take(
     heads = ["material", "model", "split", "map", "stroke", "phase", "angle_band", "seed", "metric", "unit", "value"]
     schemas.write(pd.DataFrame(rows, columns=heads), schemas.METRICS, processed / "metrics.parquet")
     paths.append(str(processed / "metrics.parquet"))
-    end_text = summary(paths, *rest)
+    end_text = summary(paths, *rest, ["diagnosed"])
     why = "Its forward error on later strokes is the least of those that can be exported: 0.200 mm."
     assert f"model to take: mlp. {why}" in end_text and "nylon/mlp/within-0.model --format c" in end_text
     assert "Inside strokes, which the tables show, spline errs less: 0.050 mm against 0.070 mm." in end_text

@@ -262,6 +262,7 @@ def changed(models, to, **medians):
     parts = []
     for model, (title, within, later) in medians.items():
         mine = first.assign(model=model, title=title)
+        mine["needs_motion"] = model == "diagnosed"
         parts.append(mine.assign(median=mine["split"].map({"within": within, "later": later}), ratio=2.0))
     pd.concat(parts).to_csv(to, index=False)
 

@@ -53,6 +53,12 @@ def made_metrics(forward=FORWARD, splits=("within", "later")):
     return pd.DataFrame(rows, columns=schemas.METRICS.names)
 
 
+def with_motion_marked(rows):
+    """Lines of a models.csv with one column more, by which `diagnosed` answers along a whole motion alone."""
+    head, *others = rows
+    return [f"{head},needs_motion", *(f"{row},{row.startswith('diagnosed,')}" for row in others)]
+
+
 def table_after(text, heading):
     lines = text.split(heading)[1].split("\n\n")[1].splitlines()
     return {row[0]: row[1:] for row in ([cell.strip() for cell in line.strip("|").split("|")] for line in lines)}
@@ -345,7 +351,8 @@ def test_the_page_names_the_file_of_every_fit_and_how_it_is_used():
 def test_the_main_job_ends_with_the_commands_that_use_a_fitted_model(tmp_path):
     models = [Path(f"processed/nylon/{name}/within-0.model") for name in ("spline", "cinn", "diagnosed")]
     none = Path("none.csv")
-    assert lines_at_end("nylon", [*models, Path("processed/silk/mlp/within-0.model")], none) == [
+    unrelated = Path("processed/silk/mlp/within-0.model")
+    assert lines_at_end("nylon", [*models, unrelated], none, whole_motion=["diagnosed"]) == [
         "to a controller: python -m pipeline.export processed/nylon/spline/within-0.model --format c",
         "to ask it: python -m pipeline.predict processed/nylon/dataset.parquet questions.csv"
         " --model spline --out reports/mine/answers.csv",
@@ -386,8 +393,9 @@ def test_the_main_job_says_how_the_model_to_take_errs_at_the_inverse_and_which_i
     rows += ["diagnosed,later,forward,all,0.051", "calibrated,later,inverse,all,0.51"]
 
     def ends(spline_turns):
-        (tmp_path / "models.csv").write_text("\n".join([*rows, f"spline,later,inverse,all,{spline_turns}"]))
-        return lines_at_end("nylon", models, tmp_path / "models.csv")
+        marked = with_motion_marked([*rows, f"spline,later,inverse,all,{spline_turns}"])
+        (tmp_path / "models.csv").write_text("\n".join(marked))
+        return lines_at_end("nylon", models, tmp_path / "models.csv", whole_motion=["diagnosed"])
 
     reason, at_inverse, export, by_position, *_ = ends(0.21)
     least = "Its forward error on later strokes is the least of those that can be exported: 0.166 mm."
@@ -426,8 +434,9 @@ def test_the_main_job_says_why_the_model_to_take_is_not_the_best_of_the_tables(t
     errors = {("spline", "later"): 0.039, ("spline", "within"): 0.049, ("polynomial", "later"): 0.037}
     errors |= {("polynomial", "within"): 0.038, ("diagnosed", "within"): 0.034, ("diagnosed", "later"): 0.03}
     rows = [f"{model},{split},forward,all,{error}" for (model, split), error in errors.items()]
-    (tmp_path / "models.csv").write_text("\n".join(["model,split,map,column,median", *rows]) + "\n")
-    assert lines_at_end("nylon", models, tmp_path / "models.csv")[0] == (
+    marked = with_motion_marked(["model,split,map,column,median", *rows])
+    (tmp_path / "models.csv").write_text("\n".join(marked) + "\n")
+    assert lines_at_end("nylon", models, tmp_path / "models.csv", whole_motion=["diagnosed"])[0] == (
         "model to take: spline. Its forward error on later strokes, 0.039 mm, is at most 1.1 times the least of those "
         "that can be exported. Inside strokes, which the tables show, polynomial errs less: 0.038 mm against 0.049 mm. "
         "If your strokes stay as recorded, take polynomial."

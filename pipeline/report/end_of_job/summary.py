@@ -1,7 +1,7 @@
 """The last words of a workflow: the tables that were asked for, the pages, and the verdicts."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from ...ground.words.counts import counted
@@ -32,7 +32,7 @@ WHOLE = {
 }  # fmt: skip
 
 
-def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]:
+def of_material(folder: Path, paths: set[Path], alone: bool = True, whole_motion: Collection[str] = ()) -> list[str]:
     """The next steps for a material: its page, its model and the export; `alone`: both tables before them.
 
     Without a page of all of it both tables as well, and where each file that was asked for lies. What was not asked for
@@ -47,7 +47,7 @@ def of_material(folder: Path, paths: set[Path], alone: bool = True) -> list[str]
     else:
         text += _files(folder, paths, names)
     with models_csv(folder, paths) as errors:
-        to_take = lines_at_end(folder.name, paths, errors, short=on_one_page)
+        to_take = lines_at_end(folder.name, paths, errors, on_one_page, whole_motion)
     notes = [path for path in paths if path.name == NAME and path.parent.name == folder.name]
     on_zero = read_jumps(notes)
     doubt = [DOUBTS[gravest(on_zero)]] if to_take and on_zero else []
@@ -85,16 +85,19 @@ def _made_at(folder: Path) -> float:
     return verdict.stat().st_mtime if verdict.is_file() else 0.0
 
 
-def summary(made_paths: Iterable[str], reports: Path, materials: list[str], runs: list[str]) -> str:
+def summary(
+    made_paths: Iterable[str], reports: Path, materials: list[str], runs: list[str], whole_motion: Collection[str] = ()
+) -> str:
     """The next steps: each material's page and model, a line on each run's diagnosis, and all pages.
 
     `made_paths` lists what the run was asked for and is whole: nothing else is named, however old it lies there. The
-    tables of one material are shown; of several, their pages are named.
+    tables of one material are shown; of several, their pages are named. `whole_motion` names models that answer along a
+    whole motion alone.
     """
     paths, text = {path for path in map(Path, made_paths) if path.exists()}, []
     tables = [material for material in materials if reports / material / "table_1.md" in paths]
     for material in materials:
-        lines = of_material(reports / material, paths, alone=len(tables) < 2)
+        lines = of_material(reports / material, paths, len(tables) < 2, whole_motion)
         if lines:
             head = f"{material}{_mark(reports / material, paths)}"
             text += [f"\n== {head} " + "=" * max(0, 90 - len(head)), *lines]

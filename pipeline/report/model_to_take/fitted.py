@@ -1,12 +1,12 @@
 """The files of a material's fitted models and how to use them, for a person who asks or exports one."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 import pandas as pd
 
 from ...ground.model_errors import chosen_of
-from ...ground.model_names import FLOORS, WHOLE_MOTION
+from ...ground.model_names import FLOORS
 from ..layout.plain_markdown import line
 from .model_advice import advice_on
 from .usual_model import errors_of, uses
@@ -16,10 +16,16 @@ SPLITS = {"within": "within strokes", "later": "later strokes"}
 QUESTIONS = "questions.csv has a row for each question: docs/use_a_model.md shows one"
 
 
-def lines_on_files(metrics: pd.DataFrame, material: str, is_apart: bool = False) -> list[str]:
-    """Lines of Markdown: the commands, and the file of every fit that metrics are of; `is_apart` as in `errors_of`."""
+def lines_on_files(
+    metrics: pd.DataFrame, material: str, is_apart: bool = False, whole_motion: Collection[str] = ()
+) -> list[str]:
+    """Lines of Markdown: the commands, and the file of every fit that metrics are of.
+
+    `is_apart` and `whole_motion` as in `errors_of`.
+    """
     fits = metrics.loc[~metrics["model"].isin(FLOORS), ["model", "split", "seed"]].drop_duplicates()
-    chosen = chosen_of(fits["model"], errors_of(metrics, is_apart))
+    to_compare = set(fits["model"]) - set(whole_motion)
+    chosen = chosen_of(to_compare, errors_of(metrics, is_apart, whole_motion))
     if not chosen:
         return []
     heads = ["folder", *(f"files of the split `{split}`" for split in SPLITS)]
@@ -29,12 +35,13 @@ def lines_on_files(metrics: pd.DataFrame, material: str, is_apart: bool = False)
         cells = [", ".join(f"`{split}-{seed}.model`" for seed in seeds[split]) for split in SPLITS]
         lines.append(line([f"`processed/{material}/{model}/`", *cells]))
     export, ask = uses(material, chosen)
+    with_motion = sorted(set(fits["model"]) & set(whole_motion))
     text = [
         "## Where the fitted models lie",
         "",
         "`within-0` was fitted to three of four blocks of every stroke, `later-0` without the last quarter of the",
-        f"strokes; a larger number is another seed. To use a model take `within-0`. `{WHOLE_MOTION}` needs the whole",
-        "motion: it is neither exported nor asked.",
+        "strokes; a larger number is another seed. To use a model take `within-0`.",
+        *(f"`{model}` needs the whole motion: it is neither exported nor asked." for model in with_motion),
         "",
         f"- On a controller (or `--format onnx`): `{export}`",
         f"- Questions in a table: `{ask}` fits the model anew, and its answers have intervals.",
@@ -44,17 +51,25 @@ def lines_on_files(metrics: pd.DataFrame, material: str, is_apart: bool = False)
     return [*text, *lines, ""]
 
 
-def lines_at_end(material: str, made_paths: Iterable[Path], models_csv: Path, short: bool = False) -> list[str]:
+def lines_at_end(
+    material: str,
+    made_paths: Iterable[Path],
+    models_csv: Path,
+    short: bool = False,
+    whole_motion: Collection[str] = (),
+) -> list[str]:
     """Lines for the end of the main job on the fitted models among its files, ordered by error.
 
-    `short`: which to take and how to export it, where a page has the rest.
+    `short`: which to take and how to export it, where a page has the rest. Those of `whole_motion` are not named: they
+    answer along a whole motion alone.
     """
     files = [path for path in made_paths if path.suffix == ".model" and path.parent.parent.name == material]
+    files = [path for path in files if path.parent.name not in whole_motion]
     saved = [path.parent.name for path in files if path.name == "within-0.model"]
     advice = advice_on(saved, models_csv)
     if not advice.model:
         return []
-    others = ", ".join(sorted({path.parent.name for path in files} - {advice.model, WHOLE_MOTION}))
+    others = ", ".join(sorted({path.parent.name for path in files} - {advice.model}))
     more = [f"fitted too: {others}"] if others else []
     to = [f"to {where}: {uses(material, model)[0]}" for where, model in advice.controllers.items()]
     if short:

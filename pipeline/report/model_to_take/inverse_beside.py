@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ...ground.model_errors import LESS, Errors
-from ...ground.model_names import WHOLE_MOTION
 from .usual_model import WHERE, is_told_apart
 
 CALL = "A position controller asks the inverse (tsa_inverse of an export)"
@@ -32,7 +31,7 @@ def inverse_of(chosen: str, models: list[str], errors_turns: Errors) -> Inverse 
     if not split:
         return None
     own_turns = errors_turns[chosen, split]
-    others = [model for model in models if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_turns]
+    others = [model for model in models if model != chosen and (model, split) in errors_turns]
     best = min(others, key=lambda model: errors_turns[model, split], default="")
     if (
         not best

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import pandas as pd
 
-from ...ground.model_names import FLOORS, PAPER, WHOLE_MOTION
+from ...ground.model_names import FLOORS, PAPER, SIMULATOR
 from ..layout.plain_markdown import plain
 from .fitted import SPLITS, times_floor
 
@@ -92,7 +92,7 @@ def sentences(chosen: pd.DataFrame) -> list[str]:
 
 def on_simulator(table_of: pd.DataFrame, split: str, way: str) -> list[str]:
     """A line on the diagnosed simulator's large error on later strokes; empty where it is not large."""
-    mine = table_of[(table_of["model"] == WHOLE_MOTION) & (table_of["column"] == "all") & (table_of["map"] == way)]
+    mine = table_of[(table_of["model"] == SIMULATOR) & (table_of["column"] == "all") & (table_of["map"] == way)]
     own = mine.set_index("split")
     if split != "later" or split not in own.index or not own.loc[split, "ratio"] > FAR:
         return []

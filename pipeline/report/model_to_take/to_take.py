@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-from ...ground.model_errors import chosen_of, floor_in, is_apart
-from ...ground.model_names import FLOORS, WHOLE_MOTION
+from ...ground.model_errors import chosen_of, floor_in, is_apart, needs_motion
+from ...ground.model_names import FLOORS, SIMULATOR
 from ..shown.stroke_conditions import APART
 from ..web.page import Text, paragraph, together
 from ..web.sortable_table import table
@@ -38,11 +38,12 @@ class Models(NamedTuple):
     ratios: dict[tuple[str, str, str], float]  # by the same key → the error in floors
     floor_mm: float  # the noise of held-out points, 0 where it is not known
     apart: set[tuple[str, str, str]]  # keys of errors on strokes under other conditions, by which none is chosen
+    whole_motion: set[str]  # models that answer along a whole motion alone, of which none is chosen
 
     @classmethod
     def read(cls, path: Path) -> "Models":
         """Those of a models.csv; none where the file is not there."""
-        models = cls({}, {}, {}, floor_in(path), set())
+        models = cls({}, {}, {}, floor_in(path), set(), set())
         if not path.is_file():
             return models
         with open(path, encoding="utf-8", newline="") as file:
@@ -55,6 +56,8 @@ class Models(NamedTuple):
                 key = line["model"], line["split"], line["map"]
                 if is_apart(line):
                     models.apart.add(key)
+                if needs_motion(line):
+                    models.whole_motion.add(line["model"])
                 if line["ratio"]:
                     models.ratios[key] = float(line["ratio"])
                 models.errors[key] = rmse, f"{rmse:.3f}{times}"
@@ -62,21 +65,29 @@ class Models(NamedTuple):
 
     def inverse_turns(self) -> dict[tuple[str, str], float]:
         """The inverse errors by which models are compared, by model and split, in turns."""
-        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[1] and key not in self.apart}
+        return self._compared(WAYS[1])
 
     def forward_mm(self) -> dict[tuple[str, str], float]:
         """The forward errors by which models are compared, by model and split, in mm."""
-        return {key[:2]: rmse for key, (rmse, _) in self.errors.items() if key[2] == WAYS[0] and key not in self.apart}
+        return self._compared(WAYS[0])
+
+    def _compared(self, way: str) -> dict[tuple[str, str], float]:
+        errors = {key: rmse for key, (rmse, _) in self.errors.items() if key[2] == way and key not in self.apart}
+        return {(model, split): rmse for (model, split, _), rmse in errors.items() if model not in self.whole_motion}
+
+    def to_compare(self) -> dict[str, str]:
+        """The titles of the models that can be taken."""
+        return {model: title for model, title in self.titles.items() if model not in self.whole_motion}
 
     def chosen(self) -> str:
         """The model to take."""
-        return chosen_of(self.titles, self.forward_mm())
+        return chosen_of(self.to_compare(), self.forward_mm())
 
     def row(self) -> list[Text]:
         """Title of the model to take, its errors both ways on both splits, and the diagnosed simulator's forward."""
         chosen = self.chosen()
         keys = [(chosen, split, way) for way in WAYS for split in SPLITS]
-        keys += [(WHOLE_MOTION, split, WAYS[0]) for split in SPLITS]
+        keys += [(SIMULATOR, split, WAYS[0]) for split in SPLITS]
         return [self.titles.get(chosen, ""), *(self.cell(key) for key in keys)]
 
     def cell(self, key: tuple[str, str, str]) -> Text:
@@ -88,14 +99,14 @@ class Models(NamedTuple):
 
     def weighed(self) -> str:
         """The other model that errs less than the one to take; empty if there is none."""
-        return weighed(self.titles, self.forward_mm(), self.floor_mm)
+        return weighed(self.to_compare(), self.forward_mm(), self.floor_mm)
 
     def at_inverse(self) -> str:
         """The other model that is clearly better at the inverse, and by how much; empty if there is none."""
-        chosen, turns = self.chosen(), self.inverse_turns()
-        if not inverse_beside.better(chosen, list(self.titles), turns):
+        chosen, titles, turns = self.chosen(), self.to_compare(), self.inverse_turns()
+        if not inverse_beside.better(chosen, list(titles), turns):
             return ""
-        return inverse_beside.sentences(chosen, self.titles, turns, self.forward_mm())
+        return inverse_beside.sentences(chosen, titles, turns, self.forward_mm())
 
 
 def later_apart(models: Path) -> str:
@@ -122,9 +133,7 @@ def words(reports: Path, materials: Mapping[str, Models]) -> Markup:
         own = [models.weighed(), models.at_inverse(), later_apart(reports / material / "models.md")]
         if any(own):
             lines.append(Markup("<b>{}</b>: {}").format(material, " ".join(filter(None, own))))
-    if named := next(
-        (models.titles[WHOLE_MOTION] for models in materials.values() if WHOLE_MOTION in models.titles), ""
-    ):
+    if named := next((models.titles[SIMULATOR] for models in materials.values() if SIMULATOR in models.titles), ""):
         lines.append(
             f"The {named[:1].lower()}{named[1:]} is no model to take away: it needs the whole motion, so it can be "
             "neither exported nor asked. Its error is that of a simulator with the effects that the diagnosis names. "

@@ -1,14 +1,14 @@
 """The model to take of a material where nobody says which: the one that the commands export and ask, and by which rule.
 
-Errors here are forward RMSEs on all points of a split, `within` or `later`, by model and split, in mm.
+Errors here are forward RMSEs on all points of a split, `within` or `later`, by model and split, in mm. Models that
+answer along a whole motion alone cannot be exported: they have none here.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 import pandas as pd
 
 from ...ground.model_errors import LESS, Errors, chosen_of
-from ...ground.model_names import WHOLE_MOTION
 
 WHERE = {"later": "on later strokes", "within": "on held-out points inside strokes"}  # errors of a split
 WORTH_SHARE = 0.2  # of the error of the model to take: so much less another one must err to be recommended beside it
@@ -23,13 +23,17 @@ RULES = (
 )
 
 
-def errors_of(metrics: pd.DataFrame, is_apart: bool = False) -> dict[tuple[str, str], float]:
+def errors_of(
+    metrics: pd.DataFrame, is_apart: bool = False, whole_motion: Collection[str] = ()
+) -> dict[tuple[str, str], float]:
     """Errors by which models are compared, by model and split, medians over the seeds, in mm.
 
     `is_apart`: the later strokes were recorded under other conditions than most learnt ones, and do not count.
+    `whole_motion`: the models that answer along a whole motion alone, which are not compared.
     """
     whole = (metrics[["stroke", "phase", "angle_band"]] == "all").all(axis=1)
     mine = metrics[whole & (metrics["metric"] == "rmse") & (metrics["map"] == "forward")]
+    mine = mine[~mine["model"].isin(whole_motion)]
     mine = mine[mine["split"] != "later"] if is_apart else mine
     middle = mine.groupby(["model", "split"])["value"].median()
     return {(str(model), str(split)): float(value) for (model, split), value in middle.items()}
@@ -51,7 +55,7 @@ def weighed(titles: Mapping[str, str], errors_mm: Errors, floor_mm: float) -> st
     `floor_mm`: the noise of these points. It is recommended only where the difference is worth it.
     """
     chosen, split = chosen_of(titles, errors_mm), "within"
-    others = [model for model in titles if model not in (WHOLE_MOTION, chosen) and (model, split) in errors_mm]
+    others = [model for model in titles if model != chosen and (model, split) in errors_mm]
     best = min(others, key=lambda model: errors_mm[model, split], default="")
     if not best or (chosen, split) not in errors_mm or errors_mm[best, split] * LESS > errors_mm[chosen, split]:
         return ""
@@ -72,8 +76,7 @@ def ranked(chosen: str, models: Iterable[str], errors_mm: Errors) -> str:
     split = next((split for split in WHERE if (chosen, split) in errors_mm), "")
     if not split:
         return ""
-    exportable = set(models) - {WHOLE_MOTION}
-    least_mm = min(errors_mm[model, split] for model in exportable if (model, split) in errors_mm)
+    least_mm = min(errors_mm[model, split] for model in models if (model, split) in errors_mm)
     own_mm = errors_mm[chosen, split]
     if own_mm <= least_mm:
         return f"Its forward error {WHERE[split]} is the least of those that can be exported: {own_mm:.3f} mm."
@@ -86,12 +89,12 @@ def why(chosen: str, models: Iterable[str], errors_mm: Errors, floor_mm: float) 
 
     Where another model errs less on the points that the tables show, the line says so; `floor_mm` is their noise.
     """
-    exportable = sorted(set(models) - {WHOLE_MOTION})
-    rank = ranked(chosen, exportable, errors_mm)
+    named = sorted(set(models))
+    rank = ranked(chosen, named, errors_mm)
     if not rank:
         return ""
     line = f"model to take: {chosen}. {rank}"
-    inside = [model for model in exportable if (model, "within") in errors_mm]
+    inside = [model for model in named if (model, "within") in errors_mm]
     best = min(inside, key=lambda model: errors_mm[model, "within"], default=chosen)
     if (chosen, "later") not in errors_mm or best == chosen or (chosen, "within") not in errors_mm:
         return line
