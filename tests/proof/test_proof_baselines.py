@@ -1,6 +1,7 @@
 """The baselines: what each names, that none looks at the strokes held out, and what is written."""
 
 import json
+import re
 import sys
 from dataclasses import replace
 
@@ -14,7 +15,7 @@ from pipeline.diagnosis.study.engine import make_problem, rms
 from pipeline.diagnosis.study.heldout import first_held_out
 from pipeline.diagnosis.study.own_rate import at_own_rate
 from pipeline.proof.baselines import __main__ as command
-from pipeline.proof.baselines.driver_columns import Column, products
+from pipeline.proof.baselines.driver_columns import products, stands_for
 from pipeline.proof.baselines.frozen import frozen
 from pipeline.proof.baselines.learnt import Calibrated, Learnt, calibrated, held_out_mm
 from pipeline.proof.case import draw_case, performed
@@ -51,20 +52,26 @@ def leaving(seen, residual_mm):
 def test_every_term_of_the_sparse_regression_stands_for_a_mechanism(problem):
     warm = replace(problem.drivers, temperature_c=problem.drivers.elapsed_s)
     columns = {**products(replace(problem.drivers, temperature_c=None)), **products(warm)}
-    assert {column.mechanism(sign) for column in columns.values() for sign in (-1.0, 1.0)} <= set(mechanisms())
+    for name in columns:
+        for sign in (-1.0, 1.0):
+            assert len(stands_for(name, sign)) == 1, f"{name}: two mechanisms' files ask for it, or none does"
+    wanted = {re.sub(", (more|less)$", "", name) for mechanism in mechanisms().values() for name in mechanism.columns}
+    assert wanted == set(columns), "a column of no driver"
 
 
-def test_a_column_that_is_added_is_named_by_what_it_says_of_itself(seen, monkeypatch):
-    """No other file knows its name."""
+def test_a_mechanism_that_is_added_has_its_columns_by_its_own_file_alone(seen, monkeypatch):
+    """They were listed, by mechanism, in a file of the methods."""
     noise = 0.02 * np.random.default_rng(0).standard_normal(len(seen.problem.record))
-
-    def more(drivers):
-        return {**products(drivers), "sawtooth": Column(drivers.elapsed_s % 7.0, "slack", "jam")}
-
-    monkeypatch.setattr("pipeline.proof.baselines.residual_sindy.products", more)
-    for weight, name in ((0.05, "jam"), (-0.05, "slack")):
-        residual_mm = weight * (seen.problem.drivers.elapsed_s % 7.0) + noise
-        assert command.method("residual_sindy")(leaving(seen, residual_mm)).named == [name]
+    added = {
+        id_: replace(mechanisms()["wear"], id=id_, columns=(f"rate x time, {sign}",))
+        for id_, sign in (("x_up", "more"), ("x_down", "less"))
+    }
+    library = {**mechanisms(), **added}
+    monkeypatch.setattr("pipeline.proof.baselines.driver_columns.mechanisms", lambda: library)
+    drivers = seen.problem.drivers
+    follows = drivers.rate * drivers.elapsed_s / np.std(drivers.rate * drivers.elapsed_s)
+    for weight, name in ((0.5, "x_up"), (-0.5, "x_down")):
+        assert command.method("residual_sindy")(leaving(seen, weight * follows + noise)).named == [name]
 
 
 @pytest.mark.parametrize(
@@ -78,9 +85,7 @@ def test_a_column_that_is_added_is_named_by_what_it_says_of_itself(seen, monkeyp
 )
 def test_sparse_regression_names_the_driver_that_a_residual_follows(seen, term, weight, name):
     noise = 0.02 * np.random.default_rng(0).standard_normal(len(seen.problem.record))
-    learnt = command.method("residual_sindy")(
-        leaving(seen, weight * products(seen.problem.drivers)[term].values + noise)
-    )
+    learnt = command.method("residual_sindy")(leaving(seen, weight * products(seen.problem.drivers)[term] + noise))
     assert learnt.named == [name]
 
 

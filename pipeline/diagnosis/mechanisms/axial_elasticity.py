@@ -38,6 +38,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="axial_elasticity",
     driver="load",
+    columns=("load",),
     equation="dx = -(F - F_tare)/K - (toe(F) - toe(F_tare))",
     letters={
         "F_tare": "from_load",

@@ -32,6 +32,7 @@ def half_play(values: Nonlinear) -> float:
 MECHANISM = Mechanism(
     id="backlash",
     driver="direction",
+    columns=("direction", "direction x twist"),
     equation="theta_s = theta + sum a_i (play(theta, b_i w) - theta); half the play: w sum a_i b_i",
     letters={
         "a_i": "how much of each play counts: share and inner_share",

@@ -63,6 +63,7 @@ def _strain(time_s: Array, tension: Array, before: float, tau_s: float, fresh: b
 MECHANISM = Mechanism(
     id="creep",
     driver="time under load",
+    columns=("load x time",),
     equation="dx = -sum z_i, dz_i/dt = (a_i F - z_i)/tau_i",
     letters={
         "a_i": "the strengths; F stands for what each multiplies",

@@ -99,6 +99,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="eccentricity",
     driver="angle within the turn",
+    columns=("sine of the turn", "cosine of the turn"),
     equation="x_m = x + sum A_n sin(n theta + p_n), or theta_s = theta + A_n sin(n theta + p_n)",
     letters={
         "A_n": "the height of each ripple: the root of sine squared and cosine squared",

@@ -70,6 +70,7 @@ def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
 MECHANISM = Mechanism(
     id="end_stop",
     driver="reading at its end",
+    columns=("contraction at its end",),
     equation="x_m = min(x, x_stop), or max(x, x_stop)",
     letters={
         "x_stop": "stop_mm",

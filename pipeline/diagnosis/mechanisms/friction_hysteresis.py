@@ -131,14 +131,13 @@ def along(drivers: Drivers, nonlinear: Nonlinear) -> dict[str, Array]:
     if "from_turns" not in nonlinear:
         return {}
     share = share_of_travel(drivers, nonlinear)
-    return {
-        "near_mm": np.square(1.0 - share), "middle_mm": 2.0 * share * (1.0 - share), "far_mm": np.square(share)
-    }  # fmt: skip
+    return {"near_mm": np.square(1.0 - share), "middle_mm": 2.0 * share * (1.0 - share), "far_mm": np.square(share)}
 
 
 MECHANISM = Mechanism(
     id="friction_hysteresis",
     driver="direction x load",
+    columns=("direction x load",),
     equation="dx = -sum k_i f_i g_i s_i, s_i: stop operators of the twist (Prandtl-Ishlinskii), or its direction",
     letters={
         "F_0": "usual_load",

@@ -54,6 +54,9 @@ class Mechanism:
     mechanism. An id that begins with `x_` is no physics of the library: alone it
     names nothing.
 
+    `columns` are drivers by name, or products of them such as "load x time"; "high twist, more" says that the column is
+    this mechanism's only where the residual grows with it, "high twist, less" only where it falls.
+
     `equation` is what the terms do, each strength a letter; a test evaluates it beside them.
 
     `meaning` is a line of the glossary, in the words of a string: what a person would see; left out, what it follows.
@@ -81,6 +84,7 @@ class Mechanism:
     sentence: str
     candidates: Callable[[Drivers], list[Nonlinear]]
     terms: Callable[[Drivers, Nonlinear], list[Term]]
+    columns: tuple[str, ...] = ()  # of drivers, on which a method without physics may regress a residual for it
     steps: int = 1
     details: tuple[str, ...] = ()
     meaning: str = ""

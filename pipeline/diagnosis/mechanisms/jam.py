@@ -36,6 +36,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="jam",
     driver="high twist",
+    columns=("high twist, less",),
     equation="theta_s = theta - s max(theta - theta_c, 0)",
     letters={
         "s": "how much of the twist beyond the corner is lost",

@@ -115,6 +115,7 @@ def mode(drivers: Drivers, hz: Array, damping: float, name: str) -> list[Term]:
 MECHANISM = Mechanism(
     id="load_swing",
     driver="acceleration",
+    columns=("acceleration",),
     equation="dx = k q, q'' + 2 z w q' + w^2 q = -a",
     letters={
         "a": "the acceleration of the string's end",

@@ -82,6 +82,7 @@ def coiled(turns: Array, critical: float, memory: float) -> Array:
 MECHANISM = Mechanism(
     id="overtwist",
     driver="high twist",
+    columns=("high twist, more",),
     equation="dx = +k max(theta' - theta_c, 0) + h n, theta' the twist or its play",
     letters={
         "h": "what a coil adds that is born past the critical twist",

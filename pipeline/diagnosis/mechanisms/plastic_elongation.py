@@ -77,6 +77,7 @@ def _yielding(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="plastic_elongation",
     driver="worked strokes",
+    columns=("work", "travel"),
     equation="dx = -P, P = P_L (F/F_ref)^n g(c) + k max(T - T_y, 0) + q A",
     letters={
         "P_L": "the strengths within_… and steady_…, of growth with the work",

@@ -52,6 +52,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="radius_compaction",
     driver="twist and tension",
+    columns=("twist", "twist squared"),
     equation="r_e = r (1 - k(tan a, F) - s ln(F/F_ref))",
     letters={
         "s": "by how much a load of e times as much presses it thinner",

@@ -61,6 +61,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="sensor_drift",
     driver="absolute time",
+    columns=("time",),
     equation="x_m = x + c(t)",
     letters={
         "c": "how far the zero has moved by then",

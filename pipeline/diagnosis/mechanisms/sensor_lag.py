@@ -73,6 +73,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="sensor_lag",
     driver="displacement rate",
+    columns=("rate x twist",),
     equation="tau dx_m/dt = x - x_m, or x_m(t) = x(t - delay)",
     letters={
         "tau": "the time constant of a strength filter_… | in its name",

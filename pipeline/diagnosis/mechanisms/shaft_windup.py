@@ -39,6 +39,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="shaft_windup",
     driver="torque (load x twist)",
+    columns=("load x twist",),
     equation="theta_s = theta - F r sin a / k_t",
     letters={
         "k_t": "the stiffness of the shaft: the radius over the strengths",

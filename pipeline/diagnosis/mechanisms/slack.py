@@ -60,6 +60,7 @@ def _sorted(drivers: Drivers) -> tuple[np.ndarray, np.ndarray]:
 MECHANISM = Mechanism(
     id="slack",
     driver="low twist",
+    columns=("low twist",),
     equation="theta_s = max(theta - theta_0, 0)",
     variants={
         "take_up_mm": "x = max(x_0, x_geo - s)",

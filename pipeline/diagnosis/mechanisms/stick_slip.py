@@ -97,6 +97,7 @@ def mark(drivers: Drivers, residual: Array, predicted: Array) -> float:
 MECHANISM = Mechanism(
     id="stick_slip",
     driver="slow motion",
+    columns=("direction when slow",),
     equation="dx = -k (x - s), s sticks until |x - s| > reach, then slips",
     letters={
         "k": "how much of it: at every speed, and what fades as exp(-(v/usual_rate)^2)",

@@ -30,6 +30,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="stiffening",
     driver="load x worked strokes",
+    columns=("load x work",),
     equation="dx = +(F - F_0) (1/K_0 - 1/K), 1/K = 1/K_0 - k g(c)",
     variants={"whole_s": "dx = +(F - F_0) (1/K_0 - 1/K), 1/K = 1/K_0 - k g(t)"},
     letters={

@@ -67,6 +67,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="thermal",
     driver="temperature",
+    columns=("temperature", "heat"),
     equation="dx = -a (T - T0), dT/dt = (power - T)/tau where T is not measured",
     letters={
         "T": "the temperature; of a strength after_… it follows the measured one in the time in the name",

@@ -55,6 +55,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="viscous_loss",
     driver="twisting rate",
+    columns=("rate",),
     equation="dx = -c dtheta/dt",
     letters={
         "c": "the strengths, each for what its row multiplies",

@@ -37,6 +37,7 @@ def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
 MECHANISM = Mechanism(
     id="wear",
     driver="travel",
+    columns=("travel x twist",),
     equation="r_e = r (1 -+ k g(travel))",
     letters={
         "travel": "the distance travelled so far, each bit of it times the load to the power of load_power",

@@ -6,7 +6,7 @@ Source: Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006.
 from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
 from ...ground.numbers.regression import gaussian_process
-from .driver_columns import Column, plain, standard, table
+from .driver_columns import plain, standard, table
 from .learnt import Calibrated, Learnt
 
 POINTS, TUNED_ON = 1000, 300  # points that it knows, and of these those on which its lengths are chosen
@@ -26,5 +26,5 @@ def learn(seen: Calibrated) -> Learnt:
     return Learnt(None, adds_mm)
 
 
-def _few(problem: Problem) -> dict[str, Column]:
+def _few(problem: Problem) -> dict[str, Array]:
     return {name: column for name, column in plain(problem.drivers).items() if name in FEW}

@@ -11,7 +11,7 @@ from pysindy import STLSQ, IdentityLibrary, SINDy
 
 from ...diagnosis.fit.problem import Problem
 from ...ground.kinematics import Array
-from .driver_columns import products, standard, table
+from .driver_columns import products, standard, stands_for, table
 from .learnt import Calibrated, Learnt
 
 THRESHOLDS = np.geomspace(0.02, 2.0, 14)  # of the residual's rms, on columns of unit spread
@@ -32,7 +32,7 @@ def learn(seen: Calibrated) -> Learnt:
     if not weights.any():
         return Learnt([], adds_mm)
     largest = int(np.argmax(np.abs(weights)))
-    return Learnt([list(columns.values())[largest].mechanism(weights[largest])], adds_mm)
+    return Learnt(stands_for(list(columns)[largest], weights[largest]), adds_mm)
 
 
 def _sparse(table: Array, target: Array) -> Array:
