@@ -2,6 +2,7 @@ import os
 
 import yaml
 
+from pipeline.ground.configuration import complete
 from pipeline.workflow import handed_plan
 from pipeline.report.layout.verdict_file import damage
 from pipeline.workflow.dag import VERDICT, make_plan, table_order
@@ -39,6 +40,8 @@ MATERIALS = list(PLAN.materials)
 DIAGNOSED = PLAN.runs
 # The tables' order is that of the default configuration, whatever a configuration on top of it begins with.
 DEFAULT = yaml.safe_load((Path(workflow.basedir) / "pipeline/config/default.yaml").read_text(encoding="utf-8"))
+for each in (config, DEFAULT):
+    complete(each["models"])
 MODELS = table_order(config["models"], DEFAULT["models"])
 # What jobs may take, and where they start: without a shared file system, in a machine's own copy of the storage, in which
 # a job's raw/, processed/ and reports/ lie.

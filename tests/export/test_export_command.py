@@ -549,7 +549,7 @@ def test_the_settings_that_no_mark_is_put_on_are_those_of_the_default_configurat
     plans = yaml.safe_load((ROOT / "pipeline" / "config" / "default.yaml").read_text())["models"]
     for name, plan in plans.items():
         settings = settings_of(name)
-        assert settings is None or settings(**plan["settings"]) == settings(), name
+        assert settings is None or settings(**plan.get("settings", {})) == settings(), name
 
 
 def test_what_the_small_configuration_makes_is_marked_or_is_the_very_file_that_any_other_makes(

@@ -1,3 +1,4 @@
+import copy
 import json
 import os
 import re
@@ -11,6 +12,7 @@ from snakemake.exceptions import WorkflowError
 from snakemake.utils import update_config, validate
 
 from pipeline.ground.code.fingerprint import fingerprint, reachable
+from pipeline.ground.configuration import USUAL, complete
 from pipeline.ground.errors import BadInput
 from pipeline.ground.words.left_out import LeftOut
 from pipeline.workflow.dag import fits, make_plan, recorded_files, table_order
@@ -253,3 +255,23 @@ def test_the_shipped_configurations_obey_the_schema(above):
     config["models"]["inn"]["seeds"]["within"] = "many"
     with pytest.raises(WorkflowError, match="many"):
         validate(config, str(folder / "schema.yaml"))
+
+
+def test_one_line_of_configuration_is_enough_for_a_model():
+    """The line of CONTRIBUTING.md; an entry had to have four keys."""
+    (line,) = re.findall(r"`(shifted: \{title: .*?\})`", (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8"))
+    folder = ROOT / "pipeline" / "config"
+    config = yaml.safe_load((folder / "default.yaml").read_text(encoding="utf-8"))
+    before = copy.deepcopy(config)
+    update_config(config, {"models": yaml.safe_load(line), "campaign": {"models": {"shifted": {}}}})
+    validate(config, str(folder / "schema.yaml"))
+    complete(config["models"])
+    assert config["models"].pop("shifted") == {"title": "Shifted model", **USUAL}
+    assert config["models"] == before["models"], "what an entry says stays"
+    config["models"]["shifted"] = {"title": "Shifted model"}
+    complete(config["models"])
+    config["models"]["shifted"]["seeds"]["later"] = 7
+    assert USUAL["seeds"]["later"] == 1, "entries share nothing"
+    assert [Path(path).name for path in fits(config["models"], "nylon", only="shifted")] == [
+        "within-0.predictions.parquet"
+    ]
