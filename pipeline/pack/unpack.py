@@ -82,11 +82,11 @@ def missing(manifest: Manifest, archive: Path) -> list[str]:
 
 
 def bring(zipped: zipfile.ZipFile, name: str, file: File, place: Path, archive: Path) -> None:
-    """Write one file of an archive below a folder of its own; raises BadInput where it is not what was packed."""
-    path, digest, bytes_left = place / name, hashlib.sha256(), file.bytes
-    make_folders(path.parent)
+    """Write one file of an archive below a temporary folder; raises BadInput where it is not what was packed."""
+    temporary, digest, bytes_left = place / name, hashlib.sha256(), file.bytes
+    make_folders(temporary.parent)
     try:
-        with zipped.open(name) as source, path.open("wb") as target:
+        with zipped.open(name) as source, temporary.open("wb") as target:
             while part := source.read(min(CHUNK_BYTES, bytes_left + 1)):
                 bytes_left -= len(part)
                 if bytes_left < 0:
@@ -97,8 +97,8 @@ def bring(zipped: zipfile.ZipFile, name: str, file: File, place: Path, archive: 
         raise BadInput(archive, name, f"is damaged ({error})", WHOLE) from None
     if bytes_left or digest.hexdigest() != file.sha256:
         raise BadInput(archive, name, "is not what was packed: its digest is another", WHOLE)
-    os.chmod(path, 0o444 if name.startswith("raw/") else 0o644)
-    os.utime(path, ns=(file.time_ns, file.time_ns))
+    os.chmod(temporary, 0o444 if name.startswith("raw/") else 0o644)
+    os.utime(temporary, ns=(file.time_ns, file.time_ns))
 
 
 def move(source: Path, target: Path) -> None:
