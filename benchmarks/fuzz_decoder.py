@@ -29,10 +29,10 @@ ARRAYS = ["pipeline.wire.batch", "pipeline.wire.growing_account"]
 with atheris.instrument_imports(include=["pipeline"], exclude=ARRAYS) if atheris else contextlib.nullcontext():
     from pipeline.capture.commit import Read, account
     from pipeline.capture.guess import guess
+    from pipeline.capture.printed.holes import Steps, find
+    from pipeline.capture.printed.lines import Lines, Splitter
     from pipeline.capture.recording_progress import Progress
     from pipeline.capture.stream import Outcome
-    from pipeline.capture.text.holes import Steps, find
-    from pipeline.capture.text.lines import Lines, Splitter
     from pipeline.wire import Channel, Decoder, Hello, Kind, encode, read_account, read_recording
     from pipeline.wire.frames import MAX_PAYLOAD, MAX_STUFFED
 

@@ -12,12 +12,12 @@ from .commit import recover
 from .ended_run import tell, tell_finished
 from .log import LINES
 from .motion_program import read_legs
+from .printed.fields import names
+from .printed.lines_to_csv import Finished, recover_lines
+from .printed.naming import GAP
+from .printed.near_names import doubt
+from .printed.printed_lines import WAIT_S
 from .session import capture, capture_lines
-from .text.fields import names
-from .text.lines_to_csv import Finished, recover_lines
-from .text.naming import GAP
-from .text.near_names import doubt
-from .text.printed_lines import WAIT_S
 from .undescribed_string import warn_undescribed
 
 

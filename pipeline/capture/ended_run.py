@@ -9,11 +9,11 @@ from ..ground.words.counts import counted
 from ..run.capture_json import CaptureJson
 from ..run.ended_words import ABORTED, cause, ending
 from ..run.folder import capture_info, read_run
+from .printed.clock_words import tell_clock
+from .printed.fitting_columns import check_channels, unusable_columns
+from .printed.lines_to_csv import Finished
+from .printed.lines_words import clock_question, tell_lines
 from .refused_run import reader_of, refusal, tell_refused
-from .text.clock_words import tell_clock
-from .text.fitting_columns import check_channels, unusable_columns
-from .text.lines_to_csv import Finished
-from .text.lines_words import clock_question, tell_lines
 
 if TYPE_CHECKING:
     from ..string.jumps_beside import Reader

@@ -9,9 +9,9 @@ from ..ground.command import recover_command
 from ..ground.errors import BadInput
 from ..run.capture_json import CaptureJson
 from ..run.mend_command import without_command
-from .text.copied_mend import copied_mends, is_by_columns
-from .text.lines_to_csv import CSV
-from .text.live_faults import WHEN, LiveFaults
+from .printed.copied_mend import copied_mends, is_by_columns
+from .printed.lines_to_csv import CSV
+from .printed.live_faults import WHEN, LiveFaults
 
 if TYPE_CHECKING:
     from ..string.jumps_beside import Reader

@@ -20,10 +20,10 @@ from .handshake import check_rate, greet
 from .log import LINES, NAME, Log, check_folder
 from .motion_program import load, strokes_of
 from .port import Port
+from .printed.lines_to_csv import commit_lines
+from .printed.printed_lines import WAIT_S, await_header, follow
 from .screen import Screen
 from .stream import record
-from .text.lines_to_csv import commit_lines
-from .text.printed_lines import WAIT_S, await_header, follow
 from .uncommitted_note import note
 
 CLOCK = "time_s"

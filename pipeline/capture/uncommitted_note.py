@@ -10,8 +10,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from ..ground.words.unfinished import NAMES, NOTE
+from .printed.fields import names
 from .stream import Outcome
-from .text.fields import names
 
 NAME = NOTE
 

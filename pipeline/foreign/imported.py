@@ -12,7 +12,7 @@ from ..ground.errors import BadInput
 from ..ground.input.strict_yaml import read_yaml, write_yaml
 from ..ground.names import checked, own_material, run_name
 from ..ground.stored import schemas
-from ..ground.stored.folders import whole_folder
+from ..ground.stored.whole_folder import whole_folder
 from ..ground.words.counts import counted, mends
 from ..run.description import parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions

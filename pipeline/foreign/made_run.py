@@ -10,7 +10,7 @@ from ..ground.errors import BadInput
 from ..ground.input.strict_yaml import write_yaml
 from ..ground.names import checked, own_material, run_name
 from ..ground.stored.files import write_text
-from ..ground.stored.folders import whole_folder
+from ..ground.stored.whole_folder import whole_folder
 from ..run.checked_clock import WrongClock
 from ..run.description import Run, parse_run
 from ..run.doubts.plausible_dimensions import dimension_questions

@@ -18,7 +18,7 @@ from ..diagnosis.simulator import Simulator
 from ..ground.input.index_labels import by_index
 from ..ground.input.strict_yaml import write_yaml
 from ..ground.stored import schemas
-from ..ground.stored.folders import whole_folder
+from ..ground.stored.whole_folder import whole_folder
 from ..run.description import Run, parse_run
 from ..run.run_yaml import RunYaml
 from ..run.samples import check

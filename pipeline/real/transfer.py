@@ -20,7 +20,7 @@ from .black_box import Asked, Learnt, learn
 from .black_boxes import looks
 from .bring import usable
 from .features import Array, span_of
-from .plan import ALL_OTHERS
+from .runs_to_make import ALL_OTHERS
 from .verdicts import ask
 
 COLUMNS = ["group", "learnt_from", "asked_about", "method", "rms", "centred_rms", "unit"]

@@ -8,7 +8,7 @@ import yaml
 
 from ..ground.stored import schemas
 from ..ground.stored.files import write_text
-from ..ground.stored.folders import whole_folder
+from ..ground.stored.whole_folder import whole_folder
 from ..run.description import parse_run
 from ..run.run_yaml import RunYaml
 

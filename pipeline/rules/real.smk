@@ -1,4 +1,4 @@
-from pipeline.real.plan import plan_of
+from pipeline.real.runs_to_make import plan_of
 
 REAL = plan_of(config)
 if REAL.said:

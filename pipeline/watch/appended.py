@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..capture.text.lines import Lines, Splitter
+from ..capture.printed.lines import Lines, Splitter
 from ..ground.command import recover_command
 from ..ground.kinematics import Array
 from ..ground.units import conversion

@@ -19,11 +19,11 @@ import ready
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pipeline.capture.text.fields import MAX_LINE, fields, names
-from pipeline.capture.text.holes import Steps, find
-from pipeline.capture.text.lines import Lines, Splitter
-from pipeline.capture.text.lines_to_csv import recover_lines
-from pipeline.capture.text.read_channels import ReadChannels
+from pipeline.capture.printed.fields import MAX_LINE, fields, names
+from pipeline.capture.printed.holes import Steps, find
+from pipeline.capture.printed.lines import Lines, Splitter
+from pipeline.capture.printed.lines_to_csv import recover_lines
+from pipeline.capture.printed.read_channels import ReadChannels
 from pipeline.ground.errors import BadInput
 from pipeline.run.description import parse_run
 from pipeline.run.table.recorded_table import check_lines, read_recording

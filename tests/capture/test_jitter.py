@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from first_few import first_few
 
-from pipeline.capture.text import holes as judged
-from pipeline.capture.text.holes import PIECE, Steps, find
+from pipeline.capture.printed import holes as judged
+from pipeline.capture.printed.holes import PIECE, Steps, find
 
 STEP_MS, COUNT = 20.0, 6000
 

@@ -16,7 +16,7 @@ import yaml
 from capture.test_capture_text import rig
 from made_recording import BASE, content, recording
 
-from pipeline.capture.text.live_faults import LiveFaults
+from pipeline.capture.printed.live_faults import LiveFaults
 from pipeline.ground.errors import BadInput
 from pipeline.ground.stored.rows import rows_of
 from pipeline.run.description import parse_run

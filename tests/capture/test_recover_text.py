@@ -11,11 +11,11 @@ import ready
 import yaml
 from made_recording import content
 
-from pipeline.capture.text.holes import MOST
-from pipeline.capture.text.likely_names import likely
-from pipeline.capture.text.lines_to_csv import recover_lines
-from pipeline.capture.text.naming import USUAL
-from pipeline.capture.text.near_names import doubt
+from pipeline.capture.printed.holes import MOST
+from pipeline.capture.printed.likely_names import likely
+from pipeline.capture.printed.lines_to_csv import recover_lines
+from pipeline.capture.printed.naming import USUAL
+from pipeline.capture.printed.near_names import doubt
 from pipeline.ground.errors import BadInput
 from pipeline.run.samples import read_strokes
 

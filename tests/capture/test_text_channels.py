@@ -11,9 +11,9 @@ import yaml
 from capture.test_capture_text import rig
 from made_recording import content
 
-from pipeline.capture.text.lines import Lines
-from pipeline.capture.text.read_channels import ReadChannels
-from pipeline.capture.text.telling import Telling
+from pipeline.capture.printed.lines import Lines
+from pipeline.capture.printed.read_channels import ReadChannels
+from pipeline.capture.printed.telling import Telling
 
 __all__ = ["rig"]
 ROW = b"%d,%.4f,20.0,%.3f\r\n"

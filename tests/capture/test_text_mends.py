@@ -9,7 +9,7 @@ import yaml
 from capture.test_recover_text import folder, recover, wound
 from made_recording import content
 
-from pipeline.capture.text.likely_order import KEPT, Kept, likely_order
+from pipeline.capture.printed.likely_order import KEPT, Kept, likely_order
 from pipeline.run.samples import read_strokes
 
 __all__ = ["folder"]

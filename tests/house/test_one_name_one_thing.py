@@ -13,9 +13,9 @@ KINDS = [
 ]
 # other names that stand more than once, by what is one in them; packages count, by their own names
 ALIKE = {
-    "what every module of this name is in its room: the form, the plan, the page, the figures, what they stand on": {
-        "__main__", "interface", "plan", "page", "figures", "results", "index", "arguments", "written", "words",
-        "parts", "text",
+    "what every module of this name is in its room: the form, the page, the figures, what they stand on": {
+        "__main__", "interface", "page", "figures", "results", "index", "arguments", "written", "words",
+        "parts",
     },
     "a thing, and the room, the program or the page of that same thing": {
         "adopt", "adoption", "campaign", "coverage", "diagnosed", "diagnosis", "drawing", "floor", "glossary", "leak",

@@ -16,7 +16,7 @@ from pipeline.real.asked_recording import About
 from pipeline.real.black_box import Asked, first_held_out, held_out
 from pipeline.real.black_boxes import looks
 from pipeline.real.features import averaged, features, low_pass, memory, span_of
-from pipeline.real.plan import ALL_OTHERS
+from pipeline.real.runs_to_make import ALL_OTHERS
 from pipeline.run import strokes
 from pipeline.run.samples import read_samples, read_strokes
 from pipeline.run.strokes import segment

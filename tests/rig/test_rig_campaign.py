@@ -9,8 +9,8 @@ import pytest
 
 from pipeline.ground.errors import BadInput
 from pipeline.ground.kinematics import RAD_PER_TURN
-from pipeline.rig.campaign.plan import plan
 from pipeline.rig.campaign.specimen import SIGMA, Bands, draw_specimen, materials
+from pipeline.rig.campaign.strings_to_record import plan
 from pipeline.rig.synthetic_folder import whole_recordings
 from pipeline.run.dimensions import geometry
 from pipeline.run.samples import read_samples

@@ -14,7 +14,7 @@ from pipeline.rig.effects import friction_hysteresis
 from pipeline.rig.endurance import x_fatigue, x_galling
 from pipeline.rig.endurance.ageing import made
 from pipeline.rig.endurance.life import ENOUGH_LOST, live
-from pipeline.rig.endurance.plan import MOST_STROKES, plan
+from pipeline.rig.endurance.strings_to_wear_out import MOST_STROKES, plan
 from pipeline.rig.motion_commands import Motion, commands
 from pipeline.rig.string_state import String
 from pipeline.run.dimensions import geometry

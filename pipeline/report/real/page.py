@@ -13,8 +13,8 @@ from ...ground.errors import BadInput, program
 from ...ground.stored.figure_file import write_figure
 from ...ground.stored.files import whole, write_text
 from ...ground.units import unit_of
-from ...real.plan import ALL_OTHERS
 from ...real.rigs import Rig, read_rigs
+from ...real.runs_to_make import ALL_OTHERS
 from ..web.page import STYLE, link
 from .figures import figure
 from .results import CARRIED, TITLES, Result, apart, expected_words, read_results

@@ -10,8 +10,8 @@ import pandas as pd
 
 from ...ground.units import unit_of
 from ...real.black_boxes import looks
-from ...real.plan import ALL_OTHERS
 from ...real.rigs import Expected, Rig, expected_of
+from ...real.runs_to_make import ALL_OTHERS
 from ..layout.verdict_content import Content
 from ..layout.verdict_file import NAME, read_verdict
 from .verdict_doubts import doubt

@@ -8,7 +8,7 @@ import yaml
 
 from ...ground.errors import BadInput, program
 from ...ground.stored.files import write_text
-from ...ground.stored.folders import whole_folder
+from ...ground.stored.whole_folder import whole_folder
 from ...run.description import RUN_NAME
 from . import Author, authors, names
 from .interface import PROTOCOLS, Asked, Made, OutOfReach

@@ -6,7 +6,7 @@ from pathlib import Path
 from ...ground.errors import program
 from ...ground.words.counts import counted
 from ..synthetic_folder import whole_recordings, write_run
-from .plan import plan
+from .strings_to_record import plan
 
 
 @program

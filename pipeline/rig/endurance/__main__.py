@@ -11,7 +11,7 @@ from ...ground.stored.files import whole
 from ...ground.words.counts import counted
 from ..synthetic_folder import whole_recordings, write_run
 from .life import live
-from .plan import plan
+from .strings_to_wear_out import plan
 
 
 @program

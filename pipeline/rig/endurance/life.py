@@ -6,11 +6,11 @@ import numpy as np
 import pandas as pd
 
 from ...ground.kinematics import Array
-from ..campaign.recorded import STEPS_PER_SAMPLE, sampled
+from ..campaign.specimen_samples import STEPS_PER_SAMPLE, sampled
 from ..motion_commands import Commands, Motion, commands
 from ..string_state import String
 from .ageing import made
-from .plan import Planned
+from .strings_to_wear_out import Planned
 
 FIRST_REST_S = 3.0
 ENOUGH_LOST = 0.25  # of the stroke

@@ -6,8 +6,8 @@ from typing import Literal
 
 import numpy as np
 
-from ..campaign.plan import material_of
 from ..campaign.specimen import Bands, Specimen, draw_specimen
+from ..campaign.strings_to_record import material_of
 from ..concealed import Parameters
 from ..motion_commands import Strokes
 from .ageing import Work, ageing

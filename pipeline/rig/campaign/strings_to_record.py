@@ -7,8 +7,8 @@ import numpy as np
 
 from .. import effects
 from ..motion_commands import Motion, Strokes
-from .recorded import Recorded, recorded
 from .specimen import Specimen, draw_specimen, materials
+from .specimen_samples import Recorded, recorded
 
 RAMP_S = 0.3
 

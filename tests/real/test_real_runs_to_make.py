@@ -13,8 +13,8 @@ from pipeline.foreign.origin import origin
 from pipeline.ground.errors import BadInput
 from pipeline.ground.names import run_name
 from pipeline.real.bring import REFUSED, bring, usable
-from pipeline.real.plan import RealPlan, make_real_plan, plan_of
 from pipeline.real.rigs import MAPPINGS, expected_of, read_rigs
+from pipeline.real.runs_to_make import RealPlan, make_real_plan, plan_of
 from pipeline.real.verdicts import ask
 
 
