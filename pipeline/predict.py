@@ -21,7 +21,7 @@ import pandas as pd
 from .export.all_points import string_alone
 from .export.asked_saved import keeps_strings_apart, model_of, saved_answers, seen_points
 from .export.interface import names as exported
-from .ground.command import HOUSE, command, make_command, quoted
+from .ground.command import HOUSE, INSTALLED, command, make_command, quoted
 from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
@@ -39,7 +39,7 @@ from .models.parts.newer_recordings import beware_of_newer
 from .models.parts.questions.bad_rows import first_of, refusal
 from .models.parts.questions.question_points import read_questions
 from .models.parts.questions.strings_alike import ANSWER_OF, one_answer, strings_alike
-from .models.parts.saved_files import dataset_mend, listed, material_of
+from .models.parts.saved_files import DATASET_FILE, MAKE_DATASET, MODEL_FILE, dataset_mend, listed, material_of
 from .notebook.asked_model import LEVEL, Fitted, refuse
 from .notebook.better_source import Beside, adopted_run
 from .notebook.far_off import far_off
@@ -66,9 +66,8 @@ def main() -> None:
     """Write the answers to a file of questions as a csv."""
     parser = Parser(prog=command("predict"), description=BRIEFLY)
     parser.ending = listed(exported())
-    usual_file = "processed/<material>/dataset.parquet"
-    make = make_command(Path(usual_file))
-    parser.add_argument("dataset", type=Path, help=f"{usual_file}{make and f'; made alone by: {make}'}")
+    make = MAKE_DATASET if INSTALLED else make_command(Path(DATASET_FILE))
+    parser.add_argument("dataset", type=Path, help=f"{DATASET_FILE}; made alone by: {make}")
     parser.add_argument(
         "questions",
         type=Path,
@@ -79,7 +78,7 @@ def main() -> None:
         "--model",
         help=f"a file of {HOUSE}/models, without .py; fitted anew, no saved file is read; default: {USUAL}",
     )
-    saved = "this fitted model answers, as its export: processed/<material>/<model>/<split>-<seed>.model"
+    saved = f"this fitted model answers, as its export: {MODEL_FILE}"
     parser.add_argument("--saved", type=Path, metavar="FILE", help=saved)
     parser.add_argument(
         "--each-string",

@@ -775,7 +775,7 @@ def test_the_zero_of_another_string_is_no_beware_of_the_questions(of_two: Path, 
 
 def test_a_dataset_that_is_not_there_can_be_made_alone_if_its_material_was_recorded(tmp_path: Path) -> None:
     (tmp_path / "raw" / "nylon-1").mkdir(parents=True)
-    (tmp_path / "raw" / "nylon-1" / "run.yaml").write_text("material: nylon  # of spool 3\n")
+    (tmp_path / "raw" / "nylon-1" / "run.yaml").write_text("string:\n  material: nylon  # of spool 3\n")
     (tmp_path / "questions.csv").write_text(TWO)
     for material in ("nylon", "nylom"):
         missing = f"processed/{material}/dataset.parquet"

@@ -16,7 +16,7 @@ from ..ground.stored.files import whole, write_text
 from ..models.interface import about
 from ..models.parts.divided import SPLITS
 from ..models.parts.newer_recordings import beware_of_newer
-from ..models.parts.saved_files import dataset_beside, listed
+from ..models.parts.saved_files import MODEL_FILE, dataset_beside, listed
 from . import closing_words
 from .all_points import fitted_to_all
 from .asked_saved import model_of
@@ -35,7 +35,7 @@ def arguments(words: list[str]) -> argparse.Namespace:
     """The command line."""
     parser = Parser(prog=command("export"), description=__doc__)
     parser.ending = listed(names())
-    parser.add_argument("file", type=Path, metavar="MODEL", help="processed/<material>/<model>/<split>-<seed>.model")
+    parser.add_argument("file", type=Path, metavar="MODEL", help=MODEL_FILE)
     both = "may be given twice: both are made then"
     parser.add_argument("--format", required=True, choices=FORMATS, action="append", help=both)
     parser.add_argument(

@@ -8,6 +8,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from ..ground.command import INSTALLED
 from ..ground.errors import BadInput
 from ..ground.stored import schemas
 from ..ground.stored.given_table import opened as opened_table
@@ -21,7 +22,7 @@ from ..models.parts.inside.assumed_stiffness import is_never_measured
 from ..models.parts.inside.recorded_loads import loads_of
 from ..models.parts.inside.recorded_strokes import Under
 from ..models.parts.saved import read_bytes
-from ..models.parts.saved_files import dataset_beside, in_words
+from ..models.parts.saved_files import MODEL_FILE, dataset_beside, fit_command, in_words
 from .caveats import zeroed_runs
 from .held_out import errors_of
 from .inputs import Inputs
@@ -31,6 +32,7 @@ from .start_state import start_values
 from .trained_on import fitted_to_runs, one_answer_of, trained_on
 
 UNTOLD = "Errors, zero and what was recorded are not told"
+TRAIN = "train it first (the main job does)"  # in a checkout
 TRIED = 20  # queries that a model must answer before it is exported
 
 
@@ -49,12 +51,13 @@ def opened(file: Path, name: str | None, beside: Beside) -> Source:
     Raises BadInput where the file holds no such model, or a model that cannot be exported.
     """
     if file.is_dir():
-        models = in_words(file.parent, names()) or "processed/<material>/<model>/within-0.model"
+        models = in_words(file.parent, names()) or MODEL_FILE
         raise BadInput(file, "model", "is a folder", f"name a file in it, such as {models}")
     name = name or Path(os.path.realpath(file)).parent.name
     models = in_words(file.parent.parent, names())
     if not file.is_file():
-        mend = f"name one of {models}" if models else "train it first (the main job does), or mend the path"
+        first = f"fit it first: {fit_command(name if name in names() else '')}" if INSTALLED else TRAIN
+        mend = f"name one of {models}" if models else f"{first}, or mend the path"
         raise BadInput(file, "model", "is not a file" if file.exists() else "is not there", mend)
     if name not in names():
         mend = f"choose one of {', '.join(names())}{'; fitted are ' * bool(models)}{models}"

@@ -10,7 +10,7 @@ from ..ground.stored.regular_file import read_regular
 from ..ground.words.counts import counted
 from ..models.parts.box import SIZES
 from ..models.parts.questions.strings_alike import strings_alike
-from ..models.parts.saved_files import material_of
+from ..models.parts.saved_files import RAW, material_of
 from .recorded_ranges import points_to
 
 SHOWN = 3  # runs that are named
@@ -59,9 +59,13 @@ def _material(dataset: Path) -> str:
 
 
 def _with_rig(words: str, dataset: Path, runs: Sequence[str]) -> str:
-    """The words, with a warning where the runs of a dataset at the main job's place are of the synthetic rig."""
-    material, folder = material_of(dataset), dataset.resolve().parent
-    made_up = material and (material == SYNTHETIC or _of_the_synthetic_rig(folder.parents[1] / "raw", runs))
+    """The words, with a warning where the runs of a dataset are of the synthetic rig.
+
+    They are looked for in the `raw/` beside a `processed/` that it lies in, else in that of the current folder.
+    """
+    folder = dataset.resolve().parent
+    raw = folder.parents[1] / RAW if material_of(dataset) else RAW
+    made_up = folder.name == SYNTHETIC or _of_the_synthetic_rig(raw, runs)
     return f"{words} {NO_STRING}" if made_up else words
 
 

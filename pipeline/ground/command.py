@@ -6,7 +6,9 @@ from pathlib import Path
 HOUSE = __package__.partition(".")[0]  # `pipeline` in a checkout, `twistbench` where it is installed
 INSTALLED = HOUSE != "pipeline"
 START = f"{HOUSE} " if INSTALLED else f"python -m {HOUSE}."  # of every command that a person is told to type
-REMAKE = "make it again" if INSTALLED else "run snakemake: it is made again"  # the workflow is in the checkout alone
+REMAKE = (
+    f"make it again: {HOUSE} dataset" if INSTALLED else "run snakemake: it is made again"
+)  # the workflow is in the checkout alone
 
 
 def program_name(program: str) -> str:

@@ -3,6 +3,7 @@
 import numpy as np
 import pandas as pd
 
+from ..ground.command import INSTALLED
 from ..ground.errors import BadInput
 from .capture_json import CaptureJson
 
@@ -30,5 +31,6 @@ def moving_strokes(strokes: pd.DataFrame) -> frozenset[int]:
 
 def all_lossy(run: str) -> BadInput:
     """The message for a run without any usable stroke."""
-    mend = "record it again, or set keep_lossy: true in the configuration (--keep-lossy of this program)"
+    configured = "" if INSTALLED else "set keep_lossy: true in the configuration, or "
+    mend = f"record it again, leave it out, or keep these strokes: {configured}add --keep-lossy"
     return BadInput(run, "strokes", "samples are missing in every one", mend)

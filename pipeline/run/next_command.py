@@ -32,6 +32,9 @@ def following(folder: Path, recorded: bool, others: Sequence[Path] = ()) -> list
         reports = [f"make its reports: {MAIN}", *small, f"  or ask only what the simulator leaves out: {diagnose}"]
     else:
         reports = [f"diagnose it{'' if INSTALLED else ', as snakemake reads raw/ alone'}: {diagnose}"]
+        if read_run(folder).string:
+            runs = " ".join(shlex.quote(str(run)) for run in (*others, folder))
+            reports.append(f"  or put its points together, for models: {command('dataset')} {runs}")
     if recorded:
         return [f"Next: {reports[0]}", *reports[1:]]
     capture = f"{command('capture')} PORT {shlex.quote(str(folder))}"

@@ -86,6 +86,13 @@ class Dataset:
             points["later"] = self.later.labels(*self._held_later(piece))
             yield points[schemas.DATASET.names]
 
+    @property
+    def words(self) -> list[str]:
+        """How many points each split has, a line each."""
+        splits = (("within", self.within), ("later", self.later))
+        counts = ((name, split.train.count, split.test.count) for name, split in splits)
+        return [f"{name}: {train} points to train on, {test} held out" for name, train, test in counts]
+
 
 def make_dataset(
     recorded: list[Recorded],
@@ -100,6 +107,47 @@ def _on_pages(of_string: list[Rests]) -> list[str]:
     """The sentences of the pages on the zero of one string's runs."""
     jumped = [jump.advice for jump in jumps_among(of_string) if jump.is_unconfirmed]
     return [*jumped, *to_confirm(of_string), *set_anew(of_string)]
+
+
+def usable_points(
+    recorded: list[Recorded], source: Path | str, keep_lossy: bool, refused: list[LeftOut] | None = None
+) -> tuple[Dataset, list[list[Rests]]]:
+    """The points of runs of a material, and the rests of each string of several; what is left out is printed.
+
+    Strokes with missing samples are left out unless `keep_lossy`. A run in which all are is added to those that are
+    `refused`, and its strokes count; without such a list it raises BadInput. So do too few points, which are the
+    `source`'s.
+    """
+    strokes_left: dict[str, frozenset[int]] = {}
+    for recorded_run in recorded:
+        lossy = touched(recorded_run.strokes, checked_info(recorded_run.folder))
+        if lossy:
+            named = f"stroke{'s' * (len(lossy) > 1)} {', '.join(map(str, sorted(lossy)))}"
+            print(f"{recorded_run.run.run}: samples are missing in {named}", end=": ")
+            print("kept all the same" if keep_lossy else "left out")
+            strokes_left[recorded_run.run.run] = frozenset() if keep_lossy else lossy
+            every_one = strokes_left[recorded_run.run.run] >= moving_strokes(recorded_run.strokes)
+            if refused is not None and every_one:
+                refused.append(LeftOut.of(recorded_run.run.run, all_lossy(recorded_run.run.run)))
+    without = frozenset(refusal.run for refusal in refused or ())
+    if without >= {recorded_run.run.run for recorded_run in recorded}:
+        raise all_lossy(", ".join(sorted(without)))
+    rests = [[Rests.of(run) for run in runs] for runs in by_string(recorded) if len(runs) > 1]
+    jumped = [jump for of_string in rests for jump in jumps_among(of_string)]
+    notes = [note for of_string in rests for _, note in tare_notes(of_string)]
+    every_rest = [of_run for of_string in rests for of_run in of_string]
+    notes += [f"Beware: {note}" for note in not_compared(every_rest)]
+    print("".join(f"{sentence}\n" for sentence in [*(jump.advice for jump in jumped), *notes]), end="")
+    dataset = Dataset(recorded, strokes_left, without)
+    if not dataset.within.train.count or not dataset.within.test.count:
+        mend = "record more strokes, or more samples a stroke"
+        raise BadInput(source, "within", "there are too few points to hold some out and learn from others", mend)
+    return dataset, rests
+
+
+def note_zeros(rests: list[list[Rests]], path: Path) -> None:
+    """Write the note on what the zero of each string's runs did, for those who use the dataset beside it."""
+    write_jumps(path, {of_string[0].run.string_id: _on_pages(of_string) for of_string in rests})
 
 
 @program
@@ -120,39 +168,17 @@ def main() -> None:
     for name in ("out_left_out", "out_jumps", "out_made_from"):
         file_to_write(getattr(arguments, name) or arguments.out, f"--{name.replace('_', '-')}", stored)
     recorded, refused = read_usable(arguments.run_dirs, arguments.processed)
-    strokes_left: dict[str, frozenset[int]] = {}
-    for recorded_run in recorded:
-        lossy = touched(recorded_run.strokes, checked_info(recorded_run.folder))
-        if lossy:
-            named = f"stroke{'s' * (len(lossy) > 1)} {', '.join(map(str, sorted(lossy)))}"
-            print(f"{recorded_run.run.run}: samples are missing in {named}", end=": ")
-            print("kept all the same" if arguments.keep_lossy else "left out")
-            strokes_left[recorded_run.run.run] = frozenset() if arguments.keep_lossy else lossy
-            if arguments.note_refusals and strokes_left[recorded_run.run.run] >= moving_strokes(recorded_run.strokes):
-                refused.append(LeftOut.of(recorded_run.run.run, all_lossy(recorded_run.run.run)))
-    without = frozenset(refusal.run for refusal in refused)
-    if without >= {recorded_run.run.run for recorded_run in recorded}:
-        raise all_lossy(", ".join(sorted(without)))
-    rests = [[Rests.of(run) for run in runs] for runs in by_string(recorded) if len(runs) > 1]
-    jumped = [jump for of_string in rests for jump in jumps_among(of_string)]
-    notes = [note for of_string in rests for _, note in tare_notes(of_string)]
-    every_rest = [of_run for of_string in rests for of_run in of_string]
-    notes += [f"Beware: {note}" for note in not_compared(every_rest)]
-    print("".join(f"{sentence}\n" for sentence in [*(jump.advice for jump in jumped), *notes]), end="")
-    dataset = Dataset(recorded, strokes_left, without)
-    if not dataset.within.train.count or not dataset.within.test.count:
-        mend = "record more strokes, or more samples a stroke"
-        raise BadInput(arguments.out, "within", "there are too few points to hold some out and learn from others", mend)
+    noted = refused if arguments.note_refusals else None
+    dataset, rests = usable_points(recorded, arguments.out, arguments.keep_lossy, noted)
     with whole(arguments.out) as temporary:
         schemas.put(dataset.pieces(), schemas.DATASET, temporary)
     if arguments.out_left_out:
         write_left_out(arguments.out_left_out, refused)
     if arguments.out_jumps:
-        write_jumps(arguments.out_jumps, {of_string[0].run.string_id: _on_pages(of_string) for of_string in rests})
+        note_zeros(rests, arguments.out_jumps)
     if arguments.out_made_from:
         note_runs([run.name for run in arguments.run_dirs], arguments.processed, arguments.out_made_from)
-    for name, split in (("within", dataset.within), ("later", dataset.later)):
-        print(f"{name}: {split.train.count} points to train on, {split.test.count} held out")
+    print("\n".join(dataset.words))
 
 
 if __name__ == "__main__":

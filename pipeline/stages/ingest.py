@@ -4,20 +4,30 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 
 from ..ground.errors import program
 from ..ground.input.outputs import file_to_write
 from ..ground.input.parser import Parser
 from ..ground.stored import schemas
 from ..ground.stored.files import whole
+from ..ground.stored.rows import Rows
 from ..ground.words.counts import counted
 from ..ground.words.left_out import noted
+from ..run.description import Run
 from ..run.doubts.plausible_dimensions import dimension_questions
 from ..run.folder import recording_path
 from ..run.made_from import note_run
 from ..run.mend_command import with_command
 from ..run.read_ahead import forget, taken_over
 from ..run.samples import questions, stored_strokes
+
+
+def warn(run: Run, samples: pd.DataFrame | Rows, folder: Path) -> None:
+    """Print likely mistakes in the description and in the checked samples of the run in a folder, with their mends."""
+    odd = dimension_questions(run, folder / "run.yaml")
+    for question in [*odd, *questions(run, samples, recording_path(folder))]:
+        print(f"warning: {with_command(question, folder)}", file=sys.stderr)
 
 
 @program
@@ -43,9 +53,7 @@ def main() -> None:
         ahead, bound_to = arguments.read_ahead, " ".join(arguments.of)
         kept = ahead and taken_over(arguments.run_dir, ahead, bound_to, temporary)
         run, samples, strokes = kept or stored_strokes(arguments.run_dir, temporary)
-        odd = dimension_questions(run, arguments.run_dir / "run.yaml")
-        for question in [*odd, *questions(run, samples, recording_path(arguments.run_dir))]:
-            print(f"warning: {with_command(question, arguments.run_dir)}", file=sys.stderr)
+        warn(run, samples, arguments.run_dir)
         begin_s, end_s = samples.at("time_s", np.array([0, len(samples) - 1]))
         if arguments.out_strokes:
             schemas.write(strokes, schemas.STROKES, arguments.out_strokes)

@@ -124,6 +124,7 @@ def place(tmp_path_factory: pytest.TempPathFactory, saved: Path) -> Path:
         (folder / "raw" / name).mkdir(parents=True)
         (folder / "raw" / name / "run.yaml").write_text(json.dumps(content(name)))
         table.to_parquet(folder / "raw" / name / "recording.parquet", index=False)
+    schemas.write(made_dataset(40, 5).assign(later=""), schemas.DATASET, folder / "points.parquet")
     (folder / "simulation.json").write_text('{"run": "a-1", "parameters": {}, "simulation": []}')
     (folder / "junk").write_bytes(np.random.default_rng(0).integers(256, size=500, dtype=np.uint8).tobytes())
     (folder / "empty").write_bytes(b"")
@@ -133,6 +134,8 @@ def place(tmp_path_factory: pytest.TempPathFactory, saved: Path) -> Path:
 
 GOOD = {  # command lines that work, or end soon; every try spoils at least one word
     "predict": "dataset.parquet questions.csv --model polynomial --settings {} --level 0.9 --seed 0 --out out/a.csv",
+    "dataset": "raw/a-3 --out out/d",
+    "fit": "polynomial points.parquet --settings {} --seed 0 --out out/m",
     "stages.train": "dataset.parquet --model polynomial --split within --seed 0 --settings {} --out-model out/m "
     "--out-predictions out/p.parquet",
     "export.__main__": "spline/within-0.model --format c --out out/t.h --name tsa --model spline "
@@ -185,6 +188,7 @@ def test_where_nothing_can_be_written_is_said_before_the_work(place: Path, wrong
         ("simulate", "raw/a-1 --simulation simulation.json --out", "simulation.json"),
         ("stages.ingest", "raw/a-1 --out", "raw/a-1/recording.parquet"),
         ("stages.ingest", "raw/a-1 --out b.parquet --out-strokes", "raw/a-1/recording.parquet"),
+        ("dataset", "raw/a-1 --out", "raw/a-1"),
         ("stages.dataset", "raw/a-1 --processed processed --out", "processed/a-1/samples.parquet"),
         (
             "stages.train",
@@ -315,6 +319,8 @@ def test_what_cannot_act_is_refused_before_a_plan_too(
         ("import_run", "raw/a-1/recording.parquet --guess --out"),
         ("simulate", "raw/a-3 --simulation simulation.json --out"),
         ("settle.__main__", "raw/a-1 --out"),
+        ("dataset", "raw/a-3 --out"),
+        ("fit", "polynomial dataset.parquet --out"),
     ],
 )
 def test_a_place_a_thousand_folders_deep_is_refused_in_words(place: Path, program: str, words: str) -> None:
@@ -331,6 +337,8 @@ LONG = {  # command lines of which one word has 5,000 characters
     "settle.__main__": ["{}", "raw/a-3 --out {}", "raw/a-3 --{}"],
     "capture.__main__": ["{} raw/b-9", "/dev/null {}", "/dev/null raw/b-9 --baud {}", "/dev/null raw/b-9 --program {}"],
     "predict": ["dataset.parquet questions.csv --model {} --out o", "dataset.parquet {} --model polynomial --out o"],
+    "dataset": ["{}", "raw/a-3 {}", "raw/a-3 --out {}"],
+    "fit": ["{} dataset.parquet", "polynomial {}", "polynomial dataset.parquet --settings {}"],
     "pack.unpack": ["{}", "a.zip {}"],
     "stages.train": ["dataset.parquet --model {}", "dataset.parquet --split {}", "{}"],
 }

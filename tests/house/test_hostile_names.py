@@ -139,6 +139,8 @@ LINES = {  # command lines whose every word is read, with what they end in: 0, o
         ("raw/a-3 --simulation simulation.json --motion plan.csv --out out/s.csv", 0),
         ("raw/a-3 --simulation simulation.json --out out/s.parquet", 0),
     ],
+    "dataset": [("raw/a-3 raw/a-1 --out out/d", 0)],
+    "fit": [("polynomial points.parquet --settings {} --seed 0 --out out/m", 0)],
     "predict": [("dataset.parquet questions.csv --model polynomial --settings {} --level 0.9 --out out/a.csv", 0)],
 }
 DEEP = "deep/" * 500
@@ -197,6 +199,7 @@ def work(tmp_path):
     (home / "plan.csv").write_text("time_s,motor_turns,load_n\n0,0,20\n5,10,20\n10,0,20\n")
     (home / "questions.csv").write_text("stroke,direction,motor_turns\n1,1,3\n")
     schemas.write(made_dataset(40, 5), schemas.DATASET, home / "dataset.parquet")
+    schemas.write(made_dataset(40, 5).assign(later=""), schemas.DATASET, home / "points.parquet")
     (home / "Snakefile").write_text("")
     archive(home / "all.zip")
     (home / "file").write_text("kept")

@@ -67,7 +67,7 @@ ROOMS = {
     "workflow": "ground run",
     "pack": "ground workflow",
 }
-PROGRAMS = {"__main__", "adopt", "diagnose", "import_run", "mend", "new_run", "predict", "simulate"}
+PROGRAMS = {"__main__", "adopt", "dataset", "diagnose", "fit", "import_run", "mend", "new_run", "predict", "simulate"}
 
 
 def test_a_room_stands_on_the_rooms_below_it_and_on_no_other():
@@ -299,7 +299,19 @@ def test_what_needs_no_torch_does_not_import_it():
     stages = [
         module for module in MODULES if part(module) in ("stages", "workflow") and module != "pipeline.stages.leak"
     ]
-    shown = ("import_run", "new_run", "mend", "diagnose", "simulate", "adopt", "predict", "capture", "export")
+    shown = (
+        "import_run",
+        "new_run",
+        "mend",
+        "diagnose",
+        "simulate",
+        "adopt",
+        "predict",
+        "dataset",
+        "fit",
+        "capture",
+        "export",
+    )
     programs = [f"pipeline.{name}" for name in shown] + ["pipeline.export.__main__", "pipeline.export.onnx_model"]
     report = [module for module in MODULES if part(module) in ("report", "lifespan")]
     wanted = stages + programs + report + ["pipeline.models.traditional", DIAGNOSED[0]]

@@ -118,6 +118,23 @@ def test_nothing_is_said_where_there_is_nothing_to_compare_with(root: Path, gone
     assert beware_of_newer(root / DATASET) == ""
 
 
+def test_outside_of_a_checkout_changed_runs_are_named_with_the_program_that_makes_a_dataset(root: Path) -> None:
+    (root / "Snakefile").unlink()
+    add_run(root, "a-3")
+    described = root / "raw/a-2/run.yaml"
+    described.write_text(described.read_text() + "tare: checked\n")
+    make_by_hand = "python -m pipeline.dataset raw/a-1 raw/a-2"
+    assert (
+        beware(root)
+        == f"beware: {DATASET} was made before this: run.yaml of a-2 changed. To make it anew: {make_by_hand}"
+    )
+    done = programs.run("pipeline.dataset", *make_by_hand.split()[3:], cwd=root)
+    assert done.returncode == 0 and beware(root) == ""
+    described.unlink()
+    described.parent.rename(root / "elsewhere")
+    assert beware(root) == "", "the run may lie there all the time"
+
+
 def test_elsewhere_the_command_goes_to_the_checkout_and_what_is_gone_is_named(root: Path) -> None:
     shutil.rmtree(root / "raw/a-2")
     line = beware_of_newer(root / DATASET)

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -88,7 +89,8 @@ def twistbench(place: Path, folder: Path) -> Command:
 def good(done: subprocess.CompletedProcess[str]) -> str:
     """What a command said that ended well, and never in the words of the checkout."""
     assert done.returncode == 0, done.stdout + done.stderr
-    assert not re.search(r"\bpipeline\b|snakemake", done.stdout + done.stderr), done.stdout + done.stderr
+    words = r"\bpipeline\b|snakemake|main job"
+    assert not re.search(words, done.stdout + done.stderr), done.stdout + done.stderr
     return done.stdout
 
 
@@ -131,6 +133,71 @@ def test_a_run_is_made_diagnosed_and_simulated(twistbench: Command, folder: Path
     simulation = ("--simulation", "out/made/diagnosis.json")
     good(twistbench("simulate", "raw/imported", *simulation, "--out", "sim.parquet"))
     assert list(pd.read_parquet(folder / "sim.parquet")) == ["time_s", "displacement_mm"]
+
+
+NYLON = [  # a run of the tutorial's recording, as README.md describes it
+    *("--material", "nylon", "--radius-mm", "0.4", "--length-mm", "400", "--torsion-zone-mm", "150"),
+    *("--separator-mm", "8", "--string-id", "spool-3", "--recording", "nylon_log.csv", "--channels"),
+    "{time_s: t_ms, motor_turns: theta_rad, load_n: force_N, displacement_mm: {column: laser_mm, scale: -1}}",
+]
+
+
+def page_commands() -> list[list[str]]:
+    """The commands of docs/use_a_model.md that need no checkout, as words; they have no quotes."""
+    page = (ROOT / "docs" / "use_a_model.md").read_text().partition("## Without the main job")[2]
+    lines = [line.partition("#")[0] for line in page.partition("```sh\n")[2].partition("```")[0].splitlines()]
+    return [line.split()[1:] for line in lines if line.startswith("twistbench ")]
+
+
+@pytest.mark.long
+def test_four_commands_lead_from_a_run_folder_to_answers_and_to_a_header(place: Path, folder: Path) -> None:
+    """`predict` needed a dataset that no listed command of the installed package made."""
+    work_folder = folder / "models"
+    work_folder.mkdir()
+    twistbench = (place / "bin" / "twistbench",)
+    shutil.copy(TUTORIAL.with_name("nylon_log.csv"), work_folder)
+    printed = good(ended(*twistbench, "new-run", "nylon-20261121-01", *NYLON, cwd=work_folder))
+    dataset, predict, fit, export = page_commands()
+    assert f"  or put its points together, for models: {shlex.join(['twistbench', *dataset])}\n" in printed
+    refused = ended(*twistbench, *predict, cwd=work_folder)
+    assert refused.returncode == 2 and "make it of run folders: twistbench dataset raw/<run> ..." in refused.stderr
+    refused = ended(*twistbench, *export, cwd=work_folder)
+    assert refused.returncode == 2 and "twistbench fit spline processed/<material>/dataset.parquet" in refused.stderr
+    asks = good(ended(*twistbench, *dataset, cwd=work_folder))
+    (write,) = re.findall(r"printf .*", asks)
+    subprocess.run(["sh", "-c", write], cwd=work_folder, check=True)
+    assert shlex.join(["twistbench", *predict]) in asks and shlex.join(["twistbench", *fit]) in asks
+    good(ended(*twistbench, *predict, cwd=work_folder))
+    assert pd.read_csv(work_folder / "answers.csv")["inside"].tolist() == [True]
+    assert shlex.join(["twistbench", *export]) in good(ended(*twistbench, *fit, cwd=work_folder))
+    assert "Errors on whole last strokes" in good(ended(*twistbench, *export, cwd=work_folder))
+    header = work_folder / "reports/nylon/spline/tsa.h"
+    if compiler := shutil.which("cc"):
+        (work_folder / "one.c").write_text(f'#include "{header}"\nint main(void) {{ return 0; }}\n')
+        done = subprocess.run([compiler, "-std=c99", "-Wall", "-o", "one", "one.c", "-lm"], cwd=work_folder)
+        assert done.returncode == 0
+    run_yaml = work_folder / dataset[1] / "run.yaml"
+    run_yaml.write_text(f"{run_yaml.read_text()}tare: checked\n")
+    done = ended(*twistbench, *predict, cwd=work_folder)
+    assert done.returncode == 0 and f"To make it anew: {shlex.join(['twistbench', *dataset])}\n" in done.stderr
+    bare = "import sys, pandas, twistbench as tb; tb.points(tb.Recording.read(sys.argv[1])).to_parquet(sys.argv[2])"
+    done = ended(place / "bin" / "python", "-c", bare, dataset[1], predict[1], cwd=work_folder)
+    assert done.returncode == 0, done.stderr
+    refused = ended(*twistbench, *predict, cwd=work_folder)
+    assert refused.returncode == 2 and "Mend: delete it and make it again: twistbench dataset" in refused.stderr
+
+
+@pytest.mark.long
+def test_a_model_that_python_saved_is_exported_as_the_reference_says(place: Path, folder: Path) -> None:
+    imported = ["import-run", "log.csv", "--map", "map.yaml", "--run", "saved"]
+    good(ended(place / "bin" / "twistbench", *imported, cwd=folder))
+    named = re.search(r"`twistbench (export nylon\.model [^`]*)`", (ROOT / "docs" / "api.md").read_text())
+    assert named
+    fit = "tb.fit('spline', tb.points(tb.Recording.read('raw/saved')))"
+    code = f"import twistbench as tb; {fit}.save('nylon.model')"
+    good(ended(place / "bin" / "python", "-c", code, cwd=folder))
+    good(ended(place / "bin" / "twistbench", *named[1].split(), cwd=folder))
+    assert (folder / "tsa.h").is_file()
 
 
 @pytest.mark.long

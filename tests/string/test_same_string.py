@@ -46,19 +46,20 @@ def test_all_recorded_runs_of_a_string_are_named_and_no_other(runs: list[Path]) 
 
 def test_what_comes_next_names_all_runs_of_the_string(runs: list[Path]) -> None:
     two, ten, first_run = runs
-    diagnose, lifespan = next_steps(ten, 9)
+    diagnose, dataset, lifespan = next_steps(ten, 9)
     assert diagnose.endswith(f"pipeline.diagnose {first_run} {two} {ten} --together --out reports/mine/a-10")
+    assert dataset.endswith(f": python -m pipeline.dataset {first_run} {two} {ten}")
     command = f"python -m pipeline.lifespan {first_run} {two} {ten} --out reports/mine"
     assert lifespan == f"Next: ask how long the string lasts by: {command}"
 
 
 def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: list[Path]) -> None:
     alone = runs[0].parent / "b-1"
-    diagnose, again = next_steps(alone, 9)
+    diagnose, _, again = next_steps(alone, 9)
     assert diagnose.endswith(f"python -m pipeline.diagnose {alone} --out reports/mine")
     described = f"python -m pipeline.new_run b-2 --like {alone}"
     assert again == f"Next: for another recording of this string: {described}, then record into it"
-    another = next_steps(alone, 9, anew=True)[1]
+    another = next_steps(alone, 9, anew=True)[-1]
     beginning = "Next: this rig's next recording is of another string (rig --standing keeps one string): "
     words = "b-2 --material"
     words = another.removeprefix(f"{beginning}python -m ").removesuffix(", then record into it")
@@ -66,7 +67,7 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
     assert done.returncode == 0, done.stderr
     other = read_run(alone.parent / "raw" / "b-2")
     assert other.string_id == "b-2" and other.rig == read_run(alone).rig
-    assert "pipeline.lifespan" in next_steps(alone, LIFE)[1] and LIFE == LEAST_STROKES
+    assert "pipeline.lifespan" in next_steps(alone, LIFE)[-1] and LIFE == LEAST_STROKES
 
 
 def test_strokes_of_all_runs_of_the_string_are_counted_for_what_comes_next(runs: list[Path]) -> None:

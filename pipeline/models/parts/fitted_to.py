@@ -15,11 +15,11 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from ...ground.command import command, make_command
+from ...ground.command import INSTALLED, command, make_command
 from ...ground.errors import BadInput
 from .divided import SPLITS
 from .saved import read_note, write_note
-from .saved_files import FIRST, material_of
+from .saved_files import FIRST, fit_command, material_of
 
 ALL = "all"  # in place of a split: no point was left out
 MEANS = (
@@ -99,6 +99,10 @@ class Apart:
         at_its_place = self.file.stem.partition("-")[0] == self.split and self.dataset.name == "dataset.parquet"
         at_its_place &= self.file.resolve().parent.parent == self.dataset.resolve().parent
         targets = [make_command(_from_here(file)) for file in files]
+        if at_its_place and (INSTALLED or not material_of(self.dataset)):
+            seed = self.file.stem.partition("-")[2]
+            by_seed = f" --seed {shlex.quote(seed)}" if seed not in ("", "0") else ""
+            return f"fit it anew: {fit_command(self.file.resolve().parent.name, _from_here(self.dataset))}{by_seed}"
         if not (at_its_place and targets[0] and material_of(self.dataset)):
             return "fit it anew"
         return f"fit it anew: {' '.join([targets[0], *(target.partition(' -- ')[2] for target in targets[1:])])}"

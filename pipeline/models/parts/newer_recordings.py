@@ -1,20 +1,20 @@
-"""What lies in `raw/` of a checkout and not in a dataset of its main job: one line, with what makes it anew."""
+"""What lies in `raw/` and not in a dataset of `processed/` beside it: one line, with what makes it anew."""
 
 import json
 import os
 import shlex
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from ...ground.command import make_command
+from ...ground.command import command, make_command
 from ...ground.errors import BadInput
 from ...ground.words.counts import are, listing
 from ...run.description import STRING_ACTUATORS
 from ...run.folder import RECORDINGS, find_runs, is_recorded, read_run
 from ...run.made_from import NAME, changed_files, read_runs
-from .saved_files import PROCESSED, RAW, material_of
+from .saved_files import PROCESSED, RAW, WORKFLOW, material_of
 
-WORKFLOW = "Snakefile"  # of a checkout
 KNOWN = Path(".snakemake/known_files.json")  # where the main job notes at each start which recordings it cannot use
 NAMED = 3  # runs that are named
 
@@ -31,17 +31,23 @@ class Newer(NamedTuple):
 def beware_of_newer(dataset: Path) -> str:
     """A line on what changed or was added in `raw/` since a dataset was made, with the mend; empty where nothing was.
 
-    Empty as well where the dataset lies at no place of a checkout's main job, or was made by an earlier version.
+    Empty as well where the dataset lies in no folder of `processed/`, or was made by an earlier version. Outside of a
+    checkout a person names the runs: those that were not named, or lie elsewhere, are not missed.
     """
     try:
         material, place = material_of(dataset), dataset.resolve()
         if not material or place.name != "dataset.parquet":
             return ""
         root, note = place.parents[2], place.with_name(NAME)
-        make = make_command(PROCESSED / material / place.name)
-        if not (make and all(path.exists() for path in (root / WORKFLOW, root / RAW, note))):
+        is_checkout = (root / WORKFLOW).exists()
+        if not all(path.exists() for path in (root / RAW, note)):
             return ""
         newer = _newer(root, material, note)
+        make = make_command(PROCESSED / material / place.name) if is_checkout else _made_of(read_runs(note))
+        if not is_checkout:
+            newer = newer._replace(new=[])
+        if not make or (newer.gone and not is_checkout):
+            return ""
     except (BadInput, OSError, ValueError, LookupError, TypeError, AttributeError):
         return ""  # whoever reads the dataset says what is wrong with its path, the main job what is with the note
     parts = [f"run.yaml of {_names(newer.described)} changed"] if newer.described else []
@@ -52,6 +58,11 @@ def beware_of_newer(dataset: Path) -> str:
         return ""
     to_root = "" if Path.cwd() == root else f"cd {shlex.quote(str(root))} && "
     return f"beware: {dataset} was made before this: {listing(parts)}. To make it anew: {to_root}{make}"
+
+
+def _made_of(runs: Iterable[str]) -> str:
+    """The command that makes a dataset of runs in `raw/`."""
+    return f"{command('dataset')} {' '.join(shlex.quote(str(RAW / run)) for run in sorted(runs))}"
 
 
 def _newer(root: Path, material: str, note: Path) -> Newer:

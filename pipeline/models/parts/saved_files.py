@@ -1,10 +1,11 @@
 """The fitted models in a project, for a person who must name one."""
 
 import re
+import shlex
 from collections.abc import Collection
 from pathlib import Path
 
-from ...ground.command import make_command
+from ...ground.command import INSTALLED, command, make_command
 from ...ground.errors import BadInput
 from ...ground.model_names import USUAL
 from ...ground.stored import seal
@@ -12,6 +13,10 @@ from ...ground.words.counts import counted
 
 RAW = Path("raw")  # of the folder that a program is started in
 PROCESSED = Path("processed")  # of the folder that a program is started in
+WORKFLOW = "Snakefile"  # of a checkout, whose main job makes what lies in `processed/`
+MODEL_FILE = "processed/<material>/<model>/<split>-<seed>.model"
+DATASET_FILE = "processed/<material>/dataset.parquet"
+MAKE_DATASET = f"{command('dataset')} raw/<run> ..."  # of the runs of one material
 FIRST = "within-0.model"  # of a model's files the one that is shown
 MOST_MATERIALS = 5  # that a help lists
 
@@ -42,7 +47,8 @@ def listed(names: Collection[str]) -> str:
         others = ", ".join(file.parent.name for file in files[1:])
         lines += [f"  {files[0]}{f', and of {others}' if others else ''}"] if files else []
     if not lines:
-        return "fitted models: none here yet; the main job makes processed/<material>/<model>/<split>-<seed>.model"
+        maker = f"made by: {fit_command()}" if INSTALLED else f"the main job makes {MODEL_FILE}"
+        return f"fitted models: none here yet; {maker}"
     more = [f"  and of {counted(len(lines) - MOST_MATERIALS, 'material')} more"] if len(lines) > MOST_MATERIALS else []
     return "\n".join(["fitted models here:", *lines[:MOST_MATERIALS], *more])
 
@@ -60,14 +66,44 @@ def material_of(dataset: Path) -> str:
 
 def dataset_mend(dataset: Path) -> str:
     """The mend for a missing dataset: name an existing one, or make this one alone."""
-    paths = ", ".join(map(str, datasets())) or "processed/<material>/dataset.parquet, which the main job makes"
+    paths = ", ".join(map(str, datasets()))
+    if INSTALLED:
+        return f"{f'name {paths}; or ' if paths else ''}make it of run folders: {MAKE_DATASET}"
     make = make_command(dataset) if not dataset.exists() and _is_recorded(material_of(dataset)) else ""
-    return f"name {paths}{f'; or make it alone, in seconds: {make}' if make else ''}"
+    named = paths or f"{DATASET_FILE}, which the main job makes"
+    return f"name {named}{f'; or make it alone, in seconds: {make}' if make else ''}"
+
+
+def fit_command(name: str = "", dataset: Path | str = DATASET_FILE) -> str:
+    """The command that fits a model to a dataset and saves it beside it; the usual model unless named."""
+    file = dataset if dataset == DATASET_FILE else shlex.quote(str(dataset))
+    return f"{command('fit')} {shlex.quote(name or USUAL)} {file}"
+
+
+def usual_folder(material: str) -> Path:
+    """Where the program `dataset` puts that of a material: in a checkout not where its main job makes one."""
+    return Path("reports/mine" if Path(WORKFLOW).exists() else PROCESSED, material)
+
+
+def is_of_checkout(folder: Path) -> bool:
+    """Whether the main job of a checkout makes the dataset and the models of a folder."""
+    place = folder.resolve()
+    return place.parent.name == PROCESSED.name and (place.parents[1] / WORKFLOW).exists()
+
+
+def refuse_of_checkout(folder: Path, field: str = "--out") -> None:
+    """Raise BadInput for the folder of a checkout's own dataset: its main job would go on from what was put there."""
+    if is_of_checkout(folder):
+        material = folder.resolve().name
+        make = make_command(PROCESSED / material / "dataset.parquet")
+        other = f"name another folder by --out, such as {usual_folder(material)}"
+        mend = f"{other}, or let it make them: {make}" if make else other
+        raise BadInput(field, str(folder), "is where a checkout makes its own dataset and models", mend)
 
 
 def _is_recorded(material: str) -> bool:
     """Whether a run in `raw/` names the material in its run.yaml, which is read as lines of text."""
-    line = re.compile(rf"^material: *[\"']?{re.escape(material)}[\"']? *(#.*)?$", re.MULTILINE)
+    line = re.compile(rf"^ *material: *[\"']?{re.escape(material)}[\"']? *(#.*)?$", re.MULTILINE)
     files = RAW.glob("*/run.yaml") if material else ()
     return any(line.search(file.read_text("utf-8", "replace")) for file in files if file.is_file())
 
