@@ -206,7 +206,7 @@ def test_the_tutorial_runs_on_the_wheel(place: Path, tmp_path: Path) -> None:
     shutil.copy(TUTORIAL.with_name("nylon_log.csv"), tmp_path)
     cells = code_cells()
     done = ended(place / "bin" / "python", "-c", as_program(cells), cwd=tmp_path)
-    assert not unlike(cells, good(done))
+    assert not (stale := unlike(cells, good(done))), f"store the notebook anew (CONTRIBUTING.md): {stale}"
 
 
 @pytest.mark.long
