@@ -1,4 +1,4 @@
-"""The rational-quadratic curve of one state in C (`models.rational`), forwards, backwards and by prepared tables."""
+"""The rational-quadratic curve of one state in C (`networks.rational`), forwards, backwards and by prepared tables."""
 
 CURVE = """\
 static inline tsa_real tsa_spline(const tsa_tables *tables, tsa_real u)

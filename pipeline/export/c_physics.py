@@ -98,7 +98,7 @@ def standardised(source: Source) -> list[str]:
 
 
 def paper_conditions(source: Source, mean: np.ndarray, std: np.ndarray, log_stroke: bool = True) -> list[str]:
-    """The scaled conditions b, l, r and n (`features.conditions`) as expressions; mean and std of shape (4,).
+    """The scaled conditions b, l, r and n (`condition_columns.conditions`) as expressions; mean and std of shape (4,).
 
     Mean and std in the columns' units.
     """
