@@ -14,6 +14,7 @@ from pathlib import Path
 LOOK_EVERY_S = 1.0
 LOOP = "Symlink loop from "  # how Path.resolve complains of one, up to Python 3.12
 LONGEST_WORD = 400  # characters of a word that a message repeats whole: paths that people use have fewer
+UNREAD = 128 + getattr(signal, "SIGPIPE", 13)  # what a program ends with whose reader left; Windows lacks the signal
 EXTRAS = {"torch": "models", "onnx": "export", "h5py": "formats", "openpyxl": "formats"}  # of the installed package
 
 
@@ -141,7 +142,7 @@ def program(main: Callable[[], int | None]) -> Callable[[], None]:
                         stream.flush()  # what is still to be said: a reader that left is noticed here
         except BrokenPipeError:
             _say_no_more()
-            status = 128 + signal.SIGPIPE
+            status = UNREAD
         sys.exit(status or 0)
 
     return command

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from ..diagnosis import written
 from ..diagnosis.choice.outcome import Study
 from ..diagnosis.document import made_keys
-from ..diagnosis.document.content import Verdict
+from ..diagnosis.document.content import Verdict, VerdictWord
 from ..diagnosis.in_memory import Say, diagnosed
 from ..diagnosis.numerics.judge import Judge
 from ..diagnosis.prediction.simulation import read_diagnosis
@@ -23,11 +23,11 @@ from ..diagnosis.words.pages.details import details_text
 from ..diagnosis.words.pages.verdict import verdict_text
 from ..ground.errors import BadInput
 from ..ground.units import unit_of
-from ..string.history import in_order
+from ..string.history import Recorded, in_order
 from ..systems import System, systems
 from .kind_of_rig import kind_of_rig
 from .mechanism import Interval, Mechanism, interval
-from .recording import Recording
+from .recording import Recording, as_recorded
 
 if TYPE_CHECKING:  # what draws takes 40 MB, and is imported when the search has let go of more
     from matplotlib.figure import Figure
@@ -37,29 +37,19 @@ SHOWN_DOTS = 80  # an inch, of the page in a notebook
 
 @dataclass(frozen=True, repr=False)
 class Diagnosis:
-    """What a diagnosis says. `content` is what `diagnosis.json` holds; the other names give its parts as objects.
-
-    `recorded`: the recordings that it was made of, in their order; none where it was read from a file.
-    """
+    """What a diagnosis says. `content` is what `diagnosis.json` holds; the other names give its parts as objects."""
 
     content: Verdict
     actuator: str
     _found: Study | None = field(default=None, compare=False)
-    recorded: tuple[RecordedRun, ...] = field(default=(), compare=False)
+    recorded: tuple[RecordedRun, ...] = field(default=(), compare=False)  # what it was made of; none if it was read
 
     @classmethod
-    def of(
-        cls,
-        *recordings: Recording,
-        without: frozenset[str] = frozenset(),
-        by: Judge | None = None,
-        say: Say = lambda _: None,
-    ) -> Diagnosis:
+    def of(cls, *recordings: Recording, without: frozenset[str] = frozenset()) -> Diagnosis:
         """The diagnosis of one recording, or of several of one rig together, in the order of their recording.
 
-        The library lacks the mechanisms in `without`; `by` judges in place of the library's own judge; `say` is told
-        each step. Raises BadInput for recordings that are not of one rig, for two of one name, and for one too poor to
-        decide anything.
+        The library lacks the mechanisms whose ids are in `without`. Raises BadInput for recordings that are not of one
+        rig, for two of one name, and for one too poor to decide anything.
         """
         if not recordings:
             raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
@@ -70,16 +60,7 @@ class Diagnosis:
                     "make each by Recording.read(folder) or Recording.of(table, description), and give them one by one"
                 )
                 raise BadInput("Diagnosis.of", "recordings", problem, mend)
-        ordered = in_order([each.recorded() for each in recordings])
-        names = [each.run.run for each in ordered]
-        if twice := [name for name in names if names.count(name) > 1]:
-            mend = "give each a name of its own: run, in its description or its run.yaml"
-            raise BadInput("Diagnosis.of", "recordings", f"{len(twice)} have one name, {twice[0]}", mend)
-        recorded = [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in ordered]
-        content, study = diagnosed(recorded, without, by, say)
-        if len(ordered) > 1:
-            content["run"] = names
-        return cls(content, ordered[0].run.actuator, study, tuple(recorded))
+        return diagnosis_of([as_recorded(each) for each in recordings], without)
 
     @classmethod
     def read(cls, path: Path | str, actuator: str | None = None) -> Diagnosis:
@@ -97,9 +78,9 @@ class Diagnosis:
         return systems()[self.actuator]
 
     @property
-    def verdict(self) -> str:
+    def verdict(self) -> VerdictWord:
         """consistent, parameters, explained, ambiguous or unknown."""
-        return str(self.content["verdict"])
+        return self.content["verdict"]
 
     @cached_property
     def mechanisms(self) -> tuple[Mechanism, ...]:
@@ -144,19 +125,11 @@ class Diagnosis:
     def figure(self) -> Figure:
         """The page of figures: recording over simulation, maps of the mismatch, explanations, error on unseen strokes.
 
-        Raises ValueError for a diagnosis that was read from a file: it holds no recording.
+        Raises BadInput for a diagnosis that was read from a file: it holds no recording.
         """
         from ..diagnosis.drawing import figures
 
-        return figures.drawn(self.study, self.content)
-
-    @property
-    def study(self) -> Study:
-        """What it was made from. Raises BadInput for a diagnosis that was read from a file: it holds no recording."""
-        if self._found is None:
-            problem = "is not there: this diagnosis was read from a file"
-            raise BadInput("diagnosis", "recording", problem, "diagnose the recording: Diagnosis.of(recording)")
-        return self._found
+        return figures.drawn(study_of(self), self.content)
 
     def to_json(self) -> str:
         """It as `diagnosis.json` holds it."""
@@ -192,3 +165,33 @@ class Diagnosis:
         FigureCanvasAgg(page).print_png(drawn)
         picture = base64.b64encode(drawn.getvalue()).decode()
         return f"{shown}<img alt='the page of figures' src='data:image/png;base64,{picture}'>"
+
+
+def diagnosis_of(
+    recorded_runs: list[Recorded],
+    without: frozenset[str] = frozenset(),
+    by: Judge | None = None,
+    say: Say = lambda _: None,
+) -> Diagnosis:
+    """As `Diagnosis.of`, of runs as the stages know them; `by` judges in place of the library's judge.
+
+    `say` is told each step. Raises BadInput as `Diagnosis.of` does.
+    """
+    ordered = in_order(recorded_runs)
+    names = [each.run.run for each in ordered]
+    if twice := [name for name in names if names.count(name) > 1]:
+        mend = "give each a name of its own: run, in its description or its run.yaml"
+        raise BadInput("Diagnosis.of", "recordings", f"{len(twice)} have one name, {twice[0]}", mend)
+    recorded = [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in ordered]
+    content, study = diagnosed(recorded, without, by, say)
+    if len(ordered) > 1:
+        content["run"] = names
+    return Diagnosis(content, ordered[0].run.actuator, study, tuple(recorded))
+
+
+def study_of(diagnosis: Diagnosis) -> Study:
+    """What a diagnosis was made from; raises BadInput for one that was read from a file: it holds no recording."""
+    if diagnosis._found is None:
+        problem = "is not there: this diagnosis was read from a file"
+        raise BadInput("diagnosis", "recording", problem, "diagnose the recording: Diagnosis.of(recording)")
+    return diagnosis._found

@@ -18,7 +18,7 @@ from ..models.parts.configured import configured, fitting
 from ..run.description import STRING_ACTUATORS
 from ..stages.dataset import make_dataset
 from .as_arguments import as_arguments, settings_in_json
-from .recording import Recording
+from .recording import Recording, as_recorded
 
 MOST_NAMES = 3  # of strings, in the line that shows a model
 
@@ -113,7 +113,7 @@ def points(recordings: Sequence[Recording] | Recording) -> pd.DataFrame:
             raise BadInput(recording.folder / "run.yaml", "actuator", problem, f"use {' or '.join(STRING_ACTUATORS)}")
     if not recordings:
         raise BadInput("points", "recordings", "are none", "give at least one recording")
-    return make_dataset([recording.recorded() for recording in recordings])
+    return make_dataset([as_recorded(recording) for recording in recordings])
 
 
 def fit(name: str, points: pd.DataFrame, seed: int = 0, **settings: object) -> FittedModel:

@@ -20,8 +20,7 @@ from ..string.history import Recorded, in_order
 from ..string.jumps_beside import Beside, Reader, are_beside, jumps_into
 from ..string.not_compared import not_compared
 from ..string.rests import Rests
-from .diagnosis import Diagnosis
-from .recording import Recording
+from .diagnosis import diagnosis_of, study_of
 
 ZEROS = "the zero of this string's runs"
 OWN_ZERO = "This verdict does not depend on it: each run has a zero of its own in it."
@@ -104,15 +103,14 @@ def decide(folders: list[Path], out: Path, options: Options) -> Decided:
     if len(runs) > 1:
         say(f"taken in the order in which they were recorded: {', '.join(run.run for run in runs)}")
     by = judge(options.judge_file) if options.judge_file else None
-    recordings = [Recording.of_run(recorded) for recorded in recorded_runs]
-    diagnosis = Diagnosis.of(*recordings, without=options.without, by=by, say=say)
+    diagnosis = diagnosis_of(recorded_runs, options.without, by, say)
     content = diagnosis.content
     if options.together:
         content["run"] = [run.run for run in runs]
     if options.rivals:
         fixed_load = bool((content["next_run"] or {}).get("fixed_load"))
-        write_text(out / "next_runs.json", json.dumps(foretold(diagnosis.study, runs[0], fixed_load)) + "\n")
-    optional("the page of figures", name, lambda: draw(diagnosis.study, content, out / "diagnosis", options.mark))
+        write_text(out / "next_runs.json", json.dumps(foretold(study_of(diagnosis), runs[0], fixed_load)) + "\n")
+    optional("the page of figures", name, lambda: draw(study_of(diagnosis), content, out / "diagnosis", options.mark))
     write_block(content, runs[0].system, out)
     of_string = runs[0].actuator in STRING_ACTUATORS
     rests = optional(ZEROS, name, lambda: [Rests.of(recorded) for recorded in recorded_runs]) if of_string else None

@@ -49,12 +49,8 @@ class Recording:
     @classmethod
     def read(cls, folder: Path | str) -> Recording:
         """The recording in a run folder, `run.yaml` and all, checked as the pipeline checks it; raises BadInput."""
-        return cls.of_run(from_raw.read(Path(folder)))
-
-    @classmethod
-    def of_run(cls, recorded: Recorded) -> Recording:
-        """A recording of a run that a stage has read."""
-        return cls(recorded.run, recorded.table, recorded.folder, recorded.started_utc, recorded.strokes)
+        read = from_raw.read(Path(folder))
+        return cls(read.run, read.table, read.folder, read.started_utc, read.strokes)
 
     @classmethod
     def of(cls, samples: pd.DataFrame, description: RunYaml) -> Recording:
@@ -93,7 +89,7 @@ class Recording:
         `simulate` is the sensor's. So a reading of the sensor is an answer less this. Of several runs of one string
         the first one's holds.
         """
-        return tare_mm(self.recorded())
+        return tare_mm(as_recorded(self))
 
     def simulate(
         self, diagnosis: Explained | None = None, motion: pd.DataFrame | None = None, after_recording: bool = False
@@ -150,10 +146,6 @@ class Recording:
             schemas.write(self.samples, schemas.samples(list(self.samples.columns)), temporary / "recording.parquet")
         return folder
 
-    def recorded(self) -> Recorded:
-        """It as the stages know a run, for a dataset."""
-        return Recorded(self.run, self.started_utc, self.samples, self.strokes, self.folder)
-
     def __repr__(self) -> str:
         span_s = self.samples["time_s"].iloc[-1] - self.samples["time_s"].iloc[0]
         channels = ", ".join(self.samples.columns[1:])
@@ -161,3 +153,8 @@ class Recording:
             f"<Recording {self.run.run}: {self.strokes['stroke'].max()} strokes, {len(self.samples)} samples over "
             f"{span_s:.1f} s of {channels}>"
         )
+
+
+def as_recorded(recording: Recording) -> Recorded:
+    """A recording as the stages know a run, for a dataset and a diagnosis."""
+    return Recorded(recording.run, recording.started_utc, recording.samples, recording.strokes, recording.folder)

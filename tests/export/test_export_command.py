@@ -32,6 +32,7 @@ from pipeline.ground.stored import schemas
 from pipeline.ground.words.jump_notes import SET_ANEW, write_jumps
 from pipeline.models.interface import about, make_model, settings_of
 from pipeline.models.parts.saved import read_json, write_bytes, write_json
+from pipeline.models.parts.saved_files import listed
 
 
 @dataclass
@@ -692,6 +693,18 @@ def test_who_names_no_fitted_model_is_told_which_there_are(
         arguments(["--help"])
     ending = capsys.readouterr().out.splitlines()[-2:]
     assert ending == ["fitted models here:", "  processed/nylon/spline/within-0.model, and of calibrated"]
+
+
+def test_a_help_that_lists_every_model_is_no_wider_than_a_screen(tmp_path, monkeypatch) -> None:
+    """With models to list and with none; no path is parted."""
+    monkeypatch.chdir(tmp_path)
+    assert max(map(len, listed(names()).splitlines())) <= 80
+    for name in names():
+        write_bytes(tmp_path / "processed" / "a-braided-line" / name / "within-0.model", b"numbers")
+    first, *lines = listed(names()).splitlines()
+    assert first == "fitted models here:" and len(lines) > 1 and max(map(len, lines)) <= 80
+    assert lines[0].startswith("  processed/a-braided-line/spline/within-0.model, and of ")
+    assert set(re.findall(r"\w+", " ".join(lines))) >= set(names())
 
 
 def test_the_example_begins_in_a_recorded_state_and_names_what_was_not_recorded(tmp_path: Path) -> None:

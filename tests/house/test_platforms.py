@@ -1,4 +1,4 @@
-"""Where a system has no fcntl, terminals, prctl, fdatasync or /proc, all runs but the serial line."""
+"""Where a system has no fcntl, terminals, prctl, fdatasync, signal PIPE or /proc, all runs but the serial line."""
 
 import json
 import os
@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[2]
 SERIAL = ("pipeline.capture", "pipeline.rig.serial_line", "pipeline.rig.__main__", "pipeline.rig.record")
 # takes them from our own code, and /proc from everybody
 POOR = """
-import builtins, errno, os, sys
+import builtins, errno, os, signal, sys
 TAKEN = {"fcntl", "pty", "tty", "termios", "resource", "pwd", "grp", "ctypes"}
 given = builtins.__import__
 
@@ -32,6 +32,7 @@ builtins.__import__ = poor_import
 sys.addaudithook(no_proc)
 if hasattr(os, "fdatasync"):
     del os.fdatasync
+del signal.SIGPIPE
 """
 
 
@@ -96,6 +97,21 @@ def test_a_run_goes_through_the_stages_there(make_run, tmp_path):
     ):
         done = poorly(code, module, *arguments, TWISTBENCH_PARENT=str(os.getpid()))
         assert done.returncode == 0 and arguments[-1].exists(), done.stderr
+
+
+@pytest.mark.parametrize("rich", [True, False])
+def test_a_program_whose_reader_left_ends_quietly_with_and_without_the_signal(rich):
+    code = "from pipeline.ground.errors import program\n"
+    code += "@program\ndef main():\n    while True:\n        print('more')\nmain()\n"
+    command = [sys.executable, "-c", code if rich else POOR + code]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    started = subprocess.Popen(command, cwd=ROOT, text=True, env=environment, **pipes)
+    started.stdout.readline()
+    started.stdout.close()
+    with started.stderr:
+        assert started.stderr.read() == ""
+    assert started.wait() == 128 + 13
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows says nothing of a parent's death")

@@ -112,7 +112,7 @@ def test_the_command_lists_its_programs_and_each_fits_a_screen(place: Path, fold
     done = ended(place / "bin" / "python", "-c", EVERY_HELP, *PROGRAMS, cwd=folder)
     for name, shown in zip(PROGRAMS, good(done).split("\f"), strict=True):
         assert shown.startswith(f"usage: twistbench {name} ") and len(shown.splitlines()) <= SCREEN, shown
-        assert max(map(len, shown.splitlines())) <= 100
+        assert max(map(len, shown.splitlines())) <= 80
     wrong = twistbench("diagnos")
     assert wrong.returncode == 2 and "use one of new-run" in wrong.stderr
 

@@ -1,4 +1,4 @@
-"""What stands in backticks in the pages and in the docstrings of the source exists: paths, modules and names in them."""
+"""What stands in backticks in the pages and in the source's docstrings exists: paths, modules and names in them."""
 
 import ast
 import re
@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from functools import cache
 from importlib.util import find_spec
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,8 @@ PATH = re.compile(rf"((?:[\w.-]+/)*[\w-]+\.py|(?:{'|'.join(TREES)})/[\w./-]+)(?:
 DOTTED = re.compile(r"[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)+")
 # what follows the dot in names of files, which modules are called like
 FILES = {
-    "csv", "frames", "html", "json", "lines", "lock", "mat", "md", "parquet", "pdf", "png", "py", "sha256", "txt", "yaml",
+    "csv", "frames", "html", "json", "lines", "lock", "mat", "md", "parquet", "pdf", "png", "py", "sha256", "txt",
+    "yaml",
 }  # fmt: skip
 # sections of run.yaml and diagnosis.json, which modules are called like: what is in them is no name of the module
 KEYS = {"evidence", "fit", "next_run", "rig", "samples", "string"}
@@ -105,7 +107,7 @@ def is_known(dotted: str) -> bool:
         return True
     if first not in inside():  # what begins with a capital is a constant or a class of some module
         return not second[0].isupper() or find_spec(first) is not None
-    return all(after in inside()[before] for before, after in zip(parts, parts[1:], strict=False))
+    return all(after in inside()[before] for before, after in pairwise(parts))
 
 
 def missing(path: Path) -> list[str]:

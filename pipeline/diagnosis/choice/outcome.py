@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from ..document.content import VerdictWord
 from ..fit import discrepancy
 from ..fit.calibrate import calibrate
 from ..fit.problem import Problem, State
@@ -31,7 +32,7 @@ class Study:
     nominal: State
     base: State
     noise: Noise
-    verdict: str
+    verdict: VerdictWord
     state: State  # with what was named, or the base
     best: State  # the best that the library offers, whatever the verdict
     sets: list[Explanation]
@@ -111,6 +112,7 @@ def decide(
         silent = [chance.act(problem, id_, nonlinear) for id_, nonlinear in new.items() if id_ not in acting]
         best = replace(best, acts=(*best.acts, *silent))
     gone_off = () if sets or random else tuple(excursions(problem, base))
+    verdict: VerdictWord
     if not sets:
         verdict = "unknown" if gone_off or (not random and mismatch > surely(noise) * floor) else "consistent"
         if verdict == "consistent" and better > (PARAMETERS_FROM * floor) ** 2:

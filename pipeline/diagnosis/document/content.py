@@ -1,7 +1,7 @@
 """What `diagnosis.json` holds, for whoever reads it. Keys that end in the rig's unit are read by `keyed`."""
 
 from collections.abc import Sequence
-from typing import NotRequired, TypedDict
+from typing import Literal, NotRequired, TypedDict
 
 from ...run.description import Included
 from .effects_named import Dimension, Location, MechanismEntry, OfYourOwn, StandIn
@@ -9,6 +9,8 @@ from .evidence import Evidence
 from .expected import NextRun
 from .explanations import ExplanationEntry
 from .made_keys import amount
+
+VerdictWord = Literal["consistent", "parameters", "explained", "ambiguous", "unknown"]
 
 
 class Simulated(TypedDict):
@@ -105,7 +107,7 @@ class Fit(TypedDict, total=False):
 class Verdict(Simulated, total=False):
     """The whole content, as docs/diagnosis_json.md describes it; only what is simulated must be there."""
 
-    verdict: str  # consistent, parameters, explained, ambiguous or unknown
+    verdict: VerdictWord
     mismatch: Mismatch | None
     mechanisms: list[MechanismEntry]
     alternatives: list[list[str]]

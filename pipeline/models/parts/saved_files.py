@@ -2,6 +2,7 @@
 
 import re
 import shlex
+import textwrap
 from collections.abc import Collection
 from pathlib import Path
 
@@ -19,6 +20,7 @@ DATASET_FILE = "processed/<material>/dataset.parquet"
 MAKE_DATASET = f"{command('dataset')} raw/<run> ..."  # of the runs of one material
 FIRST = "within-0.model"  # of a model's files the one that is shown
 MOST_MATERIALS = 5  # that a help lists
+WIDTH = 80  # columns of a help
 
 
 def fitted(material: Path, names: Collection[str]) -> list[Path]:
@@ -45,12 +47,17 @@ def listed(names: Collection[str]) -> str:
     for material in _materials():
         files = fitted(material, names)
         others = ", ".join(file.parent.name for file in files[1:])
-        lines += [f"  {files[0]}{f', and of {others}' if others else ''}"] if files else []
+        lines += [_narrow(f"  {files[0]}{f', and of {others}' if others else ''}")] if files else []
     if not lines:
-        maker = f"made by: {fit_command()}" if INSTALLED else f"the main job makes {MODEL_FILE}"
+        maker = f"made by: {fit_command()}" if INSTALLED else f"the main job makes\n  {MODEL_FILE}"
         return f"fitted models: none here yet; {maker}"
     more = [f"  and of {counted(len(lines) - MOST_MATERIALS, 'material')} more"] if len(lines) > MOST_MATERIALS else []
     return "\n".join(["fitted models here:", *lines[:MOST_MATERIALS], *more])
+
+
+def _narrow(line: str) -> str:
+    """A line of a help, on several lines where it is wider than a screen; no path is parted."""
+    return textwrap.fill(line, WIDTH, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
 
 
 def datasets() -> list[Path]:
