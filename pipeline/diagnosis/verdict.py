@@ -1,4 +1,8 @@
-"""The whole result of a diagnosis, as the content of `diagnosis.json`."""
+"""The whole result of a diagnosis, as the content of `diagnosis.json`.
+
+Source: Björck, Numerical Methods for Least Squares Problems, 1996 (which driver's smooth functions leave least of the
+mismatch).
+"""
 
 from typing import Any, Literal, cast
 

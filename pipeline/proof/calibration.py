@@ -1,4 +1,8 @@
-"""The best fit of a recording by calibration alone: the analytic model with its dimensions moved within tolerance."""
+"""The best fit of a recording by calibration alone: the analytic model with its dimensions moved within tolerance.
+
+Source: Branch, Coleman and Li, "A subspace, interior, and conjugate gradient method for large-scale bound-constrained
+minimization problems", SIAM Journal on Scientific Computing 21, 1999.
+"""
 
 from dataclasses import dataclass, replace
 

@@ -1,4 +1,7 @@
-"""Which effects look alike to any diagnosis: the best copy of an effect by another one, with calibration free."""
+"""Which effects look alike to any diagnosis: the best copy of an effect by another one, with calibration free.
+
+Source: Lawson and Hanson, Solving Least Squares Problems, 1974 (least squares without negative weights).
+"""
 
 from collections.abc import Iterable, Mapping
 

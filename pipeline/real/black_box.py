@@ -1,4 +1,8 @@
-"""Methods that learn without physics, on the strokes that the diagnosis is scored on; they are in `black_boxes`."""
+"""Methods that learn without physics, on the strokes that the diagnosis is scored on; they are in `black_boxes`.
+
+Source: Björck, Numerical Methods for Least Squares Problems, 1996 (the straight part, which is taken off before a
+method learns the rest).
+"""
 
 import argparse
 import json

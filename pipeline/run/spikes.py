@@ -1,4 +1,9 @@
-"""Spikes of a channel: single samples that stand out from neighbours which agree among themselves."""
+"""Spikes of a channel: single samples that stand out from neighbours which agree among themselves.
+
+Source: Tukey, Exploratory Data Analysis, 1977 (running medians); Hampel, "The influence curve and its role in robust
+estimation", Journal of the American Statistical Association 69, 1974 (the median of distances as their spread). When a
+sample is lonely is our own rule.
+"""
 
 from collections.abc import Callable
 

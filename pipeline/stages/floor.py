@@ -4,6 +4,9 @@ For each string and stroke it knows the mean contraction at a twist, and the mea
 curves through all measured points, `floor` one for each direction of motion, `floor_blind` one for both. What is left
 is noise, and for the blind oracle the loop too. It bounds the RMSE of models that see the twist (or contraction), the
 string, the stroke and (`floor`) the direction; one that sees more, the load or the past, may get below it.
+
+Source: Craven and Wahba, "Smoothing noisy data with spline functions", Numerische Mathematik 31, 1979 (generalised
+cross-validation); de Boor, A Practical Guide to Splines, 1978.
 """
 
 from collections.abc import Iterable

@@ -2,6 +2,9 @@
 
 A string whose load changes with each stroke often rested under the new run's load, or under loads about it, some
 strokes before. Compared with that, the zero is known without what the string stretches between the two loads.
+
+Source: Björck, Numerical Methods for Least Squares Problems, 1996 (a straight line over the loads). Which rests count
+is our own; measured in docs/models.md, "Several runs of one string".
 """
 
 from dataclasses import dataclass

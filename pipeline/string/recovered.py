@@ -3,7 +3,9 @@
 Under load a string creeps, at rest it takes some of it back. After the break its strokes work that out again: the rest
 after each reads less than the one before it, by more than a stroke usually takes. Of a sensor that kept its
 zero nobody need know it; one that was set to zero in between is tared without it (`zero.offsets_mm`).
-Measured: docs/models.md, "Several runs of one string".
+
+Source: Findley, Lai and Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, 1976 (recovery after creep).
+The rule is our own; measured in docs/models.md, "Several runs of one string".
 """
 
 from dataclasses import dataclass

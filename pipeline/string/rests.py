@@ -1,4 +1,9 @@
-"""The readings of a run's rests, which tell its zero: small enough to be kept without the samples."""
+"""The readings of a run's rests, which tell its zero: small enough to be kept without the samples.
+
+Source: Hampel, "The influence curve and its role in robust estimation", Journal of the American Statistical Association
+69, 1974 (the median of distances as their spread); Gasser, Sroka and Jennen-Steinmetz, "Residual variance and residual
+pattern in nonlinear regression", Biometrika 73, 1986 (noise from second differences).
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,13 +1,17 @@
 """What a person reads in the reference names every field of what is given, and every column of its tables."""
 
 import dataclasses
+import inspect
 import re
 from pathlib import Path
+from typing import get_args, get_type_hints
 
 import pytest
 
 import pipeline as tb
+from pipeline.diagnosis.document.content import VerdictWord
 from pipeline.ground.stored import schemas
+from pipeline.report.parts.diagnoses import VERDICTS
 
 API = Path(__file__).parents[2] / "docs" / "api.md"
 
@@ -36,3 +40,26 @@ def test_bad_input_names_what_it_holds() -> None:
 def test_a_table_names_its_columns(documented: object, schema: object) -> None:
     columns = set(schema.names)  # type: ignore[attr-defined]
     assert columns <= named(documented.__doc__), columns - named(documented.__doc__)
+
+
+def test_the_reference_shows_no_insides() -> None:
+    """What only programs of the package need are functions beside the classes."""
+    assert list(inspect.signature(tb.Diagnosis.of).parameters) == ["recordings", "without"]
+    assert {"read", "of", "strokes", "simulate"} <= set(vars(tb.Recording))
+    assert not {"of_run", "recorded"} & set(vars(tb.Recording)) and not hasattr(tb.Diagnosis, "study")
+    assert "recorded" not in named(tb.Diagnosis.__doc__)
+
+
+def test_a_verdict_has_the_words_of_its_type() -> None:
+    kinds = get_args(get_type_hints(tb.Diagnosis.verdict.fget)["return"])  # type: ignore[attr-defined]
+    assert kinds == get_args(VerdictWord) == VERDICTS
+    documented = re.findall(r"\w+", (tb.Diagnosis.verdict.__doc__ or "").replace(" or ", " "))
+    assert tuple(documented) == kinds
+
+
+def test_a_diagnosis_that_was_read_has_no_figure_and_says_so() -> None:
+    content = {"run": "a-1", "verdict": "consistent", "parameters": {}, "simulation": []}
+    diagnosis = tb.Diagnosis(content, "separator")  # type: ignore[arg-type]
+    with pytest.raises(tb.BadInput, match=r"was read from a file\. Mend: diagnose the recording"):
+        diagnosis.figure()
+    assert "Raises BadInput for a diagnosis that was read" in (tb.Diagnosis.figure.__doc__ or "")

@@ -1,4 +1,7 @@
-"""Effects that move at random: a recording shows that they are there and how large they are; nothing predicts them."""
+"""Effects that move at random: a recording shows that they are there and how large they are; nothing predicts them.
+
+Source: our own; what it can and cannot do is in docs/diagnosis.md, "Random events".
+"""
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d

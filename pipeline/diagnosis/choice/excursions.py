@@ -1,6 +1,9 @@
 """Where a reading goes off for a while and comes back: nothing that a string does, and no noise.
 
 A noise that holds such times is told far too loud, and then nothing else seems to be missing.
+
+Source: Hampel, "The influence curve and its role in robust estimation", Journal of the American Statistical Association
+69, 1974 (the median of distances as their spread). How far and how long counts is our own: docs/diagnosis.md, step 7.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,8 @@
-"""Recalibration in disguise: a named effect must do something in the recording that moved dimensions could not."""
+"""Recalibration in disguise: a named effect must do something in the recording that moved dimensions could not.
+
+Source: Stark and Parker, "Bounded-variable least squares: an algorithm and applications", Computational Statistics 10,
+1995 (the moved dimensions that come closest to an effect).
+"""
 
 import numpy as np
 from scipy.optimize import lsq_linear

@@ -2,6 +2,8 @@
 
 A motor that was switched off in between counts its turns from elsewhere, and a string's contraction grows ever faster
 with them: a diagnosis of one recording is far off in another until that zero is found.
+
+Source: Brent, Algorithms for Minimization without Derivatives, 1973 (the least of a function between two bounds).
 """
 
 from dataclasses import dataclass

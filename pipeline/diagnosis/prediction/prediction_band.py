@@ -3,6 +3,9 @@
 The band holds nine of ten readings if what acts is named rightly: it covers how well the numbers of the fit are known,
 and what the simulator missed unseen strokes by, or the noise where that is more. It covers no wrong explanation, no
 other string, and no motion beyond what was recorded.
+
+Source: the Laplace approximation of a posterior, MacKay, Neural Computation 4, 1992 (what the fit leaves open); Brent,
+Algorithms for Minimization without Derivatives, 1973 (the root that nine of ten readings lie within).
 """
 
 import copy

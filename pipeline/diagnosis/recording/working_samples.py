@@ -1,4 +1,8 @@
-"""What a diagnosis works on: the samples of its runs, joined, cleared of spikes, averaged to a working rate."""
+"""What a diagnosis works on: the samples of its runs, joined, cleared of spikes, averaged to a working rate.
+
+Source: Hampel, "The influence curve and its role in robust estimation", Journal of the American Statistical Association
+69, 1974 (the median of distances as their spread).
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,7 @@
-"""A mismatch over the course of a recording: its change with time, from stroke to stroke, and during rests."""
+"""A mismatch over the course of a recording: its change with time, from stroke to stroke, and during rests.
+
+Source: Björck, Numerical Methods for Least Squares Problems, 1996 (the slope of a straight line).
+"""
 
 import numpy as np
 

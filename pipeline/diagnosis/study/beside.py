@@ -2,6 +2,8 @@
 
 A drive's transmission errs by the place. Where no stand-in takes up that error, effects are named that only imitate
 its shape.
+
+Source: Björck, Numerical Methods for Least Squares Problems, 1996.
 """
 
 from dataclasses import replace

@@ -1,4 +1,9 @@
-"""Held out: the whole procedure without the last 30 % of strokes, then simulated through them."""
+"""Held out: the whole procedure without the last 30 % of strokes, then simulated through them.
+
+Source: Hampel, "The influence curve and its role in robust estimation", Journal of the American Statistical Association
+69, 1974 (the median of distances as their spread); Gasser, Sroka and Jennen-Steinmetz, "Residual variance and residual
+pattern in nonlinear regression", Biometrika 73, 1986 (noise from second differences).
+"""
 
 from typing import Literal, NotRequired, TypedDict
 

@@ -1,4 +1,8 @@
-"""Methods that learn a signal over a few columns without physics: a Gaussian process on some points, boosted trees."""
+"""Methods that learn a signal over a few columns without physics: a Gaussian process on some points, boosted trees.
+
+Source: Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006; Friedman, "Greedy function approximation:
+a gradient boosting machine", Annals of Statistics 29, 2001.
+"""
 
 import warnings
 from collections.abc import Callable

@@ -1,4 +1,8 @@
-"""One stroke's readings → its indicators with standard errors: the stroke, the rest, the loop, the model's error."""
+"""One stroke's readings → its indicators with standard errors: the stroke, the rest, the loop, the model's error.
+
+Source: Hampel, "The influence curve and its role in robust estimation", Journal of the American Statistical Association
+69, 1974 (the median of distances as their spread).
+"""
 
 import numpy as np
 

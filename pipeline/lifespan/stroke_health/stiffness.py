@@ -1,4 +1,7 @@
-"""The stiffness of the string in one stroke, from the change of its length with a load that varies."""
+"""The stiffness of the string in one stroke, from the change of its length with a load that varies.
+
+Source: Björck, Numerical Methods for Least Squares Problems, 1996.
+"""
 
 import numpy as np
 import pandas as pd

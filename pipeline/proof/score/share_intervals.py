@@ -1,4 +1,8 @@
-"""Intervals: exact ones of a share of counts and of a median, and bootstrap ones of a mean."""
+"""Intervals: exact ones of a share of counts and of a median, and bootstrap ones of a mean.
+
+Source: Clopper and Pearson, "The use of confidence or fiducial limits illustrated in the case of the binomial",
+Biometrika 26, 1934; Efron, "Bootstrap methods: another look at the jackknife", Annals of Statistics 7, 1979.
+"""
 
 from collections.abc import Sequence
 

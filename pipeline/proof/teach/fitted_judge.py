@@ -1,4 +1,9 @@
-"""Lessons → a judge: the weights under which the hidden effects are likeliest, kept small by a normal prior."""
+"""Lessons → a judge: the weights under which the hidden effects are likeliest, kept small by a normal prior.
+
+Source: McFadden, "Conditional logit analysis of qualitative choice behavior", in Zarembka, Frontiers in Econometrics,
+1974; Byrd, Lu, Nocedal and Zhu, "A limited memory algorithm for bound constrained optimization", SIAM Journal on
+Scientific Computing 16, 1995.
+"""
 
 from dataclasses import replace
 

@@ -1,4 +1,7 @@
-"""Signatures of concealed cases → a recogniser: a network that tells which mechanism made a mismatch."""
+"""Signatures of concealed cases → a recogniser: a network that tells which mechanism made a mismatch.
+
+Source: Bishop, Neural Networks for Pattern Recognition, 1995 (one hidden layer, softmax, weight decay).
+"""
 
 import warnings
 

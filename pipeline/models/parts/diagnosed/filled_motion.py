@@ -1,4 +1,9 @@
-"""The motion of a run's motor, as far as it is known: measured points and estimates, with the gaps filled."""
+"""The motion of a run's motor, as far as it is known: measured points and estimates, with the gaps filled.
+
+Source: Barlow, Bartholomew, Bremner and Brunk, Statistical Inference under Order Restrictions, 1972 (isotonic
+regression); Savitzky and Golay, "Smoothing and differentiation of data by simplified least squares procedures",
+Analytical Chemistry 36, 1964.
+"""
 
 from dataclasses import dataclass
 
