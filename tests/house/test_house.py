@@ -132,7 +132,7 @@ ROOMS_OF_DIAGNOSIS = {
     "mechanisms": "numerics recording",
     "fit": "document numerics recording mechanisms",
     "signature": "fit",
-    "choice": "numerics mechanisms fit signature",
+    "choice": "document numerics mechanisms fit signature",
     "study": "document numerics recording mechanisms fit choice",
     "facts": "document numerics recording mechanisms fit choice",
     "proposal": "document numerics recording mechanisms fit choice study facts",

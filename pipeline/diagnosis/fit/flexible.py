@@ -1,4 +1,4 @@
-"""What a regression without physics foretells of strokes that no fit has seen: the level that physics has to reach.
+"""What a regression without physics predicts of strokes that no fit has seen: the level that physics has to reach.
 
 Source: Friedman, "Greedy function approximation: a gradient boosting machine", Annals of Statistics 29, 2001.
 """

@@ -1,4 +1,4 @@
-"""How far the numbers that a simulator foretells may be off: by what its fit leaves open, and by what it missed before.
+"""How far the numbers that a simulator predicts may be off: by what its fit leaves open, and by what it missed before.
 
 Source: the Laplace approximation of a posterior, MacKay, Neural Computation 4, 1992.
 """
