@@ -145,8 +145,8 @@ def strokes_left(
 
     `limit_error` is the limit's standard error, `before` how many strokes set the reference and are not among these.
     `lived` is how many strokes the string was seen for, which sets the horizon; without it those from first n to last.
-    `power` is that of `futures_margin.later`. `since` counts each stroke from the break before it, shape (strokes,), where
-    breaks take back a part of the values: that part is no wear.
+    `power` is that of `futures_margin.later`. `since` counts each stroke from the break before it, shape (strokes,),
+    where breaks take back a part of the values: that part is no wear.
     """
     if len(n) + before < LEAST_STROKES:
         count = len(n) + before
