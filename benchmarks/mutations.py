@@ -19,7 +19,8 @@ DECISION = "tests/diagnosis/choice/test_judged.py tests/diagnosis/choice/test_re
 VERDICT = "tests/diagnosis/choice/test_outcome.py tests/diagnosis/choice/test_compare.py"
 WEIGHING = " ".join(f"tests/diagnosis/choice/test_{of}.py" for of in ("weigh", "kept", "judged"))
 SEARCH = " ".join(
-    f"tests/diagnosis/choice/test_{of}.py" for of in ("search_made", "candidates", "search", "cross_validation")
+    f"tests/diagnosis/choice/test_{of}.py"
+    for of in ("search_made", "three_instead", "candidates", "search", "cross_validation")
 )
 CHANCE = " ".join(f"tests/diagnosis/choice/test_{of}.py" for of in ("chance", "excursions", "closest"))
 JUDGE = "tests/diagnosis/numerics/test_judge.py tests/diagnosis/numerics/test_recogniser.py"
@@ -37,11 +38,21 @@ TARGETS = {
         {"wire/mending.py", "wire/in_order.py", "wire/decoded_recording.py"},
         "tests/wire/test_wire_mending.py tests/wire/test_wire_pieces.py tests/wire/test_wire_recording.py",
     ),
+    "account": (
+        {
+            f"wire/{module}.py"
+            for module in ("batch", "check", "counters", "frame_account", "possible_numbers", "timeline")
+        },
+        " ".join(
+            f"tests/wire/test_wire_{of}.py" for of in ("account", "frames", "recording", "numbers", "pieces", "mending")
+        ),
+    ),
+    "motion": ({"wire/motion.py"}, "tests/wire/test_wire_motion.py tests/wire/test_wire_frames.py"),
     "decision": ({"diagnosis/choice/judged.py", "diagnosis/choice/recalibration.py"}, DECISION),
     "verdict": ({"diagnosis/choice/outcome.py", "diagnosis/choice/compare.py"}, VERDICT),
     "weighing": ({"diagnosis/choice/weigh.py", "diagnosis/choice/kept.py"}, WEIGHING),
     "search": (
-        {f"diagnosis/choice/{module}.py" for module in ("search", "candidates", "cross_validation")},
+        {f"diagnosis/choice/{module}.py" for module in ("search", "three_instead", "candidates", "cross_validation")},
         SEARCH,
     ),
     "chance": ({f"diagnosis/choice/{module}.py" for module in ("chance", "excursions", "closest")}, CHANCE),
