@@ -12,6 +12,8 @@ from ..diagnosis.document.content import Verdict
 from ..diagnosis.in_memory import optional
 from ..diagnosis.numerics.judge import judge
 from ..diagnosis.proposal.foretold import foretold
+from ..diagnosis.words.language.vocabulary import Vocabulary
+from ..diagnosis.words.measured.run_zeros import fitted
 from ..diagnosis.written import draw, write_block, write_words
 from ..ground.stored.files import write_text
 from ..run.description import STRING_ACTUATORS, Run
@@ -70,7 +72,11 @@ class Decided:
             self.content["zero_jumps"] = entries
         for note in optional(ZEROS, self.name, lambda: not_compared(self.rests)) or []:
             print(f"{self.name}: {note} {OWN_ZERO}", file=sys.stderr)
-        doubts = [f"{jump.in_short} {OWN_ZERO}" for jump in jumps]
+        words = Vocabulary.of(self.runs[0].system)
+        doubts = [
+            " ".join(filter(None, (jump.in_short, fitted(self.content, jump.before, jump.run, words), OWN_ZERO)))
+            for jump in jumps
+        ]
         return write_words(self.content, self.runs[0].system, self.folders, self.out, doubts)
 
 

@@ -95,8 +95,10 @@ class Jump:
     def in_short(self) -> str:
         """What a page says on which nothing depends on it: all of it only where nobody has said what the zero did."""
         if self.taken_off:
-            moved = f"The zero of {self.run} was moved by {self.moved_mm:+.2g} mm since {self.before}"
-            return f"{moved}, as its run.yaml says (`tare: run`)."
+            return (
+                f"run.yaml of {self.run} says `tare: run`: its zero was set anew since {self.before}, by "
+                f"{self.moved_mm:+.2g} mm as its rests tell."
+            )
         if self.checked:
             reads = f"At rest {self.run} reads {self._more} than {self.before} at its end"
             return f"{reads}. Its run.yaml says `tare: checked`: so the change is the string's own."

@@ -57,33 +57,37 @@ NOTHING = Recovered("")  # where no two runs are compared
 def recovered(before: Rests, after: Rests) -> Recovered:
     """How much of a run's first rest was recovered in the break; 0 mm where the rests cannot tell.
 
-    It takes two strokes of the run before and three of the run itself.
+    It takes three rests of the run before and four of the run itself that compare with that first one; between them
+    there may be strokes under other loads.
     """
-    name, last, first = after.run.run, before.levels_mm[-USUAL - 1 :], _first(before, after)
-    if len(last) <= USUAL or len(first) <= LEAST or not _regular(before, slice(-USUAL - 1, None)):
+    name = after.run.run
+    last, first = _like_first(before, after)[-USUAL - 1 :], _first(after)
+    if len(last) <= USUAL or last[-1] != len(before.after) - 1 or len(first) <= LEAST:
         return Recovered(name)
-    end_mm, later_mm = ((levels[-USUAL - 1] - levels[-1]) / USUAL for levels in (last, first))
+    end_mm, later_mm = (_lost_mm(rests, places[-USUAL - 1 :]) for rests, places in ((before, last), (after, first)))
     usual_mm = max(min(end_mm, 0.5 * (end_mm + later_mm)), 0.0)
-    beyond_mm = first[0] - np.array(first[1:]) - usual_mm * np.arange(1, len(first))
+    strokes = np.array([after.after[at] for at in first[1:]])
+    beyond_mm = after.levels_mm[0] - np.array([after.levels_mm[at] for at in first[1:]]) - usual_mm * strokes
     least_mm = LEAST_FLOORS * max(before.noise_mm, after.noise_mm)
     mm = min(float(beyond_mm.max()), LOST * (before.levels_mm[0] - before.levels_mm[-1]))
     if mm <= least_mm:
         return Recovered(name)
-    strokes = 1 + int(np.argmax(beyond_mm > beyond_mm.max() - least_mm))
-    return Recovered(name, mm, strokes, after.turns[0])
+    return Recovered(name, mm, int(strokes[np.argmax(beyond_mm > beyond_mm.max() - least_mm)]), after.turns[0])
 
 
-def _first(before: Rests, after: Rests) -> tuple[float, ...]:
-    """The first rests of a run that compare with the last ones of the run before."""
-    turns, load_n = before.turns[-USUAL - 1 :], before.load_n[-USUAL - 1 :]
-    for count in range(min(MOST + 1, len(after.after)), LEAST, -1):
-        part = slice(count)
-        both = [*turns, *after.turns[part]], [*load_n, *after.load_n[part]]
-        if after.after[0] == 0 and _regular(after, part) and alike(*both, before.range_turns):
-            return after.levels_mm[part]
-    return ()
+def _like_first(rests: Rests, after: Rests) -> list[int]:
+    """The places of the rests that compare with the first one of the run `after`."""
+    each = enumerate(zip(rests.turns, rests.load_n, strict=True))
+    first_turns, first_n = after.turns[0], after.load_n[0]
+    return [at for at, (turns, load_n) in each if alike([first_turns, turns], [first_n, load_n], rests.range_turns)]
 
 
-def _regular(rests: Rests, part: slice) -> bool:
-    """Whether a rest follows every stroke of a part."""
-    return set(np.diff(rests.after[part])) == {1}
+def _first(after: Rests) -> list[int]:
+    """The places of a run's first rests that tell what it recovered, its very first one among them."""
+    return [at for at in _like_first(after, after) if after.after[0] == 0 and after.after[at] <= MOST]
+
+
+def _lost_mm(rests: Rests, places: list[int]) -> float:
+    """How much the rest changes from stroke to stroke between the first and the last of some rests."""
+    first, last = places[0], places[-1]
+    return (rests.levels_mm[first] - rests.levels_mm[last]) / (rests.after[last] - rests.after[first])

@@ -46,8 +46,10 @@ def asked(place: Path, runs: int) -> tuple[str, dict[str, Any]]:
 def test_what_comes_back_in_each_break_is_said_to_be_no_wear_and_is_not_foretold_to_grow(tmp_path: Path) -> None:
     """A string that never aged was to be calibrated again: its creep was foretold to go on for ever."""
     text, saved = asked(tmp_path, 4)
-    assert re.search(r"Recovery: in 3 of 3 breaks that error fell back, by 0\.\d+ mm in the median\. That is", text)
-    assert "no wear. The forecast counts as wear only what stays after the breaks" in text
+    assert re.search(
+        r"Recovery: in 3 of 3 breaks that error fell back, by 0\.\d+ mm in the median\. That recovers", text
+    )
+    assert "is no wear. The forecast counts as wear only what stays after the breaks" in text
     assert saved["recovery"]["state"] == "recovers" and saved["recovery"]["breaks_in_all"] == 3
     assert [each["before_stroke"] for each in saved["recovery"]["breaks"]] == [10, 19, 28]
     assert all(each["error_after_mm"] < 0.5 * each["error_before_mm"] for each in saved["recovery"]["breaks"])

@@ -80,7 +80,7 @@ def test_strokes_of_all_runs_of_the_string_are_counted_for_what_comes_next(runs:
     more, again = next_steps(runs[0], 1, reader=of_each(2))
     assert more.startswith("Next: record more of this rig: 5 strokes so far, and a diagnosis needs at least 6 to 8")
     assert again.startswith("Next: for another recording of this string: ")
-    diagnose, again = next_steps(runs[0], 2, reader=of_each(2))
+    diagnose, *_, again = next_steps(runs[0], 2, reader=of_each(2))
     assert "--together" in diagnose and "new_run" in again and "lifespan" not in again
     assert "pipeline.lifespan" in next_steps(runs[0], 4, reader=of_each(4))[-1]
 

@@ -241,7 +241,7 @@ def test_a_change_at_a_zero_that_was_checked_is_the_strings_own(whole: pd.DataFr
 
 @pytest.mark.parametrize(
     ("tare", "begins"),
-    [(None, "The zero jumps"), ("checked", "At rest a-2 reads"), ("run", "The zero of a-2 was moved")],
+    [(None, "The zero jumps"), ("checked", "At rest a-2 reads"), ("run", "run.yaml of a-2 says")],
 )
 def test_a_verdict_says_in_short_what_run_yaml_tells_of_a_zero(
     tmp_path: Path, monkeypatch, tare: str | None, begins: str
@@ -251,7 +251,8 @@ def test_a_verdict_says_in_short_what_run_yaml_tells_of_a_zero(
 
     recorded_runs = [read(folder) for folder in folders(tmp_path, JUMP_MM, tare)]
     rests = [Rests.of(recorded_run) for recorded_run in recorded_runs]
-    written, doubts = {}, []
+    zero = {"value": 0.5, "from_first": {"value": 0.6, "low": 0.57, "high": 0.63}}
+    written, doubts = {"run": ["a-1", "a-2"], "parameters": {"zero_2_mm": zero}}, []
     monkeypatch.setattr(of_folders, "write_words", lambda *arguments: doubts.extend(arguments[4]) or "")
     names = [recorded_run.folder for recorded_run in recorded_runs]
     of_folders.Decided(written, [recorded_run.run for recorded_run in recorded_runs], rests, names, tmp_path).write(
@@ -260,7 +261,8 @@ def test_a_verdict_says_in_short_what_run_yaml_tells_of_a_zero(
     (doubt,) = doubts
     assert doubt.endswith(of_folders.OWN_ZERO) and ("zero_jumps" in written) == (tare != "checked")
     assert doubt.startswith(begins) and f"`tare: {tare or 'checked'}`" in doubt
-    assert (len(doubt) < 250) == (tare is not None), "what is settled, and what nothing depends on, is said in short"
+    assert "Fitted together with all effects it is +0.60 mm (+0.57 to +0.63)." in doubt
+    assert (len(doubt) < 320) == (tare is not None), "what is settled, and what nothing depends on, is said in short"
 
 
 def test_of_a_zero_that_was_checked_nothing_more_is_asked() -> None:

@@ -21,6 +21,16 @@ def lines(content: Verdict, words: Vocabulary) -> list[str]:
     return [f"The zero of the reading, less that of {runs[0]} (90 % interval): {listing([*by_run[:MANY], *more])}."]
 
 
+def fitted(content: Verdict, before: str, run: str, words: Vocabulary) -> str:
+    """By how much a diagnosis of both finds the zero of a run to exceed that of the one before; else empty."""
+    runs = content["run"]
+    if isinstance(runs, str) or runs[0] != before or run not in runs:
+        return ""
+    moves = list(_from_first(content, words))
+    at = runs.index(run) - 1
+    return f"Fitted together with all effects it is {_amount(moves[at], words.unit)}." if at < len(moves) else ""
+
+
 def _from_first(content: Verdict, words: Vocabulary) -> Iterator[Interval]:
     """What the zero of each later run exceeds the first one's by, as far as the file says it."""
     for number in range(2, len(content["run"]) + 1):
