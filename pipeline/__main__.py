@@ -20,8 +20,8 @@ PROGRAMS = {  # in the order of the work
     "mend": "set a value of a run's run.yaml that a message names, or exchange two columns",
     "adopt": "put what a diagnosis found into a run's simulator, or take it out",
     "lifespan": "foretell how many strokes a string has left",
-    "dataset": "put the points of runs of one material together, for fit and predict",
-    "fit": "fit a model to a dataset, and save it for export",
+    "dataset": "put the points of runs of one material together, for fit-model and predict",
+    "fit-model": "fit a model to a dataset, and save it for export",
     "predict": "answer questions by a model, with intervals",
     "export": "write a fitted model as a C header or as ONNX graphs",
 }

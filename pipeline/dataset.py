@@ -93,8 +93,13 @@ def main() -> None:
     parser.add_argument("run_dir", type=run_dir, nargs="+", help="raw/<run>, recorded; all of one material")
     kept = "keep strokes in which samples were lost; default: they are left out, and named"
     parser.add_argument("--keep-lossy", action="store_true", help=kept)
-    usual = f"the folder of dataset.parquet, which may be new; default: {usual_folder('<material>')}"
-    parser.add_argument("--out", type=Path, metavar="FOLDER", help=usual)
+    parser.add_argument(
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="the folder of dataset.parquet, which may be new; default: processed/<material>, but "
+        "reports/mine/<material> in a checkout",
+    )
     arguments = parser.parse_args()
     refuse_twice(arguments.run_dir, "its strokes would count twice")
     material = material_of_runs(arguments.run_dir)

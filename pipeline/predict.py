@@ -26,7 +26,7 @@ from .ground.errors import program
 from .ground.input.outputs import file_to_write
 from .ground.input.parser import Parser
 from .ground.model_errors import Errors, chosen_of, errors_in
-from .ground.model_names import EQUATIONS, USUAL
+from .ground.model_names import EQUATIONS, NOMINAL, USUAL
 from .ground.stored import schemas
 from .ground.stored.files import write_text
 from .ground.stored.given_table import opened
@@ -118,10 +118,12 @@ def main() -> None:
         options = arguments.model, arguments.settings, arguments.seed, arguments.level, arguments.each_string
         fitted = Fitted(dataset, *options, arguments.dataset)
         questions = read_questions(arguments.questions, dataset, fitted.apart)
-        _tell_of_zero(arguments.dataset, dataset, questions.points, fitted.apart)
+        learns = arguments.model != NOMINAL
+        _tell_of_zero(arguments.dataset, dataset, questions.points, fitted.apart or not learns)
         table = fitted.answered(questions)
         to = f"each string of {arguments.dataset} alone" if fitted.apart else str(arguments.dataset)
-        by, less = f"by the {arguments.model} model, fitted anew to {to}", "without an interval"
+        of_what = f"fitted anew to {to}" if learns else "which learns nothing"
+        by, less = f"by the {arguments.model} model, {of_what}", "without an interval"
         if arguments.each_string and dataset["string"].nunique() == 1:
             print(f"note: --each-string changes nothing: {arguments.dataset} is of one string.", file=sys.stderr)
     if ANSWER_OF in table:

@@ -756,7 +756,11 @@ def test_what_is_said_of_the_zero_is_one_line_a_call(dataset: Path) -> None:
             path.unlink()
 
 
-@pytest.mark.parametrize("options", [["--model", "polynomial"], ["--model", "polynomial", "--each-string"]])
+@pytest.mark.parametrize(
+    "options",
+    [["--model", "polynomial"], ["--model", "polynomial", "--each-string"], ["--model", "traditional"]],
+    ids=lambda options: options[-1],
+)
 def test_the_zero_of_another_string_is_no_beware_of_the_questions(of_two: Path, options: list[str]) -> None:
     """It stood above answers about a string whose zero was never moved."""
     notes = of_two.with_name("zero_jumps.json")
@@ -766,7 +770,8 @@ def test_the_zero_of_another_string_is_no_beware_of_the_questions(of_two: Path, 
         for string in ("made-01", "made-02"):
             done = ask(of_two, f"stroke,direction,motor_turns,string\n2,1,9,{string}\n", *options)
             assert done.returncode == 0 and (f"beware: {JUMP}" in done.stderr) == (string == "made-01"), done.stderr
-            is_learnt = string == "made-02" and "--each-string" not in options
+            is_learnt = string == "made-02" and options == ["--model", "polynomial"]
+            assert ("by the traditional model, which learns nothing" in done.stdout) == ("traditional" in options)
             assert (f"{learnt}: {notes}\n" in done.stderr) == is_learnt, done.stderr
     finally:
         for path in notes.parent.glob(f"{notes.name}*"):

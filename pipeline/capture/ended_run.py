@@ -105,7 +105,7 @@ def tell_of_its_string(
         tell_refused(error, folder, info)
         return False
     anew = hello is not None and hello["device"] == SYNTHETIC_DEVICE and "program" not in hello
-    print("\n".join(next_steps(folder, whole, anew, beside.unreadable, reader)))
+    print("\n".join(next_steps(folder, whole, anew, beside)))
     return True
 
 

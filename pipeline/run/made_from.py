@@ -3,12 +3,16 @@
 Ingest notes the files of its run, and the stage of the dataset gathers these notes for the runs of a material.
 """
 
+import hashlib
+import json
 import os
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TypedDict
 
+from ..ground.errors import BadInput
+from ..ground.input.strict_yaml import parse_yaml
 from ..ground.stored.files import sha256
 from ..ground.stored.notes import read_note, write_note
 from .folder import RECORDINGS
@@ -16,7 +20,9 @@ from .folder import RECORDINGS
 NAME = "made_from.json"  # of the note beside the dataset of a material
 OF_RUN = "read_from.json"  # of the note beside the tables of a run: of one name, no rule would know which it is
 LARGEST = 100_000_000  # bytes of a note
-FILES = ("run.yaml", *RECORDINGS)  # of a run folder; capture.json, which says when it was, would part equal tables
+DESCRIPTION = "run.yaml"
+FILES = (DESCRIPTION, *RECORDINGS)  # of a run folder; capture.json, which says when it was, would part equal tables
+NOT_OF_POINTS = {"simulation", "adopted"}  # sections of run.yaml that change no point: what a diagnosis found
 
 
 class FileSeen(TypedDict):
@@ -34,7 +40,7 @@ def note_run(folder: Path, path: Path) -> None:
     seen: RunSeen = {}
     for file in (folder / name for name in FILES):
         with suppress(OSError):  # it is not there, or ingest says that it cannot be read
-            seen[file.name] = {"bytes": file.stat().st_size, "sha256": sha256(file)}
+            seen[file.name] = {"bytes": file.stat().st_size, "sha256": _digest(file)}
     write_note(path, seen)
 
 
@@ -63,8 +69,25 @@ def changed_files(folder: Path, seen: RunSeen, noted_s: float) -> list[str]:
 
 def _is_changed(file: Path, seen: FileSeen, noted_s: float) -> bool:
     """Whether a file's content is another than what was seen."""
+    if file.name == DESCRIPTION:
+        return _digest(file) != seen["sha256"]
     stat = os.stat(file)
     if stat.st_size != seen["bytes"]:
         return True
     older = max(stat.st_mtime, stat.st_ctime) < noted_s
-    return not (older and file.name in RECORDINGS) and sha256(file) != seen["sha256"]
+    return not older and sha256(file) != seen["sha256"]
+
+
+def _digest(file: Path) -> str:
+    """The check sum of a file; of run.yaml that of the sections which points are made of, if it can be read."""
+    if file.name != DESCRIPTION:
+        return sha256(file)
+    text = file.read_bytes()
+    try:
+        content = parse_yaml(text.decode("utf-8"), file)
+    except (BadInput, UnicodeDecodeError):
+        content = None
+    if not isinstance(content, dict):
+        return hashlib.sha256(text).hexdigest()
+    kept = {str(key): value for key, value in content.items() if key not in NOT_OF_POINTS}
+    return hashlib.sha256(json.dumps(kept, default=str, sort_keys=True).encode()).hexdigest()

@@ -1,18 +1,15 @@
 """The next steps after a recording: what the simulator leaves out, and the string's next run or its life."""
 
-import io
 import shlex
-from collections.abc import Container, Sequence
-from contextlib import redirect_stderr
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..ground.command import command
-from ..ground.errors import BadInput
 from ..ground.words.counts import counted
 from ..run.copied_run import of_another_string
 from ..run.folder import read_run
 from ..run.next_command import following
-from .jumps_beside import Reader
+from .jumps_beside import Beside
 from .same_string import next_name, others_recorded
 
 DIAGNOSIS = 6  # strokes that a diagnosis needs at least, as docs/record.md says; a test holds it to that page
@@ -23,26 +20,26 @@ def next_steps(
     folder: Path,
     strokes: int | None,
     anew: bool = False,
-    but: Container[Path] = (),
-    reader: Reader | None = None,
+    beside: Beside | None = None,
 ) -> list[str]:
     """Lines, each with a command to paste, for a run that was recorded with so many strokes, None if nobody counted.
 
-    Fewer than a diagnosis needs are said in place of its command; a `reader` counts those of the string's other runs
-    too. `anew`: the rig's next recording is of another string, as those of the synthetic rig are that keeps none. No
-    run of `but`, whose paths are resolved, is named: those cannot be read. Raises BadInput.
+    Fewer than a diagnosis needs are said in place of its command. What was read of the string's other runs, `beside`,
+    counts their strokes too, and no run is named that could not be read. `anew`: the rig's next recording is of another
+    string, as those of the synthetic rig are that keeps none. Raises BadInput.
     """
     run = read_run(folder)
-    others = [other for other in others_recorded(folder, run) if other.resolve() not in but]
+    others = others_recorded(folder, run)
+    in_all = _in_all(strokes, others, beside)
+    others = [other for other in others if not beside or other.resolve() not in beside.unreadable]
     lines = following(folder, recorded=True, others=others)
     if run.string is None:
         return lines
-    strokes = _in_all(strokes, others, reader)
-    if strokes is not None and strokes < DIAGNOSIS:
+    if in_all is not None and in_all < DIAGNOSIS:
         needs = f"a diagnosis needs at least {DIAGNOSIS} to 8, with holds (docs/record.md)"
         more = "let a recording go on for longer" if anew else "record more of this rig"
-        lines = [f"Next: {more}: {counted(strokes, 'stroke')} so far, and {needs}"]
-    if (others and strokes is None) or (strokes or 0) >= LIFE:
+        lines = [f"Next: {more}: {counted(in_all, 'stroke')} so far, and {needs}"]
+    if (others and in_all is None) or (in_all or 0) >= LIFE:
         runs = " ".join(shlex.quote(str(each)) for each in (*others, folder))
         lines.append(f"Next: ask how long the string lasts by: {command('lifespan')} {runs} --out reports/mine")
     elif anew:
@@ -54,19 +51,16 @@ def next_steps(
     return lines
 
 
-def _in_all(strokes: int | None, others: Sequence[Path], reader: Reader | None) -> int | None:
+def _in_all(strokes: int | None, others: Sequence[Path], beside: Beside | None) -> int | None:
     """The strokes of a run and those of the string's other runs; None where nobody has counted one of them.
 
-    As soon as they are enough for each of the steps no further run is read.
+    As soon as they are enough for each of the steps no further run is read. One that cannot be read has none to use.
     """
-    if strokes is None or (others and reader is None):
+    if strokes is None or (others and beside is None):
         return None
     for other in others:
-        if strokes >= LIFE or reader is None:
+        if strokes >= LIFE or beside is None:
             break
-        try:
-            with redirect_stderr(io.StringIO()):  # what is read as what is said when that run is used
-                strokes += int(reader(other).strokes["stroke"].max())
-        except BadInput:
-            return None
+        rests = beside.at(other)
+        strokes += rests.strokes if rests else 0
     return strokes

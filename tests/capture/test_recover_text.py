@@ -278,13 +278,14 @@ def test_the_next_command_names_no_run_that_cannot_be_read(folder):
     (folder / "run.yaml").write_text(yaml.safe_dump(content("run-1", string=string)))
     (folder / "recording.lines").write_text(wound(reset=500))
     recover(folder)
-    for name in ("run-2", "run-3"):
+    for name in ("run-2", "run-3", "run-4"):  # of two strokes each: a diagnosis needs six
         other = folder.parent / name
         other.mkdir()
         (other / "run.yaml").write_text(yaml.safe_dump(content(name, string=string)))
         (other / "recording.lines").write_text(wound())
         done = recover(other)
-    assert f"pipeline.diagnose {folder.parent}/run-2 {other} --together" in done.stdout, done.stdout
+    runs = f"{folder.parent}/run-2 {folder.parent}/run-3 {other}"
+    assert f"pipeline.diagnose {runs} --together" in done.stdout, done.stdout
     assert str(folder) not in done.stdout
 
 

@@ -135,7 +135,7 @@ def place(tmp_path_factory: pytest.TempPathFactory, saved: Path) -> Path:
 GOOD = {  # command lines that work, or end soon; every try spoils at least one word
     "predict": "dataset.parquet questions.csv --model polynomial --settings {} --level 0.9 --seed 0 --out out/a.csv",
     "dataset": "raw/a-3 --out out/d",
-    "fit": "polynomial points.parquet --settings {} --seed 0 --out out/m",
+    "fit_model": "polynomial points.parquet --settings {} --seed 0 --out out/m",
     "stages.train": "dataset.parquet --model polynomial --split within --seed 0 --settings {} --out-model out/m "
     "--out-predictions out/p.parquet",
     "export.__main__": "spline/within-0.model --format c --out out/t.h --name tsa --model spline "
@@ -320,7 +320,7 @@ def test_what_cannot_act_is_refused_before_a_plan_too(
         ("simulate", "raw/a-3 --simulation simulation.json --out"),
         ("settle.__main__", "raw/a-1 --out"),
         ("dataset", "raw/a-3 --out"),
-        ("fit", "polynomial dataset.parquet --out"),
+        ("fit_model", "polynomial dataset.parquet --out"),
     ],
 )
 def test_a_place_a_thousand_folders_deep_is_refused_in_words(place: Path, program: str, words: str) -> None:
@@ -338,7 +338,7 @@ LONG = {  # command lines of which one word has 5,000 characters
     "capture.__main__": ["{} raw/b-9", "/dev/null {}", "/dev/null raw/b-9 --baud {}", "/dev/null raw/b-9 --program {}"],
     "predict": ["dataset.parquet questions.csv --model {} --out o", "dataset.parquet {} --model polynomial --out o"],
     "dataset": ["{}", "raw/a-3 {}", "raw/a-3 --out {}"],
-    "fit": ["{} dataset.parquet", "polynomial {}", "polynomial dataset.parquet --settings {}"],
+    "fit_model": ["{} dataset.parquet", "polynomial {}", "polynomial dataset.parquet --settings {}"],
     "pack.unpack": ["{}", "a.zip {}"],
     "stages.train": ["dataset.parquet --model {}", "dataset.parquet --split {}", "{}"],
 }

@@ -140,7 +140,7 @@ LINES = {  # command lines whose every word is read, with what they end in: 0, o
         ("raw/a-3 --simulation simulation.json --out out/s.parquet", 0),
     ],
     "dataset": [("raw/a-3 raw/a-1 --out out/d", 0)],
-    "fit": [("polynomial points.parquet --settings {} --seed 0 --out out/m", 0)],
+    "fit_model": [("polynomial points.parquet --settings {} --seed 0 --out out/m", 0)],
     "predict": [("dataset.parquet questions.csv --model polynomial --settings {} --level 0.9 --out out/a.csv", 0)],
 }
 DEEP = "deep/" * 500

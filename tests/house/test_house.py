@@ -67,7 +67,18 @@ ROOMS = {
     "workflow": "ground run",
     "pack": "ground workflow",
 }
-PROGRAMS = {"__main__", "adopt", "dataset", "diagnose", "fit", "import_run", "mend", "new_run", "predict", "simulate"}
+PROGRAMS = {
+    "__main__",
+    "adopt",
+    "dataset",
+    "diagnose",
+    "fit_model",
+    "import_run",
+    "mend",
+    "new_run",
+    "predict",
+    "simulate",
+}
 
 
 def test_a_room_stands_on_the_rooms_below_it_and_on_no_other():
@@ -308,7 +319,7 @@ def test_what_needs_no_torch_does_not_import_it():
         "adopt",
         "predict",
         "dataset",
-        "fit",
+        "fit_model",
         "capture",
         "export",
     )

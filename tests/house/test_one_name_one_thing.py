@@ -22,7 +22,6 @@ ALIKE = {
         "glossary", "leak", "left_out", "models", "points", "proof", "real", "recorded_error", "recording", "score",
         "settle", "signature", "spikes", "verdict", "verdicts",
     },
-    "an act: of a model's numbers to points, of a simulator's to a recording": {"fit"},
     "a finding of the diagnosis: where it is made, the form in which it is kept, the words for it": {
         "another_rig", "closest", "dimensions", "evidence", "excursions", "expected", "explanations", "foretold",
         "held_out", "planned_motion", "planned_zero", "prediction", "residual", "rivals", "stand_ins",

@@ -60,6 +60,16 @@ def predicted(root: Path) -> programs.Done:
     return done
 
 
+def test_what_a_diagnosis_found_and_a_remark_change_no_point(root: Path) -> None:
+    """After `adopt` the dataset was said to be older than run.yaml, and to be made anew."""
+    description = root / "raw" / "a-1" / "run.yaml"
+    found = {"simulation": [{"id": "creep", "parameters": {"fresh": 1.0}}]}
+    description.write_text(f"# by hand\n{yaml.safe_dump(content('a-1') | found)}")
+    assert beware(root) == ""
+    description.write_text(yaml.safe_dump(content("a-1") | {"tare": "run"}))
+    assert "run.yaml of a-1" in beware(root)
+
+
 def test_a_changed_run_yaml_and_a_run_that_is_not_in_it_are_named_until_it_is_made_anew(root: Path) -> None:
     """`tare: checked` was written, and the answers went on asking for it: the dataset was older, and nobody said so."""
     for path in root.glob("raw/*/*"):

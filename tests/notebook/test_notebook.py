@@ -258,6 +258,13 @@ def test_a_model_whose_library_is_not_installed_says_which(
         tb.fit("cinn", tb.points([nylon]))
 
 
+def test_no_room_or_program_has_the_name_of_a_public_one() -> None:
+    """A program `fit` took the place of the function as soon as somebody imported it."""
+    folder = ROOT / "pipeline"
+    inside = {path.stem for path in folder.glob("*.py")} | {path.name for path in folder.iterdir() if path.is_dir()}
+    assert not inside & set(tb.__all__)
+
+
 def test_a_diagnosis_of_something_else_is_refused(nylon: tb.Recording) -> None:
     with pytest.raises(tb.BadInput, match=r"are DataFrame.*Recording\.read"):
         tb.Diagnosis.of(nylon.samples)  # type: ignore[arg-type]

@@ -162,7 +162,9 @@ def test_four_commands_lead_from_a_run_folder_to_answers_and_to_a_header(place: 
     refused = ended(*twistbench, *predict, cwd=work_folder)
     assert refused.returncode == 2 and "make it of run folders: twistbench dataset raw/<run> ..." in refused.stderr
     refused = ended(*twistbench, *export, cwd=work_folder)
-    assert refused.returncode == 2 and "twistbench fit spline processed/<material>/dataset.parquet" in refused.stderr
+    assert (
+        refused.returncode == 2 and "twistbench fit-model spline processed/<material>/dataset.parquet" in refused.stderr
+    )
     asks = good(ended(*twistbench, *dataset, cwd=work_folder))
     (write,) = re.findall(r"printf .*", asks)
     subprocess.run(["sh", "-c", write], cwd=work_folder, check=True)

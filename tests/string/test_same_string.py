@@ -4,7 +4,6 @@ import json
 import shlex
 from pathlib import Path
 
-import pandas as pd
 import programs
 import pytest
 from made_recording import content
@@ -12,9 +11,9 @@ from stages.nine_strokes import string
 
 from pipeline.lifespan.forecast.strokes_left import LEAST_STROKES
 from pipeline.run.folder import read_run
-from pipeline.string.history import Recorded
-from pipeline.string.jumps_beside import Reader
+from pipeline.string.jumps_beside import Beside
 from pipeline.string.next_steps import DIAGNOSIS, LIFE, next_steps
+from pipeline.string.rests import Rests
 from pipeline.string.same_string import next_name, others_recorded, tares
 
 
@@ -73,16 +72,20 @@ def test_after_the_first_run_the_second_is_described_or_the_life_asked(runs: lis
 def test_strokes_of_all_runs_of_the_string_are_counted_for_what_comes_next(runs: list[Path]) -> None:
     """Of a second run the end said `diagnose` and `lifespan`, though both runs had three strokes in all."""
 
-    def of_each(strokes: int) -> Reader:
-        table = pd.DataFrame({"stroke": range(1, strokes + 1)})
-        return lambda folder: Recorded(read_run(folder), "", table, table, folder)
+    class OfEach(Beside):
+        def __init__(self, strokes: int) -> None:
+            super().__init__()
+            self.rests = Rests(read_run(runs[0]), runs[0], "", (0.0, 1.0), strokes, (), (), (), (), 20.0, 0.01)
 
-    more, again = next_steps(runs[0], 1, reader=of_each(2))
+        def at(self, folder: Path) -> Rests:
+            return self.rests
+
+    more, again = next_steps(runs[0], 1, beside=OfEach(2))
     assert more.startswith("Next: record more of this rig: 5 strokes so far, and a diagnosis needs at least 6 to 8")
     assert again.startswith("Next: for another recording of this string: ")
-    diagnose, *_, again = next_steps(runs[0], 2, reader=of_each(2))
+    diagnose, *_, again = next_steps(runs[0], 2, beside=OfEach(2))
     assert "--together" in diagnose and "new_run" in again and "lifespan" not in again
-    assert "pipeline.lifespan" in next_steps(runs[0], 4, reader=of_each(4))[-1]
+    assert "pipeline.lifespan" in next_steps(runs[0], 4, beside=OfEach(4))[-1]
 
 
 def test_fewer_strokes_than_a_diagnosis_needs_are_said_and_not_diagnosed(runs: list[Path]) -> None:

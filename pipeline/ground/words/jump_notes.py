@@ -14,8 +14,11 @@ NAME = "zero_jumps.json"  # of the note, beside the dataset
 LARGEST = 10_000_000  # bytes of a note
 NOT_COMPARED = "zero not compared between"  # how a sentence begins on runs of which a jump is not seen
 SET_ANEW = "zero set anew at"  # how one begins on a run whose run.yaml says `tare: run`
-OFF = "off by 0.02 to 0.05 mm (median, by how a string creeps), in one break of ten by more than 0.1 to 0.3 mm"
-KNOWN_IN_PART = f"Such a zero is known in part: on simulated strings it was {OFF}, at worst by 0.8 mm."
+OFF = (
+    "off by 0.02 to 0.08 mm (median, by how a string creeps and whether its loads vary), in one break of ten by more "
+    "than 0.1 to 0.3 mm"
+)
+KNOWN_IN_PART = f"Such a zero is known in part: on simulated strings it was {OFF}, at worst by 1.3 mm."
 EARLIER_REST = "Compared with an earlier rest, a zero is off by all that the string changed since that rest."
 CARRIED = (
     "Carried to another load by the line of the rests, a zero is off by what they stray from that line (the noise at "

@@ -84,7 +84,7 @@ def dataset_mend(dataset: Path) -> str:
 def fit_command(name: str = "", dataset: Path | str = DATASET_FILE) -> str:
     """The command that fits a model to a dataset and saves it beside it; the usual model unless named."""
     file = dataset if dataset == DATASET_FILE else shlex.quote(str(dataset))
-    return f"{command('fit')} {shlex.quote(name or USUAL)} {file}"
+    return f"{command('fit_model')} {shlex.quote(name or USUAL)} {file}"
 
 
 def usual_folder(material: str) -> Path:

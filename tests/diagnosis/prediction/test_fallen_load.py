@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from contextlib import nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -48,7 +49,9 @@ def test_the_load_before_a_plan_is_that_of_the_recordings_it_follows(
     assert (FALLS in done.stderr) is falls, done.stderr
     assert set(pd.read_csv(out)["outside"]) == {int(falls)}, done.stderr
     diagnosis = SimpleNamespace(content=content, recorded=())  # read from a file: the runs lie in folders
-    answer = Recording.read(folders[simulated]).simulate(diagnosis, pd.DataFrame(corners), late)
+    read = Recording.read(folders[simulated])
+    with pytest.warns(UserWarning, match=FALLS) if falls else nullcontext():
+        answer = read.simulate(diagnosis, pd.DataFrame(corners), late)
     assert list(answer["outside"].astype(int)) == list(pd.read_csv(out)["outside"]), "the Python call says the same"
 
 

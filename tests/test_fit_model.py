@@ -24,7 +24,7 @@ def root(tmp_path: Path) -> Path:
 
 
 def fit(root: Path, *words: str) -> programs.Done:
-    return programs.run("pipeline.fit", *words, cwd=root)
+    return programs.run("pipeline.fit_model", *words, cwd=root)
 
 
 def test_it_is_byte_by_byte_what_the_stage_makes_of_both_splits(root: Path) -> None:
@@ -73,7 +73,7 @@ def test_outside_of_a_job_an_older_fit_names_the_command_and_the_synthetic_rig_i
     assert MADE_UP in programs.run("pipeline.export.__main__", *words, cwd=root).stdout
     schemas.write(points.assign(run="another"), schemas.DATASET, path)
     done = programs.run("pipeline.export.__main__", *words, cwd=root)
-    anew = "python -m pipeline.fit polynomial mine/dataset.parquet --seed 1"
+    anew = "python -m pipeline.fit_model polynomial mine/dataset.parquet --seed 1"
     assert done.returncode == 0 and f"fit it anew: {anew}\n" in done.stdout, done.stdout
 
 

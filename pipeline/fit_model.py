@@ -58,13 +58,17 @@ def fit(name: str, settings: str, dataset: Path, files: dict[str, Path], number:
 @program
 def main() -> None:
     """Write the model's files, and print its errors and the commands that come next."""
-    parser = Parser(prog=command("fit"), description=__doc__)
+    parser = Parser(prog=command("fit_model"), description=__doc__)
     parser.add_argument("model", metavar="MODEL", help=f"one of {', '.join(names())}")
     parser.add_argument("dataset", type=Path, help=f"{DATASET_FILE}; made by: {MAKE_DATASET}")
     parser.add_argument("--settings", default="{}", metavar="JSON", help="the model's settings")
     parser.add_argument("--seed", type=seed, default=0, help="what a network begins with; default: 0")
-    usual = "the folder in which MODEL/within-SEED.model is put; default: that of the dataset, where others look for it"
-    parser.add_argument("--out", type=Path, metavar="FOLDER", help=usual)
+    parser.add_argument(
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="the folder in which MODEL/within-SEED.model is put; default: the dataset's, where others look for it",
+    )
     arguments = parser.parse_args()
     if arguments.model not in names():
         problem = "is no model that can be exported"
