@@ -15,6 +15,7 @@ from .weigh import weighed
 
 HELD = 0.8  # of the probability of all explanations: the sets of a verdict hold at least this together
 TAUGHT = 2  # effects in a lesson at most
+POOR = 2.5  # noise floors: the likeliest explanation that leaves more stands behind three effects as likely
 UNKNOWN = 0.4  # probability of "none of them" from which on the verdict is `unknown`
 
 
@@ -107,5 +108,6 @@ def judged(search: Search, base: State, chosen: Explanation, floor: float) -> Ju
         candidates += [candidate for candidate in anew if candidate.ids in unweighed]
         instead &= {candidate.ids for candidate in candidates}  # the others lack a mark in the recording
         likely = as_likely(likely, instead, first)
-        named_sets = sorted({*named_sets, *instead}, key=lambda ids: (-likely[ids], ids != first, ids))
+        before = instead if search.explain(first).energy > (POOR * floor) ** 2 else {first}
+        named_sets = sorted({*named_sets, *instead}, key=lambda ids: (-likely[ids], ids not in before, ids))
     return Judged([search.explain(ids) for ids in named_sets], likely, none, tuple(candidates))

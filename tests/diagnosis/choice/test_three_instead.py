@@ -68,18 +68,27 @@ def test_three_of_either_kind_are_together_as_likely_as_the_pair():
     assert kept[second] == pytest.approx(0.8 * kept[pair]), "none loses what it had"
 
 
-def test_the_three_are_as_likely_as_the_pair_and_lack_no_mark(monkeypatch):
-    pair, three, other = ("backlash", "plastic_elongation"), tuple(TRUTH.split()), ("backlash", "clamp_slip", "creep")
+@pytest.mark.parametrize(("left_floors", "is_first"), [(2.4, False), (2.6, True)])
+def test_the_three_are_as_likely_as_the_pair_and_stand_before_it_where_it_leaves_much(
+    monkeypatch, left_floors, is_first
+):
+    """A pair that left 7.1 times the noise was the best explanation, before three as likely that left 1.9 times."""
+    pair, three, other = (
+        ("backlash", "plastic_elongation"),
+        tuple(TRUTH.split()),
+        ("backlash", "clamp_slip", "creep"),
+    )  # `other` lacks a mark
     weighed = iter([[pair, ("creep",)], [pair, ("creep",), three]])  # the recording lacks a mark of the other three
     monkeypatch.setattr(judged, "weighed", lambda *_: [Weighed(ids, {}) for ids in next(weighed)])
     monkeypatch.setattr(judged, "three_instead", lambda *_: [SimpleNamespace(ids=three), SimpleNamespace(ids=other)])
     judge = SimpleNamespace(probabilities=lambda sets: np.array([0.8, 0.1, 0.1]))
     problem = SimpleNamespace(drivers=SimpleNamespace(levered=True), judge=judge)
     search = SimpleNamespace(
-        linear=SimpleNamespace(problem=problem), explain=lambda ids: SimpleNamespace(ids=ids, energy=0.0)
+        linear=SimpleNamespace(problem=problem),
+        explain=lambda ids: SimpleNamespace(ids=ids, energy=(0.01 * left_floors) ** 2),
     )
     judgement = judged.judged(search, None, SimpleNamespace(ids=pair), 0.01)
-    assert [explanation.ids for explanation in judgement.sets] == [pair, three]
+    assert [explanation.ids for explanation in judgement.sets] == ([three, pair] if is_first else [pair, three])
     assert judgement.likely[pair] == judgement.likely[three] == pytest.approx(0.8 * 0.9 / 1.7)
     assert sum(judgement.likely.values()) + judgement.none == pytest.approx(1.0) and other not in judgement.likely
     assert [each.ids for each in judgement.weighed] == [pair, ("creep",), three]

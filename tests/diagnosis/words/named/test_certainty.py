@@ -64,6 +64,8 @@ def test_an_effect_less_likely_than_not_is_one_of_several_or_rather_absent():
     text = " ".join(told(confident(0.93, 0.34, alternatives=several)).split())
     others = "explanations of 34 % have it, and the others that are likely have another effect in its place"
     assert f"creep is open: {others}." in text and "absent" not in text, "a reader took it for no creep"
+    both = " ".join(told(confident(0.34, 0.34, alternatives=[["thermal", "wear"], ["sensor_drift"]])).split())
+    assert "friction_hysteresis and creep are open: explanations of 34 % have each, and the others" in both
     text = told(confident(0.93, 0.62))
     assert "is needed; it" not in text and "more likely absent" not in text
 
