@@ -49,7 +49,7 @@ def listed(names: Collection[str]) -> str:
         others = ", ".join(file.parent.name for file in files[1:])
         lines += [_narrow(f"  {files[0]}{f', and of {others}' if others else ''}")] if files else []
     if not lines:
-        maker = f"made by: {fit_command()}" if INSTALLED else f"the main job makes\n  {MODEL_FILE}"
+        maker = f"made by\n  {fit_command()}" if INSTALLED else f"the main job makes\n  {MODEL_FILE}"
         return f"fitted models: none here yet; {maker}"
     more = [f"  and of {counted(len(lines) - MOST_MATERIALS, 'material')} more"] if len(lines) > MOST_MATERIALS else []
     return "\n".join(["fitted models here:", *lines[:MOST_MATERIALS], *more])
