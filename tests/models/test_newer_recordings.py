@@ -63,8 +63,8 @@ def predicted(root: Path) -> programs.Done:
 def test_what_a_diagnosis_found_and_a_remark_change_no_point(root: Path) -> None:
     """After `adopt` the dataset was said to be older than run.yaml, and to be made anew."""
     description = root / "raw" / "a-1" / "run.yaml"
-    found = {"simulation": [{"id": "creep", "parameters": {"fresh": 1.0}}]}
-    description.write_text(f"# by hand\n{yaml.safe_dump(content('a-1') | found)}")
+    simulated = {"simulation": [{"id": "creep", "parameters": {"fresh": 1.0}}]}
+    description.write_text(f"# by hand\n{yaml.safe_dump(content('a-1') | simulated)}")
     assert beware(root) == ""
     description.write_text(yaml.safe_dump(content("a-1") | {"tare": "run"}))
     assert "run.yaml of a-1" in beware(root)
