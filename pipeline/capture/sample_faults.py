@@ -3,10 +3,8 @@
 import struct
 from pathlib import Path
 
-from ..ground.errors import BadInput
-from ..run.description import Run
 from ..run.doubts.wrong_sign import FALLS, POSITIVE, turned_sign
-from ..run.folder import read_run
+from ..run.folder import described
 from ..run.mend_command import mend_command
 from ..wire import Frame, Hello
 from .motion_faults import FROZEN, LEAST_TURNS, REVERSED, MotionFaults, stands_words
@@ -24,7 +22,7 @@ class Watch:
 
     def __init__(self, hello: Hello, folder: Path | None = None) -> None:
         self.hello, self._folder = hello, folder
-        self._run = _described(folder)
+        self._run = described(folder) if folder else None  # one that cannot be read is said when the recording begins
         self.now: dict[str, float] = {}
         self._layout = struct.Struct("<I" + "".join(CODES[channel.type] for channel in hello.channels))
         self._every = max(1, round(hello.rate_hz / LOOKS_HZ))
@@ -85,13 +83,3 @@ class Watch:
             return None
         self._said.add(what)
         return sentence
-
-
-def _described(folder: Path | None) -> Run | None:
-    """The description of the run in a folder, where there is one that can be read."""
-    if folder is None:
-        return None
-    try:
-        return read_run(folder)
-    except BadInput:
-        return None  # said when the recording begins

@@ -10,7 +10,6 @@ from .forecast.life_questions import Answer, first
 from .json_recovery import RecoverySaid, finite, recovered
 from .stroke_health.health import INDICATORS, Health
 from .stroke_health.reading_jump import JUMPING, steps
-from .stroke_health.recovery import recovery
 from .words.calibration_advice import ask_again_after, recalibrate_after
 from .words.sentences import UNFORESEEN, zero
 
@@ -155,7 +154,7 @@ def lifespan(health: Health, answers: list[Answer], level: float) -> LifespanSai
             for name in JUMPING
             for step in steps(table, name)
         ],
-        "recovery": recovered(recovery(table)),
+        "recovery": recovered(next(answer.recovery for answer in answers if answer.question == "model_error")),
         "tares": [*health.tares, *(zero(jump) for jump in health.jumps if jump.checked)],
         "zeros_not_compared": health.uncompared,
         "starts_anew": health.anew,

@@ -33,6 +33,14 @@ def read_run(folder: Path | str) -> Run:
     return run
 
 
+def described(folder: Path) -> Run | None:
+    """The description of the run in a folder; None where there is none that can be read."""
+    try:
+        return read_run(folder)
+    except BadInput:
+        return None
+
+
 def _mend_of_undescribed(folder: Path) -> str:
     """The mend of a folder without a `run.yaml`; of a recording that nobody described with its name."""
     if not any((folder / name).is_file() for name in (*CAPTURED, *RECORDINGS)):

@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ...ground.errors import BadInput
 from ...ground.units import unit_of
 from ...run.description import Channel, Run
-from ...run.folder import read_run
+from ...run.folder import described
 from ...run.table.named_units import in_its_unit
 from .naming import NEEDED
 from .near_names import mend_of
@@ -33,10 +32,8 @@ class ReadChannels:
         self.folder, self.columns = folder, columns
         self.places: dict[str, Place] = {}
         self.lacking: list[str] = []
-        try:
-            self.run: Run | None = read_run(folder)
-        except BadInput:
-            self.run = None
+        self.run = described(folder)
+        if self.run is None:
             return
         for name in self.run.system.columns:
             self._place(name, self.run)

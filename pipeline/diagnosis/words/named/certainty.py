@@ -46,6 +46,11 @@ def is_likely(content: Verdict, id_: str) -> bool:
     return reaches(known(content).get(id_, 0.0), SURE)
 
 
+def is_sure(content: Verdict, words: Vocabulary, id_: str) -> bool:
+    """Whether a named effect is called sure: it is likely enough, and nothing holds that back."""
+    return is_likely(content, id_) and not held_back(content, words, id_)
+
+
 def held_back(content: Verdict, words: Vocabulary, id_: str) -> str:
     """Why a likely effect is still not called sure; ends a phrase with `since`."""
     lacks = dict.fromkeys([*(["load"] if id_ in slow_alike(content, words) else []), *missing(content, words, id_)])
@@ -154,7 +159,7 @@ def than_the_explanation(content: Verdict) -> list[str]:
 
 def no_promise(content: Verdict, words: Vocabulary) -> list[str]:
     """The remark that a sure name is no good prediction, where unseen strokes are poorly predicted."""
-    sure = [id_ for id_ in known(content) if is_likely(content, id_) and not held_back(content, words, id_)]
+    sure = [id_ for id_ in known(content) if is_sure(content, words, id_)]
     act = "acts" if len(sure) == 1 else "act"
     return [NO_PROMISE.format(listing(sure), act)] if sure and unseen.partly(content, words) else []
 

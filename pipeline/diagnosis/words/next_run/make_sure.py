@@ -1,6 +1,5 @@
 """How to confirm the one explanation: more strokes where something is still missing, and the test of each effect."""
 
-from functools import partial
 from pathlib import Path
 
 from ....ground.command import program_name
@@ -117,7 +116,7 @@ def of_names(
         return []
     if not tests:
         return loop_to_see.step(content, words, numbers, short)
-    if all(map(partial(_is_sure, content, words), ids)) and expectation.tells_nothing(numbers):
+    if all(certainty.is_sure(content, words, id_) for id_ in ids) and expectation.tells_nothing(numbers):
         return []
     loads, other = _other_load(content, words) if recipe.load(content, words, ids) is None else ("", [])
     run = recipe.sentence(content, words, ids, loads)
@@ -152,10 +151,6 @@ def _where(parts: list[str]) -> str:
     """A sentence that says where the other parts of a step stand."""
     kept = [part for part in parts if part]
     return WHERE.format(listing([kept[0][0].upper() + kept[0][1:], *kept[1:]]), DETAILS)
-
-
-def _is_sure(content: Verdict, words: Vocabulary, id_: str) -> bool:
-    return certainty.is_likely(content, id_) and not certainty.held_back(content, words, id_)
 
 
 def _other_load(content: Verdict, words: Vocabulary) -> tuple[str, list[str]]:
