@@ -28,7 +28,7 @@ def test_what_predict_says_of_an_older_dataset_is_over_once_it_is_made_anew(bare
     assert bare_project.snakemake(TARGET).returncode == 0
     assert said(folder) == ""
     with open(first / "run.yaml", "a", encoding="utf-8") as file:
-        file.write("# by caliper\n")
+        file.write("tare: checked\n")
     broken = add_run(bare_project, "flax-03", "flax") / "recording.parquet"
     broken.write_bytes(b"PAR1 is no table")
     assert "run.yaml of flax-01 changed and flax-03 in raw/ is not in it. To make it anew: " in said(folder)
