@@ -45,7 +45,7 @@ def shown(live: bool, at, monkeypatch, seconds: float) -> tuple[str, int]:
     """What is written in a recording of so many seconds, and how often the line was due."""
     out = Terminal(live)
     monkeypatch.setattr(screen.sys, "stdout", out)
-    monkeypatch.setattr(screen.shutil, "get_terminal_size", lambda: os.terminal_size((40, 24)))
+    monkeypatch.setenv("COLUMNS", "40")
     at(0.0)
     shown_screen, times = Screen(), 0
     for step in range(int(seconds * 20)):
