@@ -87,7 +87,7 @@ def main() -> None:
         "--strokes-before", type=int, metavar="N", help="strokes done before its first recording; default: 0"
     )
     columns = "needed are the columns time_s, motor_turns, displacement_mm, or what --channels names"
-    parser.add_argument("--recording", type=Path, metavar="FILE", help=f".csv, .csv.gz or .parquet; {columns}")
+    parser.add_argument("--recording", type=Path, metavar="FILE", help=f"text, also .gz, or .parquet; {columns}")
     channels = "what is where: '{time_s: t, motor_turns: {column: a, unit: rad}}'"
     parser.add_argument("--channels", metavar="YAML", help=channels)
     parser.add_argument("--file", metavar="YAML", help="as in run.yaml: '{delimiter: \";\", header: false}'")

@@ -390,6 +390,18 @@ def test_a_name_that_ends_in_a_unit_in_brackets_is_read_in_it(new, tmp_path, nam
     assert new_by(pasted(printed)) == 0
 
 
+@pytest.mark.parametrize(
+    ("name", "kept"), [("log.txt", ".csv"), ("log.DAT", ".csv"), ("log.tsv.gz", ".csv.gz"), ("log.TXT.GZ", ".csv.gz")]
+)
+def test_a_text_of_any_usual_ending_is_kept_as_the_recording(new, tmp_path, name, kept):
+    """A `.txt` was refused by its ending, though it was read as soon as somebody renamed it."""
+    GOOD.to_csv(tmp_path / name, index=False, compression="gzip" if kept.endswith(".gz") else None)
+    status, printed, message = new("a-01", "--recording", str(tmp_path / name))
+    assert status == 0 and printed.startswith(f"{name} has {len(GOOD)} samples"), message
+    assert (tmp_path / "raw" / "a-01" / f"recording{kept}").read_bytes() == (tmp_path / name).read_bytes()
+    assert len(read_samples(tmp_path / "raw" / "a-01")[1]) == len(GOOD)
+
+
 def test_a_column_given_by_its_name_alone_is_enough(new, tmp_path):
     samples = GOOD.rename(columns={"time_s": "t", "motor_turns": "turns", "displacement_mm": "slide_cm"})
     samples["slide_cm"] /= 10

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pandas as pd
 
+from ...formats.text import FORMAT as TEXT
 from ...formats.text import Uneven, even_lines
 from ...formats.unpacked import GZIP
 from ...ground.command import command
@@ -74,12 +75,14 @@ def read_log(run: Run, path: Path, mapping: Path, read: Callable[[], pd.DataFram
 
 
 def recording_name(recording: Path) -> str:
-    """The name of a recording in its run folder; raises BadInput for a format without one."""
-    name = f"recording{''.join(recording.suffixes[-2:]) if recording.suffix == '.gz' else recording.suffix}"
+    """The name of a recording in its run folder, where any text is .csv; raises BadInput for a format without one."""
     if not recording.is_file():
         raise BadInput(recording, "--recording", "is not there", "check the path")
+    packed = ".gz" if recording.suffix.lower() == ".gz" else ""
+    ending = recording.with_suffix("").suffix if packed else recording.suffix
+    name = f"recording{'.csv' if ending.lower() in TEXT.suffixes else ending.lower()}{packed}"
     if name not in RECORDINGS[1:]:
-        endings = ", ".join(ending.removeprefix("recording") for ending in RECORDINGS[1:])
+        endings = f"{', '.join(TEXT.suffixes)}, one of these with .gz, or .parquet"
         mend = f"import it: {command('import_run')} --guess {shlex.quote(str(recording))} --out map.yaml drafts how"
         raise BadInput(recording, "--recording", f"does not end in {endings}", mend)
     return name
