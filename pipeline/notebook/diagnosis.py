@@ -6,6 +6,7 @@ import base64
 import html
 import io
 import json
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -45,22 +46,23 @@ class Diagnosis:
     recorded: tuple[RecordedRun, ...] = field(default=(), compare=False)  # what it was made of; none if it was read
 
     @classmethod
-    def of(cls, *recordings: Recording, without: frozenset[str] = frozenset()) -> Diagnosis:
+    def of(
+        cls, *recordings: Recording, without: frozenset[str] = frozenset(), say: Callable[[str], None] | None = None
+    ) -> Diagnosis:
         """The diagnosis of one recording, or of several of one rig together, in the order of their recording.
 
-        The library lacks the mechanisms whose ids are in `without`. Raises BadInput for recordings that are not of one
-        rig, for two of one name, and for one too poor to decide anything.
+        The library lacks the mechanisms whose ids are in `without`. `say` is called with the name of each step as it
+        begins: `say=print` shows how far it is. Raises BadInput for recordings that are not of one rig, for two of one
+        name, and for one too poor to decide anything.
         """
         if not recordings:
             raise BadInput("Diagnosis.of", "recordings", "are none", "give at least one recording")
         for each in recordings:
             if not isinstance(each, Recording):
                 problem = f"are {type(each).__name__}"
-                mend = (
-                    "make each by Recording.read(folder) or Recording.of(table, description), and give them one by one"
-                )
+                mend = "make each by Recording.read(folder) or Recording.of(table, description); give each by itself"
                 raise BadInput("Diagnosis.of", "recordings", problem, mend)
-        return diagnosis_of([as_recorded(each) for each in recordings], without)
+        return diagnosis_of([as_recorded(each) for each in recordings], without, say=say)
 
     @classmethod
     def read(cls, path: Path | str, actuator: str | None = None) -> Diagnosis:
@@ -171,7 +173,7 @@ def diagnosis_of(
     recorded_runs: list[Recorded],
     without: frozenset[str] = frozenset(),
     by: Judge | None = None,
-    say: Say = lambda _: None,
+    say: Say | None = None,
 ) -> Diagnosis:
     """As `Diagnosis.of`, of runs as the stages know them; `by` judges in place of the library's judge.
 
@@ -183,7 +185,7 @@ def diagnosis_of(
         mend = "give each a name of its own: run, in its description or its run.yaml"
         raise BadInput("Diagnosis.of", "recordings", f"{len(twice)} have one name, {twice[0]}", mend)
     recorded = [RecordedRun(each.run, each.table, each.strokes, each.folder) for each in ordered]
-    content, study = diagnosed(recorded, without, by, say)
+    content, study = diagnosed(recorded, without, by, say or (lambda _: None))
     if len(ordered) > 1:
         content["run"] = names
     return Diagnosis(content, ordered[0].run.actuator, study, tuple(recorded))

@@ -39,9 +39,12 @@ def diagnosed_pair(nylon: tb.Recording) -> tuple[tb.Diagnosis, bytes]:
         pickles.append(pickle.dumps((content, study)))
         return content, study
 
+    steps: list[str] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(in_a_notebook, "diagnosed", diagnosed)
-        return tb.Diagnosis.of(nylon), pickles[0]
+        pair = tb.Diagnosis.of(nylon, say=steps.append), pickles[0]
+    assert steps[0] == "held out" and steps[-1] == "writing", "who waits is told each step"
+    return pair
 
 
 @pytest.fixture(scope="module")

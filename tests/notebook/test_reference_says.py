@@ -44,7 +44,7 @@ def test_a_table_names_its_columns(documented: object, schema: object) -> None:
 
 def test_the_reference_shows_no_insides() -> None:
     """What only programs of the package need are functions beside the classes."""
-    assert list(inspect.signature(tb.Diagnosis.of).parameters) == ["recordings", "without"]
+    assert list(inspect.signature(tb.Diagnosis.of).parameters) == ["recordings", "without", "say"]
     assert {"read", "of", "strokes", "simulate"} <= set(vars(tb.Recording))
     assert not {"of_run", "recorded"} & set(vars(tb.Recording)) and not hasattr(tb.Diagnosis, "study")
     assert "recorded" not in named(tb.Diagnosis.__doc__)
