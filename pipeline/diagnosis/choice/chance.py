@@ -13,6 +13,7 @@ from ..mechanisms.interface import Nonlinear
 from ..mechanisms.library import mechanisms
 
 LEAST_BESIDE = 0.7  # of the random effect's size: a mechanism that takes away less only follows a trend of chance
+MOST = 10.0  # of a random effect's largest move: a larger residual is not its own (0.2 to 2.6 on jerking rigs)
 STILL = 0.01  # of the highest rate: slower is a rest
 LEAST_REST_S = 1.0  # shorter is no rest
 
@@ -50,10 +51,18 @@ def floor_at_rest(problem: Problem, state: State, otherwise: float) -> float:
     return min(float(np.sqrt(squares / count)), otherwise) if count > 50 else otherwise
 
 
-def size(problem: Problem, state: State) -> float:
-    """The rms of a residual beyond its floor at rest."""
+def size(problem: Problem, state: State, random: dict[str, Nonlinear]) -> float:
+    """The rms of a residual beyond its floor at rest, as far as these random effects can make it; 0 without any."""
+    if not random:
+        return 0.0
     whole = float(np.std(left(problem, state)))
-    return float(np.sqrt(max(whole**2 - floor_at_rest(problem, state, whole) ** 2, 0.0)))
+    beyond = float(np.sqrt(max(whole**2 - floor_at_rest(problem, state, whole) ** 2, 0.0)))
+    return min(beyond, most(random))
+
+
+def most(random: dict[str, Nonlinear]) -> float:
+    """The rms that random effects can leave at most, by the largest move of each, in the reading's unit."""
+    return MOST * max(nonlinear[mechanisms()[id_].largest_move] for id_, nonlinear in random.items())
 
 
 def trace(problem: Problem, state: State, floor: float) -> Array:

@@ -96,7 +96,7 @@ def decide(
     if random:
         quiet = chance.floor_at_rest(problem, best, noise.floor)
         jerks = float(np.sqrt(max(rms_by_state["best"] ** 2 - quiet**2, 0.0)))
-        floor, random = (quiet, random) if jerks >= LEAST_EFFECT * quiet else (floor, {})
+        floor, random = (quiet, random) if LEAST_EFFECT * quiet <= jerks <= chance.most(random) else (floor, {})
     mismatch = float(np.sqrt(max(rms_by_state["base"] ** 2 - floor**2, 0.0)))
     remainder = float(np.sqrt(max(rms_by_state["best"] ** 2 - noise.floor**2, 0.0)))
     share = 1.0 - remainder**2 / max(mismatch**2, 1e-300)

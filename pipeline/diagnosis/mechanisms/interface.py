@@ -107,6 +107,7 @@ class Mechanism:
     tells: Callable[[Drivers, Nonlinear], bool] = lambda drivers, nonlinear: True  # whether it can be seen
     beside: Callable[[Drivers], list[Nonlinear]] = lambda drivers: []
     random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None
+    largest_move: str = ""  # the nonlinear parameter of `random` that is the largest single move, in the reading's unit
     mark: Callable[[Drivers, Array, Array], float] | None = None
     least_mark: float = 0.0
 

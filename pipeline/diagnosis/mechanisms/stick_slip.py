@@ -123,6 +123,7 @@ MECHANISM = Mechanism(
     remembers_turns=True,
     terms=terms,
     random=random,
+    largest_move="reach_mm",
     mark=mark,
     least_mark=2.0,
 )

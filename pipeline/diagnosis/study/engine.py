@@ -145,7 +145,7 @@ def studied_once(problem: Problem, say: Progress) -> Study:
     noise = noise_of(problem, base, smooth, SURPRISES)
     catalogue = candidates.catalogue(problem, more)
     random = chance.seen(problem, base)
-    least = chance.LEAST_BESIDE * chance.size(problem, base) if random else 0.0
+    least = chance.LEAST_BESIDE * chance.size(problem, base, random)
     if problem.adopted:  # what was adopted is as inexact as any formula
         least = max(least, ADOPTED * bare(problem, noise))
     say("searching explanations")

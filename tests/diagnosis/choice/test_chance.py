@@ -103,8 +103,12 @@ def test_the_size_of_a_residual_is_what_it_has_beyond_its_rests():
     rests = [(100, 400)]
     residual, rate = resting(rests)
     wanted = np.sqrt(np.var(residual) - expected(residual, rests) ** 2)
-    assert chance.size(made(residual, rate), 0.0) == pytest.approx(wanted)
-    assert chance.size(made(residual, np.ones(ROWS)), 0.0) == 0.0  # nobody saw it at rest
+    large = {"stick_slip": {"reach_mm": 1.0}}
+    assert chance.size(made(residual, rate), 0.0, large) == pytest.approx(wanted)
+    assert chance.size(made(residual, np.ones(ROWS)), 0.0, large) == 0.0  # nobody saw it at rest
+    assert chance.size(made(residual, rate), 0.0, {}) == 0.0
+    small = {"stick_slip": {"reach_mm": 0.01}}
+    assert chance.size(made(residual, rate), 0.0, small) == pytest.approx(0.1), "no more than jerks so small make"
 
 
 @pytest.mark.parametrize(("step_s", "width"), [(0.05, 20), (0.5, 5)])

@@ -211,8 +211,8 @@ def test_what_an_adopted_explanation_may_leave_is_nothing_unknown(monkeypatch, b
     assert study.verdict == verdict and study.best_ids == ()
 
 
-SLIP = {"step": 1.0}
 QUIET = 0.5 * FLOOR  # the noise at rest, where jerks were taken for noise in motion
+SLIP = {"reach_mm": 0.5 * QUIET}  # jerks of up to ten times as much may be its own
 
 
 def jerky(monkeypatch, jerks, sets=(), none=0.0, acts=(), included=(), likely=None):
@@ -249,6 +249,13 @@ def test_smaller_jerks_are_noise(monkeypatch):
     study = jerky(monkeypatch, 0.19)
     assert study.verdict == "consistent" and not study.sets and not study.random
     assert study.floor == FLOOR and study.random_rms == 0.0 and not study.best.acts
+
+
+def test_what_no_jerk_is_large_enough_for_is_not_named_after_jerks(monkeypatch):
+    """A load read as the displacement was 'explained by stick_slip' of 0.003 mm, which left all of 6.5 mm."""
+    assert jerky(monkeypatch, 4.9).verdict == "explained"
+    study = jerky(monkeypatch, 5.1)
+    assert study.verdict == "unknown" and not study.sets and not study.random and study.floor == FLOOR
 
 
 def test_jerks_join_every_explanation_and_excuse_what_it_leaves(monkeypatch):
