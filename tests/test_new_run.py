@@ -116,6 +116,32 @@ def test_a_twist_far_from_0_needs_a_person_who_is_sure(new, tmp_path):
     assert read_samples(tmp_path / "raw" / "a-02")[1]["motor_turns"].to_numpy() == pytest.approx(GOOD["motor_turns"])
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+def test_exchanged_columns_are_refused_with_the_option_that_reads_them_right(new, tmp_path, sign):
+    """With the laser's sign turned as well, they were taken without a word."""
+    samples = GOOD.rename(columns={"displacement_mm": "Laser [mm]"})
+    samples["Kraft [N]"] = np.where(samples["time_s"] % 20 < 10, 18.0, 30.0)
+    samples["Laser [mm]"] = 40 + sign * samples["Laser [mm]"]
+    samples = samples.drop(columns="load_n")
+    entry = "'Kraft [N]'" if sign > 0 else "{column: 'Kraft [N]', scale: -1}"
+    channels = f"{{displacement_mm: {entry}, load_n: 'Laser [mm]'}}"
+    status, _, message = new("a-01", "--channels", channels, samples=samples)
+    assert status == 2 and "does not follow the twist as this string would" in message
+    assert message.count("exchange the columns of displacement_mm and load_n: here by --channels ") == 1
+    new_channels = shlex.split(message.rstrip(".\n").partition("here by --channels ")[2])[0]
+    status, _, message = new("a-01", "--channels", new_channels, samples=samples)
+    assert status == 0, message
+    _, read = read_samples(tmp_path / "raw" / "a-01")
+    assert set(read["load_n"]) == {18.0, 30.0}
+
+
+def test_a_displacement_that_hardly_follows_the_twist_is_questioned(new):
+    wave = 5 + 5 * np.sin(GOOD["time_s"] / 3)
+    status, _, message = new("a-01", samples=GOOD.assign(displacement_mm=wave))
+    assert status == 2 and "displacement_mm: hardly follows the twist: it differs from the curve of such a" in message
+    assert "check which columns motor_turns and displacement_mm are read from" in message and "--sure" in message
+
+
 def test_other_names_units_and_layouts_are_told_on_the_command_line(new, tmp_path):
     samples = GOOD.rename(columns={"motor_turns": "theta"})
     samples["theta"] *= 360

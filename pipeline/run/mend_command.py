@@ -9,9 +9,8 @@ from pathlib import Path
 from ..ground.command import command
 from ..ground.errors import BadInput
 from .description import Tare
-from .option_mend import DOUBT, GAP, values_told
+from .option_mend import DOUBT, EXCHANGE, GAP, values_told
 
-EXCHANGE = re.compile(r"exchange the columns of (\w+) and (\w+)")
 CLAUSE = re.compile(r"(; |, or (?=it |set |check |record ))")  # between what is done and what is done instead
 MEND = command("mend")
 

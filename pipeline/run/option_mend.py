@@ -15,6 +15,7 @@ from ..ground.units import UNITS
 from .run_yaml import RunYaml
 
 KEY = re.compile(r"\b(channels|file|tolerance)\.(\w+(?:\.\w+)?)")  # of run.yaml, in a mend
+EXCHANGE = re.compile(r"exchange the columns of (\w+) and (\w+)")  # in a mend
 GAP = "…"  # where a mend names no value
 UNIT = rf"(?:{'|'.join(map(re.escape, UNITS))})(?=[,.;]|$)"  # without quotation marks, and the last word on it
 VALUE = re.compile(
@@ -30,7 +31,7 @@ def by_option(error: BadInput, content: RunYaml) -> BadInput:
     The option in it has all that `content` has for it too: what is typed as it stands replaces what was given. Of
     `--file` and `--channels` the other one stands beside it where it was given.
     """
-    change = _section(error.mend, content)
+    change = _section(error.mend, content) or _exchange(error.mend, content)
     if change is None:
         return error
     section, whole, mend, rest = change
@@ -76,6 +77,19 @@ def _section(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str
             value = _value(mend, match)
             whole[key] = entry_with(own, value, whole.get(key) or {}, key)
     return section, whole, mend, rest
+
+
+def _exchange(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, str] | None:
+    """The section of the channels with the columns of two of them exchanged, where a mend asks for that; as above."""
+    pair = EXCHANGE.search(mend)
+    sections: dict[str, Any] = {**content}
+    channels: dict[str, Any] = copy.deepcopy(sections.get("channels") or {})
+    if pair is None or not channels.keys() >= set(pair.groups()):
+        return None
+    columns = [written_out(name, channels[name])["column"] for name in pair.groups()]
+    for name, column in zip(pair.groups(), reversed(columns), strict=True):
+        channels[name] = entry_with(["column"], column, channels[name], name)
+    return "channels", channels, mend, ""
 
 
 def entry_with(own: list[str], value: Any, old_entry: Any, key: str) -> Any:

@@ -61,7 +61,9 @@ def _sentence(so_far: list[Rests]) -> str:
         last, first = f"{twists[0]:.3g} turns", f"{twists[1]:.3g} turns"
     # a run without a rest after its strokes has none but the one that it begins with
     rests = f"rests last at {last}" if before.after[-1] else f"begins at {last} and rests no more"
-    why = f"{before.run.run} {rests}, {after.run.run} begins at {first}"
+    apart_mm = after.levels_mm[0] - before.levels_mm[-1]
+    less = f"{abs(apart_mm):.2g} mm {'more' if apart_mm > 0 else 'less'}"
+    why = f"{before.run.run} {rests}, {after.run.run} begins at {first}, {less} than simulated"
     by, by_checked = tare_command(after.folder, "run"), tare_command(after.folder, "checked")
     zero = zeros(so_far, frozenset({after.run.run}))[-1]
     set_so = f"compared with {zero.told_by}" if zero.told_by else "set to the model's value"

@@ -54,7 +54,7 @@ def test_a_change_of_load_is_no_ageing(tmp_path: Path) -> None:
         "3 of them. Left out: 5 strokes under 40 N (14 to 18). A change of load is no ageing; 20 N has the most (13 "
         "strokes). Strokes left are counted from stroke 13: the string did 5 strokes since."
     )
-    assert "Beware: zero not compared between a-1 and a-2: a-1 rests last at 20 N, a-2 begins at 40 N." in text
+    assert "Beware: zero not compared between a-1 and a-2: a-1 rests last at 20 N, a-2 begins at 40 N, " in text
     assert saved["load_n"] == pytest.approx(20.0) and saved["strokes_of_another_load"] == [14, 15, 16, 17, 18]
     assert saved["strokes_seen"] == 13 and len(saved["zeros_not_compared"]) == 1
     assert max(saved["indicators"]["model_error_mm"]) < 0.1

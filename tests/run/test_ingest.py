@@ -43,6 +43,9 @@ def repeated(values):
 EXCHANGED = GOOD.assign(
     displacement_mm=20 + 0.2 * np.sin(GOOD["time_s"]), load_n=GOOD["displacement_mm"]
 )  # by a wrong order of names
+COUNTED_BACK = EXCHANGED.assign(
+    displacement_mm=np.where(GOOD["time_s"] % 20 < 10, 18.0, 30.0), load_n=83 - GOOD["displacement_mm"]
+)  # a load of two steps, and a laser whose reading falls: "explained by stick_slip" it was
 TWIST_EXCHANGED = GOOD.assign(motor_turns=GOOD["displacement_mm"] + 5.0, displacement_mm=GOOD["motor_turns"])
 
 
@@ -68,6 +71,7 @@ TWIST_EXCHANGED = GOOD.assign(motor_turns=GOOD["displacement_mm"] + 5.0, displac
         (EXCHANGED, "displacement_mm", "exchange the columns of displacement_mm and load_n"),
         (TWIST_EXCHANGED, "displacement_mm", "exchange the columns of motor_turns and displacement_mm"),
         (EXCHANGED.assign(displacement_mm=20.0), "displacement_mm", "exchange the columns of displacement_mm and load"),
+        (COUNTED_BACK, "displacement_mm", "exchange the columns of displacement_mm and load_n"),
         (spoiled("displacement_mm", lambda v: v * 0 + 3), "displacement_mm", "never changes"),
         (spoiled("motor_turns", lambda v: v * 0), "motor_turns", "no stroke in it"),
         (GOOD.iloc[:0], "file", "holds 0 samples"),
@@ -92,7 +96,11 @@ def test_what_cannot_be_is_refused_and_nothing_written(make_run, tmp_path, sampl
     ("changes", "says"),
     [
         ({"rig": {"torsion_zone_mm": 1e18, "separator_mm": 8}}, r"the torsion zone within it is 1e\+18 mm"),
-        ({"actuator": "twisted_pair", "rig": None, "radius_mm": 1e-9}, "which no fibre bears"),
+        (
+            {"actuator": "twisted_pair", "rig": None, "radius_mm": 1e-9},
+            "thinner than any string. Mend: is it in metres",
+        ),
+        ({"radius_mm": 0.0004}, "radius_mm: is 0.0004 mm, thinner than any string. Mend: .*Then it is 0.4 mm"),
         ({"rig": {"torsion_zone_mm": 150, "separator_mm": 8, "load_n": 1e18}}, r"load_n: is 1e\+18 N"),
         ({"load_n": 1e308}, r"load_n: is 1e\+308 N. Mend: check channels.load_n"),
         ({"load_n": -1e308}, "load_n: is -1e"),

@@ -7,18 +7,34 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import happens_within, jump_mark, slipped, slips, slips_seen
 
+LEAST_WOUND = 0.1  # of the whole travel
+
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
     """When it slips, in s since the start; −1: a little at every stroke.
 
     None where a constant gear makes twist and reading one: there a sudden step is `clamp_slip`.
     """
-    return [*slips(drivers), {"at_s": -1.0, "within_s": 0.0}] if drivers.levered else []
+    return [*_wound(drivers, slips(drivers)), {"at_s": -1.0, "within_s": 0.0}] if drivers.levered else []
 
 
 def suggest(drivers: Drivers, residual: Array, predicted: Array) -> list[Nonlinear]:
     """Times at which a residual jumps. It has the shape (samples,), in the reading's unit."""
-    return slips_seen(drivers, residual) if drivers.levered else []
+    return _wound(drivers, slips_seen(drivers, residual)) if drivers.levered else []
+
+
+def wound_before(drivers: Drivers, nonlinear: Nonlinear) -> bool:
+    """Whether a slip lies within a run and after the string was wound: what slips before is a zero of the motor.
+
+    A slip at every stroke does.
+    """
+    before = drivers.motion[drivers.elapsed_s < nonlinear["at_s"]]
+    wound = nonlinear["at_s"] < 0 or (len(before) > 0 and float(np.ptp(before)) >= LEAST_WOUND * drivers.span)
+    return wound and happens_within(drivers, nonlinear)
+
+
+def _wound(drivers: Drivers, slipping: list[Nonlinear]) -> list[Nonlinear]:
+    return [nonlinear for nonlinear in slipping if wound_before(drivers, nonlinear)]
 
 
 def terms(drivers: Drivers, nonlinear: Nonlinear) -> list[Term]:
@@ -51,7 +67,7 @@ MECHANISM = Mechanism(
     candidates=candidates,
     terms=terms,
     suggest=suggest,
-    tells=happens_within,
+    tells=wound_before,
     mark=jump_mark,
     steps=5,
 )

@@ -1,5 +1,6 @@
 """Two columns of a string's recording that are exchanged: they fit the string the other way round."""
 
+import itertools
 from collections.abc import Sequence
 
 from ...ground.kinematics import Array, Geometry, Places
@@ -13,12 +14,17 @@ Pair = tuple[str, str]
 
 
 class Exchanged:
-    """Samples with the columns of two channels exchanged; `factor` is the ratio of the first unit to the second."""
+    """Samples with the columns of two channels exchanged; `factor` is the ratio of the first unit to the second.
 
-    def __init__(self, samples: Readings, pair: Pair, factor: float = 1.0) -> None:
+    `sign` is that of the displacement then: -1 if the sensor counts the other way.
+    """
+
+    def __init__(self, samples: Readings, pair: Pair, factor: float = 1.0, sign: float = 1.0) -> None:
         first, second = pair
         self._samples = samples
         self._from = {first: (second, factor), second: (first, 1.0 / factor)}
+        source, by = self._from["displacement_mm"]
+        self._from["displacement_mm"] = (source, sign * by)
 
     def __len__(self) -> int:
         """How many there are."""
@@ -44,19 +50,19 @@ class Exchanged:
         return self._samples.median(source) * factor
 
 
-def as_exchanged(run: Run, samples: Readings, pair: Pair) -> Exchanged:
+def as_exchanged(run: Run, samples: Readings, pair: Pair, sign: float = 1.0) -> Exchanged:
     """The samples of a run as they are if the columns of two channels are exchanged, each in its channel's unit."""
-    return Exchanged(samples, pair, _unit(run, pair[0]) / _unit(run, pair[1]))
+    return Exchanged(samples, pair, _unit(run, pair[0]) / _unit(run, pair[1]), sign)
 
 
 def exchanged(run: Run, samples: Readings, base: Geometry) -> Pair | None:
-    """The two channels of a string run whose columns are exchanged; None where none are."""
+    """The two channels of a string run whose columns are exchanged, whatever sign they have; None where none are."""
     as_it_stands = Curve(samples, base)
     if follows(as_it_stands):
         return None
     misfit = as_it_stands.misfit()
-    for pair in PAIRS:
-        curve = Curve(as_exchanged(run, samples, pair), base)
+    for pair, sign in itertools.product(PAIRS, (1.0, -1.0)):
+        curve = Curve(as_exchanged(run, samples, pair, sign), base)
         is_stroke = curve.high - curve.low >= LEAST_TURNS
         if is_stroke and _passes(curve) and AS_LIKELY * curve.misfit() <= min(LIKELY, misfit):
             return pair

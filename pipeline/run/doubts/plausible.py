@@ -18,6 +18,7 @@ from .wrong_sign import FALLS, turned_sign
 
 # A simulated span this many times larger or smaller than the recorded one is a unit, not physics.
 SPAN_RATIO = 4.0
+ELSEWHERE = 0.35  # of its span: a curve so far off the model's is hardly one over the twist (0.5 and more by chance)
 ANGLES, LENGTHS = ("turns", "rad", "deg"), ("mm", "cm", "m", "um", "in")
 IN_WORDS = {"in": "inches"}
 
@@ -107,7 +108,7 @@ def check_string(run: Run, samples: Rows, base: Geometry, path: Path) -> None:
 
 
 def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput]:
-    """Oddities of a string's checked samples that are likely mistakes: a far 0 of the twist, an odd span.
+    """Oddities of a string's checked samples that are likely mistakes: a far 0 of the twist, an odd span or curve.
 
     Two more are a load that a string would hardly bear, or that is next to none, and a temperature that no room has.
     """
@@ -119,6 +120,10 @@ def doubts(run: Run, samples: Rows, base: Geometry, path: Path) -> list[BadInput
         questions.append(BadInput(path, "motor_turns", problem, _home(run, curve)))
     elif not 1.0 / DOUBT_RATIO <= curve.ratio() <= DOUBT_RATIO:
         questions.append(_span(run, curve, path))
+    elif curve.high - curve.low >= LEAST_TURNS and (misfit := curve.misfit()) > ELSEWHERE:
+        problem = f"hardly follows the twist: it differs from the curve of such a string by {misfit:.0%} of its span"
+        mend = "check which columns motor_turns and displacement_mm are read from"
+        questions.append(BadInput(path, "displacement_mm", problem, mend))
     if mistake := load_mistake(run, samples, base, path, DOUBT_STRETCH):
         questions.append(mistake)
     if small := small_load(run, samples, base, path):

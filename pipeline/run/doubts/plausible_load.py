@@ -11,6 +11,7 @@ from ...ground.stored.rows import Rows
 from ..description import Channel, Run
 
 STRONGEST_MPA = 3000.0  # no fibre bears more
+THINNEST_MM = 0.005  # of a radius: no string is thinner, and one in metres reads so
 DOUBT_STRETCH = 0.1  # of the length: hardly a string stretches by so much
 LEAST_LOAD_N = 0.2  # a load cell that never shows more, and no noise about 0, hardly shows newtons
 NOISE = 0.25  # of the largest load: one that goes so far to the other side of 0 is noise about none
@@ -37,6 +38,9 @@ def load_mistake(run: Run, samples: Rows, base: Geometry, path: Path, most: floa
         if stress_mpa > STRONGEST_MPA
         else f"which would stretch the string by {share:.0%} of its length"
     )
+    if base.radius_mm < THINNEST_MM:
+        mend = f"is it in metres? Then it is {1000.0 * base.radius_mm:g} mm; else check it"
+        return BadInput(path, "string.radius_mm", f"is {base.radius_mm:g} mm, thinner than any string", mend)
     from_run_yaml = "load_n" in run.rig and samples.extremes("load_n") == (run.rig["load_n"],) * 2
     mend = "give rig.load_n in newtons" if from_run_yaml else "set channels.load_n.unit to gf"
     mend = f"are they grams? {mend}; else check radius_mm and stiffness_n_per_mm"
