@@ -8,6 +8,7 @@ from made_content import full, page, told, weighed
 from pipeline.diagnosis.choice import kept
 from pipeline.diagnosis.choice.judged import Judged, LeftOut
 from pipeline.diagnosis.words.explanations.not_named import BECAUSE
+from pipeline.diagnosis.words.explanations.probability import at_work
 
 OUT = {
     "ids": ["friction_hysteresis", "sensor_drift"],
@@ -71,7 +72,18 @@ def test_an_explanation_that_is_likelier_than_the_best_one_is_named_with_the_rul
     assert "less likely" not in text.partition("How probable each")[2].partition("What is missing")[0]
     details = told(left_out())
     assert "Kept: 2 explanations, 50 % together" in details
-    assert "One likely explanation is left out (40 %), so less than 80 % is kept" in details
+    assert (
+        "One likely explanation is left out (40 %), so less than 80 % is kept; the percentages of effects do not"
+        in details
+    )
+
+
+def test_the_share_of_what_is_left_out_is_that_of_the_others():
+    diagnosis = left_out()
+    counted = 0.004 + 0.4 + 0.2 + 0.02 + 0.3
+    with_creep = sum(entry["probability"] for entry in diagnosis["evidence"]["explanations"] if "creep" in entry["ids"])
+    assert at_work(diagnosis, "creep") == pytest.approx(with_creep * (counted + 0.4) / counted)
+    assert at_work(diagnosis, "jam") == 0.0
 
 
 @pytest.mark.parametrize("because", BECAUSE)

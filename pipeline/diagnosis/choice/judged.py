@@ -39,8 +39,11 @@ class Judged:
     left_out: tuple[LeftOut, ...] = ()  # likely enough to be held, and no names
 
     def confidence(self, id_: str) -> float:
-        """How likely a mechanism is at work, whatever is beside it."""
-        return float(sum(share for ids, share in self.likely.items() if id_ in ids))
+        """How likely a mechanism is at work, whatever is beside it; what is left out says nothing of it."""
+        out = {each.ids for each in self.left_out}
+        shares = {ids: share for ids, share in self.likely.items() if ids not in out}
+        with_it = sum(share for ids, share in shares.items() if id_ in ids)
+        return float(with_it * sum(self.likely.values()) / max(sum(shares.values()), 1e-300))
 
 
 NOTHING = Judged([], {}, 1.0)

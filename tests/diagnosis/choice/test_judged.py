@@ -87,6 +87,14 @@ def test_a_set_without_physics_of_the_library_counts_as_none_of_them(monkeypatch
     assert judgement.confidence("sensor_lag") == pytest.approx(0.4)
 
 
+def test_an_explanation_that_is_left_out_says_nothing_of_its_effects():
+    """What was left out made an effect likely that every kept explanation but one lacked."""
+    likely = {("jam",): 0.3, ("creep", "jam"): 0.1, ("thermal", "wear"): 0.5}
+    judgement = judged.Judged([], likely, 0.1, left_out=(judged.LeftOut(("thermal", "wear"), "cancels", ()),))
+    shares = {id_: judgement.confidence(id_) for id_ in ("jam", "creep", "wear")}
+    assert shares == pytest.approx({"jam": 0.9, "creep": 0.225, "wear": 0.0})
+
+
 def test_a_number_that_the_other_stretches_hardly_show_stays_nothing():
     """A column acts in the last stretch; what little there is of it before would tell a number of any size."""
     rows, draw = 1000, np.random.default_rng(0)

@@ -38,9 +38,14 @@ def said(share: float | None) -> str:
 
 
 def at_work(content: Verdict, id_: str) -> float:
-    """How probable it is that an effect acts, whatever is beside it: the sum over the explanations that have it."""
+    """How probable it is that an effect acts, whatever is beside it: the sum over the explanations that have it.
+
+    Explanations that are left out say nothing of it: their share is that of the others.
+    """
     shown = content["evidence"]["explanations"]
-    return float(sum(share_of(explanation) for explanation in shown if id_ in explanation["ids"]))
+    every = float(sum(share_of(explanation) for explanation in shown))
+    with_it = float(sum(share_of(explanation) for explanation in shown if id_ in explanation["ids"]))
+    return with_it * (every + not_named.together(content)) / every if every else 0.0
 
 
 def rule(content: Verdict) -> list[str]:
@@ -74,8 +79,9 @@ def _left_out(content: Verdict) -> str:
     """How much of the kept probability is left out; nothing where none is."""
     out = content["evidence"].get("left_out", [])
     which = "One likely explanation is" if len(out) == 1 else f"{len(out)} likely explanations are"
-    share = not_named.together(content)
-    return f"{which} left out ({percent(share)}), so less than {percent(HELD)} is kept. " if share else ""
+    share, them = not_named.together(content), "it" if len(out) == 1 else "them"
+    uncounted = f"the percentages of effects do not count {them}"
+    return f"{which} left out ({percent(share)}), so less than {percent(HELD)} is kept; {uncounted}. " if share else ""
 
 
 def not_weighed(ids: list[str]) -> str:
