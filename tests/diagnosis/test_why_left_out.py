@@ -84,6 +84,10 @@ def test_the_share_of_what_is_left_out_is_that_of_the_others():
     with_creep = sum(entry["probability"] for entry in diagnosis["evidence"]["explanations"] if "creep" in entry["ids"])
     assert at_work(diagnosis, "creep") == pytest.approx(with_creep * (counted + 0.4) / counted)
     assert at_work(diagnosis, "jam") == 0.0
+    for entry in diagnosis["mechanisms"]:
+        entry["confidence"] = 0.7
+    share = "are the share of explanations with each, of all that are not left out; the best one alone has 30 %."
+    assert share in " ".join(page(diagnosis).split())
 
 
 @pytest.mark.parametrize("because", BECAUSE)

@@ -7,7 +7,7 @@ from ...document.content import Verdict, mismatch_of
 from ...document.made_keys import Interval, amount, interval
 from ...document.time_constants import time_constants_s
 from ...mechanisms.library import mechanisms
-from ..explanations import probability, rivals
+from ..explanations import not_named, probability, rivals
 from ..held_out import holdout, in_vain, unseen
 from ..held_out.much_left import much_left
 from ..language.explained_words import tells
@@ -22,6 +22,7 @@ SURE, PROBABLE = 0.8, 0.5
 EVEN = 0.45  # probability below which an effect is more likely absent than at work
 NOT_RECORDED, AND = "a second {} {} not recorded", "and a second"
 ALSO_ELSEWHERE = "{} the sum over all explanations with {}; the best explanation alone has {}."
+NOT_OF_LEFT_OUT = "{} the share of explanations with {}, of all that are not left out; the best one alone has {}."
 NO_PROMISE = "Sure is that {} {}, not that the simulator predicts: something is still missing."
 COMPARES = "The percentages compare explanations of the library in which a dimension may move by three tolerances"
 TEMPERATURE = "temperature"  # the driver of what follows it
@@ -154,7 +155,8 @@ def than_the_explanation(content: Verdict) -> list[str]:
     sums = [f"the {percent(its)} of {id_}" for id_, its in shares.items()]
     each = "it" if len(sums) == 1 else "each"
     are = "is" if len(sums) == 1 else "are"
-    return [first_upper(ALSO_ELSEWHERE.format(f"{listing(sums)} {are}", each, percent(share)))] if sums else []
+    what = NOT_OF_LEFT_OUT if not_named.together(content) else ALSO_ELSEWHERE
+    return [first_upper(what.format(f"{listing(sums)} {are}", each, percent(share)))] if sums else []
 
 
 def no_promise(content: Verdict, words: Vocabulary) -> list[str]:
