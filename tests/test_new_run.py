@@ -183,6 +183,10 @@ def test_columns_that_nothing_is_read_from_are_named(new, tmp_path):
     """A load in a column of another name was taken as 0 N, and no line said that the column is there."""
     status, printed, _ = new("a-01", samples=GOOD.drop(columns="load_n", errors="ignore").assign(pull=15.0))
     assert status == 0 and "\n  no load: taken as 0 N" in printed and "\n  not read: pull\n" in printed
+    assert "is it" not in printed
+    forced = GOOD.drop(columns="load_n", errors="ignore").assign(**{"Kraft [N]": 15.0})
+    status, printed, _ = new("a-02", samples=forced)
+    assert status == 0 and "if one hangs, name its column (is it Kraft [N]?) as load_n, or" in printed
     status, _, message = new("a-01", samples=GOOD)
     assert status == 2 and "remove that folder yourself if nobody needs it" in message
 

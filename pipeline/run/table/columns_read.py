@@ -7,11 +7,13 @@ import numpy as np
 import pandas as pd
 
 from ...ground.input.complaint import key_name
+from ...ground.input.header_units import header_unit
 from ...ground.units import unit_of
 from ...ground.words.counts import counted
 from ..description import Channel, Run
 from .named_units import in_its_unit
 
+FORCES = ("N", "kN", "gf", "kgf")  # units of a column that may be the load
 NAMED = 8  # columns that nothing is read from
 
 
@@ -34,9 +36,10 @@ def read_as(
         parts += [f"in {unit}"] if unit else []
         whence = f" ({' '.join(parts)}{changed})" if parts else ""
         sentences.append(f"{name} {samples[name].min():.4g} to {samples[name].max():.4g}{whence}")
-    if has_no_load(run) and not np.any(samples.get("load_n", 0.0)):
-        sentences.append("no load: taken as 0 N; if one hangs, name its column as load_n, or write rig.load_n")
     unread = [key_name(column) for place, column in enumerate(columns) if not {place, column} & _keys(run, columns)]
+    if has_no_load(run) and not np.any(samples.get("load_n", 0.0)):
+        force = next((f" (is it {column}?)" for column in unread if header_unit(column) in FORCES), "")
+        sentences.append(f"no load: taken as 0 N; if one hangs, name its column{force} as load_n, or write rig.load_n")
     if unread:
         more = f" and {len(unread) - NAMED} more" if len(unread) > NAMED else ""
         sentences.append(f"not read: {', '.join(unread[:NAMED])}{more}")

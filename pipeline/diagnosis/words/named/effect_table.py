@@ -3,6 +3,7 @@
 from ...document.content import Verdict, mismatch_of
 from ...document.effects_named import MechanismEntry
 from ...document.made_keys import Interval, amount, by_name, interval
+from ...mechanisms.library import mechanisms
 from ..explanations import probability
 from ..held_out import holdout
 from ..language.quantity import listing, percent, reaches, size
@@ -20,6 +21,7 @@ OF_OWN_PART = f"Its own part is {PART}."
 AT_A_STAND = ", and is gone as soon as the motor stands"  # of a loss, by its law
 WHOSE = "Sizes are those of the best explanation."
 NO_PERCENTAGE = "No percentage is known on this rig."
+OF_CHANCE = "No percentage is known of an effect whose every move is chance."
 NO_SIZE = "–"  # of an effect that the best explanation has not
 UNSURE_SIZE = (
     "Poorly known: the interval is wider than a factor of 2, since dimensions or other effects can take over much of "
@@ -78,7 +80,7 @@ def lines(content: Verdict, words: Vocabulary, short: bool) -> list[str]:
         note = [OF_OWN_PART] if parts else []
         return [
             *table_lines,
-            *([] if certainty.known(content) else [NO_PERCENTAGE]),
+            *([] if certainty.known(content) else [_no_percentage(entries)]),
             *_in_one([*needed.lines(content), *note, *larger, *([WHOSE] if several else []), *against]),
             *_in_one([*certainty.than_the_explanation(content), *certainty.no_promise(content, words)]),
             *([] if far_moved(content) else certainty.to_write(content, words, short)),  # else it is said first
@@ -118,6 +120,11 @@ def _in_all(content: Verdict, entries: list[MechanismEntry], words: Vocabulary) 
     }
     sizes = [f"{id_} {part}" if len(parts) > 1 else part for id_, part in parts.items()]
     return [IN_ALL.format(listing(list(parts)), listing(sizes), _in_its_place(content))] if parts else []
+
+
+def _no_percentage(entries: list[MechanismEntry]) -> str:
+    """Why no effect has a percentage."""
+    return OF_CHANCE if any(mechanisms()[entry["id"]].largest_move for entry in entries) else NO_PERCENTAGE
 
 
 def _in_its_place(content: Verdict) -> str:

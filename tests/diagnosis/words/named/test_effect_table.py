@@ -66,3 +66,13 @@ def test_the_page_says_how_large_an_effect_gets_where_no_dimension_imitates_it(s
     diagnosis["evidence"] |= {"beyond_dimensions_mm": {"friction_hysteresis": size}}
     description = in_a_line.of_named(entry, diagnosis, Vocabulary.of(systems()["separator"]))
     assert f"winding and unwinding differ by a rounded loop that grows with load or twist{line}" in f"{description} "
+
+
+@pytest.mark.parametrize(("id_", "of_what"), [("stick_slip", "of an effect whose every"), ("creep", "on this rig")])
+def test_why_no_effect_has_a_percentage_is_said(id_, of_what) -> None:
+    """Of jerks on a string it was said that no percentage is known on this rig."""
+    diagnosis = content(verdict="explained", alternatives=[], next_run=None)
+    diagnosis["mechanisms"] = [{"id": id_, "rms_mm": parameter(0.4, "mm"), "parameters": {}}]
+    for entry in diagnosis["evidence"]["explanations"]:
+        entry.pop("probability", None)
+    assert f"No percentage is known {of_what}" in " ".join(page(diagnosis).split())
