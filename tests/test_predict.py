@@ -353,6 +353,18 @@ def test_a_contraction_that_no_twist_gives_is_outside_and_said(dataset: Path, sa
     np.testing.assert_allclose(table["motor_turns"][1:], held_turns, rtol=1e-3)
 
 
+def test_of_a_contraction_beyond_all_that_was_recorded_it_is_said_where_its_twist_is_held(dataset: Path) -> None:
+    """The end of the range stood in the cell as an answer, and `why` told of the contraction alone."""
+    done = ask(dataset, "stroke,direction,displacement_mm\n3,1,5\n3,1,90\n", "--model", "polynomial")
+    assert done.returncode == 0, done.stderr
+    table = pd.read_csv(dataset.with_name("answers.csv"))
+    assert table["inside"].tolist() == [True, False] and table["why"].isna()[0]
+    end = pd.read_parquet(dataset)["motor_turns"].max()
+    assert table["motor_turns"][1] == pytest.approx(end, rel=0.02)
+    assert "contraction 90 mm is above" in table["why"][1]
+    assert table["why"][1].endswith(f"; HELD at {table['motor_turns'][1]:.4g} turns, the end of the range")
+
+
 @pytest.mark.parametrize("is_saved", [False, True], ids=["anew", "saved"])
 def test_rows_that_ask_for_twist_and_rows_that_ask_for_contraction_may_stand_in_one_file(
     dataset: Path, is_saved: bool

@@ -52,7 +52,11 @@ def held(
     recorded; `whose` names the string whose range it is, if others have another.
     """
     reached = f"{inward(least_mm, up=True):g} to {inward(most_mm, up=False):g} mm"
-    range_is = f"the range{whose}{around and f' recorded around {around}'}"
-    at_end = f"HELD at {turns:.4g} turns, the end of {range_is}"
+    at_end = held_at(turns, f"{whose}{around and f' recorded around {around}'}")
     state = ["stroke", "direction", *(WORDS.get(name, name) for name in conditions)]
     return f"{at_end}: its twists give {reached} at this {', '.join(state[:-1])} and {state[-1]}"
+
+
+def held_at(turns: float, of_which: str = "") -> str:
+    """Say that a twist, in turns, is held at an end of the range; `of_which` follows that word."""
+    return f"HELD at {turns:.4g} turns, the end of the range{of_which}"

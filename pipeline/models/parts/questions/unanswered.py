@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..box import MARGIN
 from ..inside.assumed_stiffness import said_once
-from ..inside.beyond_range import also, beyond, held
+from ..inside.beyond_range import also, beyond, held, held_at
 from ..inside.recorded_pairs import around
 from ..inside.why import Kind, Why
 from ..rolling_origin import too_far
@@ -47,7 +47,11 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
     """Why each of these questions has no interval; sentences of shape (questions,), without unit."""
     sentences = np.full(len(questions), "", object)
     forward = wanted == "displacement_mm"
-    turns = questions["motor_turns"].to_numpy(float) if forward else intervals.brought(questions, level)[0]
+    at_end = np.zeros(len(questions), bool)
+    if forward:
+        turns = questions["motor_turns"].to_numpy(float)
+    else:
+        turns, at_end = intervals.brought(questions, level)
     outside, last = intervals.outside(questions, wanted, turns), intervals.last_recorded(questions)
     apart = outside.pop("pairs", np.zeros(len(questions), bool))
     under = intervals.measure.under
@@ -66,6 +70,8 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
         for never_around in intervals.measure.never(questions, turns).values():
             for row, reason in enumerate(never_around):
                 sentences[row] = also(sentences[row], reason if apart_in_twist[row] else "")
+    for row in np.flatnonzero(at_end & (sentences != "")).tolist():
+        sentences[row] = also(sentences[row], held_at(float(turns[row]), intervals.measure.whose))
     rows = np.flatnonzero(sentences == "")
     if wanted == "motor_turns" and len(rows):
         rest = questions.iloc[rows]
