@@ -69,5 +69,5 @@ def _sentence(so_far: list[Rests]) -> str:
     set_so = f"compared with {zero.told_by}" if zero.told_by else "set to the model's value"
     mend = f"write `tare: run` in run.yaml of {after.run.run} ({by}): its first rest is then {set_so}"
     between = f"{NOT_COMPARED} {before.run.run} and {after.run.run}"
-    checked = f"If they were checked and did not move, write `tare: checked` ({by_checked})"
-    return f"{between}: {why}. If the sensor or a clamp was moved in between, {mend}. {checked}."
+    checked = f"If neither moved, write `tare: checked` ({by_checked})"
+    return f"{between}: {why}. If the sensor or a clamp was moved since, {mend}. {checked}."

@@ -128,7 +128,7 @@ def test_what_is_not_compared_says_what_a_tare_would_compare() -> None:
     (note,) = not_compared(rests_of(pair(tare=None)))
     assert "its first rest is then compared with the last rest of a-1, carried from 50 to 25 N by" in note
     (note,) = not_compared(rests_of(pair((20.0, 50.0, 50.0), tare=None)))
-    assert "its first rest is then set to the model's value. If they were checked" in note
+    assert "its first rest is then set to the model's value. If neither moved" in note
 
 
 @pytest.mark.parametrize("tare", [None, "checked"])

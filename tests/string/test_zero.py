@@ -271,7 +271,7 @@ def test_of_a_zero_that_was_checked_nothing_more_is_asked() -> None:
     assert not_compared(pair) == [] and to_confirm(pair) == []
     open_pair = [pair[0], replace(pair[1], run=two[1].run.model_copy(update={"tare": "string"}))]
     by = f"python -m pipeline.mend {two[1].folder} tare=checked"
-    assert not_compared(open_pair)[0].endswith(f"If they were checked and did not move, write `tare: checked` ({by}).")
+    assert not_compared(open_pair)[0].endswith(f"If neither moved, write `tare: checked` ({by}).")
 
 
 def test_a_zero_at_the_models_value_is_not_said_to_be_known_as_one_that_was_compared() -> None:

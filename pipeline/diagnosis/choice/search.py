@@ -63,8 +63,7 @@ class Search:
             misfits, active = self.linear.scan(keys, id_)
             free = sum(self.free[other] for other, _ in keys) + self.free[id_]
             costs = misfits + self.penalty * (active + free)
-            for _, number in chosen:
-                costs[number] = np.inf
+            costs[self.linear.taken(id_, [number for _, number in chosen])] = np.inf
             for number in np.argsort(costs, kind="stable")[: SIGNS_TRIED if chosen else 1]:
                 more = (*chosen, (id_, int(number)))
                 if not chosen or costs[number] >= cost - LEAST_GAIN or self._one_sign(others_keys, more):

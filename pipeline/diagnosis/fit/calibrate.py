@@ -81,7 +81,13 @@ def refine(problem: Problem, noise: Noise, state: State) -> State:
             for number in range(len(act.nonlinear)):
                 act = state.acts[place]
                 beside = _between(candidates, act.nonlinear[number], FIRST_STEP * NEARER**level, kinds)
-                beside = [other for other in beside if mechanism.tells(problem.drivers, other)]
+                others = [*act.nonlinear[:number], *act.nonlinear[number + 1 :]]
+                beside = [
+                    each
+                    for each in beside
+                    if mechanism.tells(problem.drivers, each)
+                    and not any(mechanism.at_once(problem.drivers, each, other) for other in others)
+                ]
                 near = [act.nonlinear[number], *beside]
                 if len(near) == 1:
                     continue

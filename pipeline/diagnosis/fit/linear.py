@@ -103,6 +103,13 @@ class Linear(Products):
         """Calibration's columns and those of some candidates. Shape (columns,), as places in the table."""
         return np.concatenate([self.calibration, *(self.index[key] for key in keys)]).astype(int)
 
+    def taken(self, id_: str, numbers: list[int]) -> NDArray[np.bool_]:
+        """Which candidates of a mechanism are chosen, or one event with a chosen one. Shape (candidates,)."""
+        options, at_once = self.catalogue[id_], mechanisms()[id_].at_once
+        chosen, drivers = [options[number] for number in numbers], self.problem.drivers
+        near = [any(at_once(drivers, option, each) for each in chosen) for option in options]
+        return np.array(near, bool) | np.isin(np.arange(len(options)), numbers)
+
     def fit(self, columns: np.ndarray, above: Array | None = None, below: Array | None = None) -> Fit:
         """Whitened joint fit of some columns; `above` and `below` bound their coefficients further.
 

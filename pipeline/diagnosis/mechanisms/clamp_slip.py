@@ -5,7 +5,7 @@ import numpy as np
 from ...ground.kinematics import Array
 from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
-from .shared_laws import happens_within, jump_mark, slipped, slips, slips_seen
+from .shared_laws import at_once, happens_within, jump_mark, slipped, slips, slips_seen
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:
@@ -44,6 +44,7 @@ MECHANISM = Mechanism(
     candidates=candidates,
     terms=terms,
     suggest=suggest,
+    at_once=at_once,
     tells=happens_within,
     mark=jump_mark,
     steps=4,

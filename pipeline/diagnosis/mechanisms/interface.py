@@ -105,6 +105,7 @@ class Mechanism:
     units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
     suggest: Callable[[Drivers, Array, Array], list[Nonlinear]] = lambda drivers, residual, predicted: []
     tells: Callable[[Drivers, Nonlinear], bool] = lambda drivers, nonlinear: True  # whether it can be seen
+    at_once: Callable[[Drivers, Nonlinear, Nonlinear], bool] = lambda drivers, first, second: False  # two as one event
     beside: Callable[[Drivers], list[Nonlinear]] = lambda drivers: []
     random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None
     largest_move: str = ""  # the nonlinear parameter of `random` that is the largest single move, in the reading's unit
