@@ -104,7 +104,10 @@ class Linear(Products):
         return np.concatenate([self.calibration, *(self.index[key] for key in keys)]).astype(int)
 
     def taken(self, id_: str, numbers: list[int]) -> NDArray[np.bool_]:
-        """Which candidates of a mechanism are chosen, or one event with a chosen one. Shape (candidates,)."""
+        """Which candidates of a mechanism are chosen, or one event with a chosen one.
+
+        Shape (candidates,), without unit.
+        """
         options, at_once = self.catalogue[id_], mechanisms()[id_].at_once
         chosen, drivers = [options[number] for number in numbers], self.problem.drivers
         near = [any(at_once(drivers, option, each) for each in chosen) for option in options]

@@ -217,6 +217,9 @@ class Scanned:
     def columns_of(self, keys):
         return np.array([0, *(1 + number for _, number in keys)])
 
+    def taken(self, id_, numbers):
+        return np.isin(np.arange(len(self.catalogue[id_])), numbers)
+
     def scan(self, keys, id_):
         misfits = np.array(self.misfits[id_, tuple(number for _, number in keys)])
         return misfits, np.full(len(misfits), self.number)
@@ -291,6 +294,9 @@ class Paired(Scanned):
         super().__init__({(id_, ()): misfits for id_, misfits in alone.items()})
         self.alone, self.both, self.asked = alone, np.array(both), []
         self.catalogue = {id_: [{"at": float(n)} for n in range(len(misfits))] for id_, misfits in alone.items()}
+
+    def taken(self, id_, numbers):
+        return np.isin(np.arange(len(self.catalogue[id_])), numbers)
 
     def scan(self, keys, id_):
         self.asked.append(id_)
