@@ -9,7 +9,7 @@ from . import inverse_beside
 from .usual_model import why
 
 NOT_DECIDED = (
-    "Most of its later strokes were recorded under a load or to a twist that few learnt strokes have, so they do not "
+    "Some of its later strokes were recorded under a load or to a twist that few learnt strokes have, so they do not "
     "decide."
 )
 
