@@ -135,6 +135,13 @@ def test_exchanged_columns_are_refused_with_the_option_that_reads_them_right(new
     assert set(read["load_n"]) == {18.0, 30.0}
 
 
+def test_exchanged_columns_of_channels_that_are_called_so_are_named_in_the_option(new):
+    samples = GOOD.assign(displacement_mm=20.0 + 0.2 * np.sin(GOOD["time_s"]), load_n=GOOD["displacement_mm"])
+    status, _, message = new("a-01", "--channels", "{displacement_mm: {scale: 1}, load_n: {scale: 1}}", samples=samples)
+    option = "'{displacement_mm: {scale: 1, column: load_n}, load_n: {scale: 1, column: displacement_mm}}'"
+    assert status == 2 and f"here by --channels {option}" in message, message
+
+
 def test_a_displacement_that_hardly_follows_the_twist_is_questioned(new):
     wave = 5 + 5 * np.sin(GOOD["time_s"] / 3)
     status, _, message = new("a-01", samples=GOOD.assign(displacement_mm=wave))

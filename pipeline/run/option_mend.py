@@ -86,7 +86,7 @@ def _exchange(mend: str, content: RunYaml) -> tuple[str, dict[str, Any], str, st
     channels: dict[str, Any] = copy.deepcopy(sections.get("channels") or {})
     if pair is None or not channels.keys() >= set(pair.groups()):
         return None
-    columns = [written_out(name, channels[name])["column"] for name in pair.groups()]
+    columns = [written_out(name, channels[name]).get("column", name) for name in pair.groups()]
     for name, column in zip(pair.groups(), reversed(columns), strict=True):
         channels[name] = entry_with(["column"], column, channels[name], name)
     return "channels", channels, mend, ""
