@@ -8,7 +8,6 @@ from ..recording.drivers import Drivers
 from .interface import Nonlinear
 
 BESIDE, SEEN = 4, 14  # samples on either side of a jump; jumps of a residual that are tried
-WHILE_S = 1.0  # two slips that are nearer are one
 WITHIN_S = 0.4  # time constant of a slip that is not sudden: after it about a third of the slip is still to come
 GROWTHS = (0.03, 0.1, 0.3, 1.0)  # of the whole: after how much of it a saturating growth has done 63 %
 
@@ -112,7 +111,7 @@ def happens_within(drivers: Drivers, nonlinear: Nonlinear) -> bool:
 
 def at_once(drivers: Drivers, first: Nonlinear, second: Nonlinear) -> bool:
     """Whether two slips are so near that they are one: of two with opposite signs the difference alone is seen."""
-    return abs(first["at_s"] - second["at_s"]) < max(WHILE_S, 2 * BESIDE * drivers.step_s)
+    return abs(first["at_s"] - second["at_s"]) < 2 * BESIDE * drivers.step_s
 
 
 def jumps(drivers: Drivers, residual: Array) -> Array:
@@ -143,7 +142,7 @@ def slips_seen(drivers: Drivers, residual: Array) -> list[Nonlinear]:
     The residual has the shape (samples,), in the channel's unit; times in s.
     """
     height = jumps(drivers, residual)
-    apart = max(int(WHILE_S / drivers.step_s), 2 * BESIDE)
+    apart = max(int(1.0 / drivers.step_s), 2 * BESIDE)
     candidates: list[Nonlinear] = []
     for _ in range(SEEN):
         place = int(np.argmax(height))

@@ -13,11 +13,14 @@ from pipeline.notebook.recording import Recording
 
 
 @pytest.mark.parametrize("id_", ["clamp_slip", "count_slip"])
-def test_two_slips_within_a_second_are_one(problem, id_) -> None:
-    at_once, at_90 = mechanisms()[id_].at_once, {"at_s": 90.0, "within_s": 0.0}
-    for at_s, is_one in ((89.0, False), (89.1, True), (90.0, True), (90.9, True), (91.0, False), (-1.0, False)):
-        assert at_once(problem.drivers, at_90, {"at_s": at_s, "within_s": 0.4}) is is_one
-    options = [{"at_s": at_s, "within_s": 0.0} for at_s in (20.0, 20.9, 30.0, 31.5, 40.0)]
+def test_two_slips_within_a_few_samples_are_one(problem, id_) -> None:
+    """A jump is seen by four samples on either side: slips that share some of them are seen together."""
+    at_once, at_90, step_s = mechanisms()[id_].at_once, {"at_s": 90.0, "within_s": 0.0}, problem.drivers.step_s
+    for steps, is_one in ((-8.1, False), (-7.9, True), (0.0, True), (0.2, True), (7.9, True), (8.1, False)):
+        assert at_once(problem.drivers, at_90, {"at_s": 90.0 + steps * step_s, "within_s": 0.4}) is is_one
+    assert not at_once(problem.drivers, at_90, {"at_s": -1.0, "within_s": 0.0}), "a little at every stroke"
+    at_s = (20.0, 20.0 + 7 * step_s, 30.0, 30.0 + 9 * step_s, 40.0)
+    options = [{"at_s": each_s, "within_s": 0.0} for each_s in at_s]
     linear = Linear(problem, problem.nominal(), white(1.0), {id_: options})
     assert linear.taken(id_, [0, 2]).tolist() == [True, True, True, False, False]
     assert not linear.taken(id_, []).any()
