@@ -7,7 +7,7 @@ from ..recording.drivers import Drivers
 from .interface import Mechanism, Nonlinear, Term
 from .shared_laws import at_once, happens_within, jump_mark, slipped, slips, slips_seen
 
-LEAST_WOUND = 0.1  # of the whole travel
+LEAST_WOUND = 0.1  # of the whole travel: a string that moved less was not wound yet
 
 
 def candidates(drivers: Drivers) -> list[Nonlinear]:

@@ -45,10 +45,10 @@ class Mechanism:
 
     `candidates` lists values of the nonlinear parameters (at least one set, possibly empty; none when the recording
     cannot show the mechanism at all); `terms` gives the terms at one of them. `steps` > 1: the mechanism may act
-    several times (sudden events), each with nonlinear parameters of its own. `suggest` adds the candidates that a
-    residual of calibration makes plausible. `beside` gives nonlinear parameters at which a helper may take what named
-    effects leave, as a part of the simulator. `random` gives nonlinear parameters where a residual shows an effect
-    whose every move is chance.
+    several times (sudden events), each with nonlinear parameters of its own; `at_once` says which two are one event.
+    `suggest` adds the candidates that a residual of calibration makes plausible. `beside` gives nonlinear parameters at
+    which a helper may take what named effects leave, as a part of the simulator. `random` gives nonlinear parameters
+    where a residual shows an effect whose every move is chance.
     `mark` says how clearly a residual of calibration, beside the prediction, shows what only this mechanism leaves:
     about 0 without it, and never more than about 6; where it is less than `least_mark`, no explanation names the
     mechanism. An id that begins with `x_` is no physics of the library: alone it
@@ -105,7 +105,7 @@ class Mechanism:
     units: dict[str, str] = field(default_factory=dict)  # of nonlinear parameters, where `candidates` may be empty
     suggest: Callable[[Drivers, Array, Array], list[Nonlinear]] = lambda drivers, residual, predicted: []
     tells: Callable[[Drivers, Nonlinear], bool] = lambda drivers, nonlinear: True  # whether it can be seen
-    at_once: Callable[[Drivers, Nonlinear, Nonlinear], bool] = lambda drivers, first, second: False  # two as one event
+    at_once: Callable[[Drivers, Nonlinear, Nonlinear], bool] = lambda drivers, first, second: False
     beside: Callable[[Drivers], list[Nonlinear]] = lambda drivers: []
     random: Callable[[Drivers, Array, Array], Nonlinear | None] = lambda drivers, residual, predicted: None
     largest_move: str = ""  # the nonlinear parameter of `random` that is the largest single move, in the reading's unit

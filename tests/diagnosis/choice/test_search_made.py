@@ -295,9 +295,6 @@ class Paired(Scanned):
         self.alone, self.both, self.asked = alone, np.array(both), []
         self.catalogue = {id_: [{"at": float(n)} for n in range(len(misfits))] for id_, misfits in alone.items()}
 
-    def taken(self, id_, numbers):
-        return np.isin(np.arange(len(self.catalogue[id_])), numbers)
-
     def scan(self, keys, id_):
         self.asked.append(id_)
         by_creep = self.both if id_ == "creep" else self.both.T

@@ -75,7 +75,7 @@ def _outside(intervals: Intervals, questions: pd.DataFrame, wanted: str, level: 
     rows = np.flatnonzero(sentences == "")
     if wanted == "motor_turns" and len(rows):
         rest = questions.iloc[rows]
-        twists, wrong = intervals.brought(rest, level)
+        twists, wrong = turns[rows], at_end[rows]
         least_mm, most_mm = reached_mm(intervals.model, rest, intervals.turns(rest))
         near = around(intervals.pairs, rest, twists)
         for place in np.flatnonzero(wrong):
